@@ -1,0 +1,13 @@
+find_package(PkgConfig REQUIRED)
+# Debian's Bullet CMake package has a broken include path; its pkg-config file is right.
+pkg_check_modules(BULLET REQUIRED IMPORTED_TARGET GLOBAL bullet)
+pkg_check_modules(QHULL REQUIRED IMPORTED_TARGET GLOBAL qhull_r)
+find_package(glm REQUIRED CONFIG)
+find_package(tl-expected REQUIRED CONFIG)
+find_package(pugixml REQUIRED CONFIG)
+find_package(nlohmann_json REQUIRED CONFIG)
+find_package(spdlog REQUIRED CONFIG)
+find_package(CLI11 REQUIRED CONFIG)
+if(SCATTER_BUILD_TESTS)
+  find_package(GTest REQUIRED)
+endif()

@@ -1,0 +1,127 @@
+#ifndef BT_HYBRID_DYNAMICS_WORLD_H
+#define BT_HYBRID_DYNAMICS_WORLD_H
+
+#include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
+
+#include "BulletHybrid/btHybridRigidBody.h"
+
+///Counts of one step.
+struct btHybridStepInfo
+{
+	int m_standingRequests;  ///after the step
+	int m_switchesCoarser;
+	int m_switchesFiner;
+	int m_retractions;
+	int m_blockedTries;
+	int m_separationQueries;
+
+	btHybridStepInfo()
+		: m_standingRequests(0), m_switchesCoarser(0), m_switchesFiner(0), m_retractions(0), m_blockedTries(0), m_separationQueries(0)
+	{
+	}
+};
+
+///When and how bodies switch.
+struct btHybridSwitchingInfo
+{
+	bool m_proximity;                ///the world asks for level 1 near others and for the finest level when alone
+	btScalar m_proximitySteps;       ///margin in steps of the fastest body's travel; more than 1
+	int m_retryInterval;             ///steps between tries of a blocked request; at least 1
+	int m_quietSteps;                ///steps without a neighbour before the finest level is asked for
+	btScalar m_safetyGap;            ///distance that must separate shapes for a switch to be safe
+	bool m_safetyConditions;         ///off only to show what they prevent
+
+	btHybridSwitchingInfo()
+		: m_proximity(true), m_proximitySteps(3), m_retryInterval(10), m_quietSteps(30), m_safetyGap(btScalar(0.01)), m_safetyConditions(true)
+	{
+	}
+};
+
+///A btDiscreteDynamicsWorld that switches the encapsulation levels of btHybridRigidBody objects, between
+///the broadphase and the narrowphase, on request and only when it is safe:
+///a finer level needs the body to be free of contact, a coarser one needs the coarser shape to be free of
+///collision. Without hybrid bodies its results are bit-identical to btDiscreteDynamicsWorld.
+class btHybridDynamicsWorld : public btDiscreteDynamicsWorld
+{
+	btAlignedObjectArray<btHybridRigidBody*> m_hybrids;
+	btHybridSwitchingInfo m_switching;
+	btHybridStepInfo m_stepInfo;
+	btHybridListener* m_listener;
+	bool m_loadIsFine;
+	int m_step;
+
+	struct Neighbourhood;
+	Neighbourhood* m_neighbourhood;
+
+	void planSwitching();
+	btScalar proximityMargin() const;
+	void followProximity(btHybridRigidBody* body, bool hasNeighbour);
+	void tryRequest(btHybridRigidBody* body);
+	bool tryLevel(btHybridRigidBody* body, int level);
+	bool isSafe(btHybridRigidBody* body, int level);
+	bool isSeparatedFromPartners(btHybridRigidBody* body, int level);
+	void switchLevel(btHybridRigidBody* body, int level);
+	void makeRequest(btHybridRigidBody* body, int level, btHybridScope scope, bool byProximity);
+	void retract(btHybridRigidBody* body, btHybridRetraction reason);
+
+public:
+	BT_DECLARE_ALIGNED_ALLOCATOR();
+
+	btHybridDynamicsWorld(btDispatcher* dispatcher, btBroadphaseInterface* pairCache, btConstraintSolver* constraintSolver, btCollisionConfiguration* collisionConfiguration);
+	virtual ~btHybridDynamicsWorld();
+
+	///Asks for a level, 1 the coarsest. The request stands until the body has switched or the request is
+	///retracted; it replaces one that stands. False, and nothing happens, if the body is not in this world
+	///or has no such level. A request for the level in use retracts the one that stands.
+	bool requestLevel(btHybridRigidBody* body, int level, btHybridScope scope = BT_HYBRID_LOCAL);
+	void retractRequest(btHybridRigidBody* body);
+	void retractAllRequests();
+
+	///The global policy's word. While the load is fine the proximity policy asks for nothing, and its
+	///requests that stand are retracted at the next step.
+	void setLoadIsFine(bool fine)
+	{
+		m_loadIsFine = fine;
+	}
+	bool getLoadIsFine() const
+	{
+		return m_loadIsFine;
+	}
+
+	///0 for none. Not owned.
+	void setListener(btHybridListener* listener)
+	{
+		m_listener = listener;
+	}
+
+	btHybridSwitchingInfo& getSwitchingInfo()
+	{
+		return m_switching;
+	}
+
+	///Of the last step.
+	const btHybridStepInfo& getStepInfo() const
+	{
+		return m_stepInfo;
+	}
+
+	int getNumHybrids() const
+	{
+		return m_hybrids.size();
+	}
+	btHybridRigidBody* getHybrid(int index) const
+	{
+		return m_hybrids[index];
+	}
+
+	virtual void addRigidBody(btRigidBody* body);
+	virtual void addRigidBody(btRigidBody* body, int group, int mask);
+	virtual void removeRigidBody(btRigidBody* body);
+
+	///Hybrids get the bounds of their coarsest level, widened by the proximity margin.
+	virtual void updateAabbs();
+
+	virtual void performDiscreteCollisionDetection();
+};
+
+#endif  //BT_HYBRID_DYNAMICS_WORLD_H

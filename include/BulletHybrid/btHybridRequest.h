@@ -1,0 +1,62 @@
+#ifndef BT_HYBRID_REQUEST_H
+#define BT_HYBRID_REQUEST_H
+
+class btHybridRigidBody;
+
+///Who asked for a level: one body, a cluster of bodies, or the whole world.
+enum btHybridScope
+{
+	BT_HYBRID_LOCAL,
+	BT_HYBRID_GROUP,
+	BT_HYBRID_GLOBAL
+};
+
+enum btHybridRetraction
+{
+	BT_HYBRID_RETRACTED_BY_CALLER,
+	BT_HYBRID_RETRACTED_BY_SEPARATION,
+	BT_HYBRID_RETRACTED_BY_APPROACH,
+	BT_HYBRID_RETRACTED_BY_LOAD
+};
+
+///A standing wish to change a body's level. It persists until the switch has happened or it is retracted.
+struct btHybridRequest
+{
+	int m_targetLevel;  ///0: no request stands
+	btHybridScope m_scope;
+	bool m_byProximity;     ///made by the world's own proximity policy
+	bool m_acknowledged;    ///the world has tried it at least once
+	int m_tries;            ///failed tries so far
+	int m_stepMade;         ///the world's step count when it was made
+	int m_nextTry;          ///the world's step count of the next try
+
+	btHybridRequest()
+		: m_targetLevel(0), m_scope(BT_HYBRID_LOCAL), m_byProximity(false), m_acknowledged(false), m_tries(0), m_stepMade(0), m_nextTry(0)
+	{
+	}
+
+	bool isStanding() const
+	{
+		return m_targetLevel != 0;
+	}
+};
+
+///Hears what becomes of requests. Called inside stepSimulation (or inside the call that made or retracted
+///the request); must not add or remove bodies.
+class btHybridListener
+{
+public:
+	virtual ~btHybridListener() {}
+
+	virtual void requested(btHybridRigidBody* /*body*/, const btHybridRequest& /*request*/) {}
+	virtual void acknowledged(btHybridRigidBody* /*body*/, const btHybridRequest& /*request*/) {}
+
+	///A try failed its safety condition; it is repeated after the retry interval.
+	virtual void blocked(btHybridRigidBody* /*body*/, const btHybridRequest& /*request*/) {}
+
+	///The body has switched. If request.m_targetLevel differs from toLevel, the request still stands.
+	virtual void switched(btHybridRigidBody* /*body*/, int /*fromLevel*/, int /*toLevel*/, const btHybridRequest& /*request*/) {}
+	virtual void retracted(btHybridRigidBody* /*body*/, const btHybridRequest& /*request*/, btHybridRetraction /*reason*/) {}
+};
+
+#endif  //BT_HYBRID_REQUEST_H

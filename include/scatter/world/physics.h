@@ -1,0 +1,135 @@
+#pragma once
+
+#include <scatter/math.h>
+#include <scatter/result.h>
+#include <scatter/world/body.h>
+#include <scatter/world/joint.h>
+#include <scatter/world/level_event.h>
+#include <scatter/world/step_report.h>
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace scatter {
+
+enum class WorldKind : std::uint8_t {
+  kStandard,  ///< The plain engine; hybrids are always at their finest level.
+  kHybrid,    ///< The engine with switching.
+};
+
+/// What makes requests in a hybrid world.
+enum class Policy : std::uint8_t {
+  kProximity,  ///< Coarser when level-1 bounds come near others, finer when free (report, section 4.5).
+  kFinest,     ///< Everything at level n, always.
+  kCoarsest,   ///< Everything at level 1, always.
+  kNone,       ///< Only what the program asks for.
+};
+
+/// Body switching (report, sections 3.4.3 and 4.5).
+struct SwitchingDef {
+  Policy policy = Policy::kProximity;
+
+  /// The proximity margin is the distance that the fastest body travels in this many steps, so that a
+  /// request comes at least that many steps before the level-1 boxes can touch (report, section 6.3.1).
+  float proximitySteps = 3.0F;
+
+  int retryInterval = 10;    ///< Steps between tries of a request whose safety condition failed.
+  int quietSteps = 30;       ///< Steps without a neighbour before a finer level is asked for.
+  float safetyGap = 0.01F;   ///< Metres that must separate the shapes for a switch to be safe.
+
+  /// "The load is fine" while fewer narrowphase pairs than this are at work: standing requests are then
+  /// retracted and none are made. 0: never.
+  std::uint32_t loadFinePairs = 0;
+
+  /// Off only to reproduce what the safety conditions prevent (report, Figures 3.5 and 3.6).
+  bool safetyConditions = true;
+};
+
+struct PhysicsDef {
+  WorldKind world = WorldKind::kStandard;
+  Vec3 gravity{0.0F};
+  int solverIterations = 10;
+  bool profiling = true;
+  SwitchingDef switching;
+};
+
+struct RayHit {
+  BodyId body{};
+  Vec3 point{0.0F};
+  Vec3 normal{0.0F};
+  float fraction = 1.0F;  ///< Along the ray, 0 to 1.
+};
+
+/// A physics engine behind one interface. One thread at a time. Ids that are unknown are programming
+/// errors and are asserted.
+class Physics {
+ public:
+  Physics() = default;
+  Physics(const Physics&) = delete;
+  Physics& operator=(const Physics&) = delete;
+  virtual ~Physics() = default;
+
+  /// Name and version of the engine, such as "bullet 3.24".
+  [[nodiscard]] virtual std::string engine() const = 0;
+  [[nodiscard]] virtual WorldKind kind() const = 0;
+
+  /// Fails on a mass that is not positive and finite, a pose or velocity that is not finite, a shape
+  /// without volume, or a shape that the motion does not allow; the message names the body.
+  [[nodiscard]] virtual Result<BodyId> createBody(const BodyDef& def) = 0;
+  virtual void destroyBody(BodyId body) = 0;  ///< Its joints and vehicles go with it.
+
+  [[nodiscard]] virtual BodyState state(BodyId body) const = 0;
+  virtual void setPose(BodyId body, const Transform& pose) = 0;
+  virtual void setVelocity(BodyId body, const Vec3& linear, const Vec3& angular) = 0;
+  virtual void activate(BodyId body) = 0;  ///< Wakes it.
+
+  /// Newtons at a world point, until the end of the next step. Wakes the body unless asleep bodies are
+  /// to stay so (`wake` false, for fields).
+  virtual void applyForce(BodyId body, const Vec3& force, const Vec3& point, bool wake = true) = 0;
+  virtual void applyCentralForce(BodyId body, const Vec3& force, bool wake = true) = 0;
+  virtual void applyTorque(BodyId body, const Vec3& torque) = 0;
+  virtual void applyImpulse(BodyId body, const Vec3& impulse, const Vec3& point) = 0;  ///< Newton seconds.
+
+  virtual void setGravity(const Vec3& gravity) = 0;
+
+  [[nodiscard]] virtual Result<JointId> createJoint(const JointDef& def) = 0;
+  virtual void destroyJoint(JointId joint) = 0;
+  [[nodiscard]] virtual Result<VehicleId> createVehicle(const VehicleDef& def) = 0;
+  virtual void control(VehicleId vehicle, const VehicleControl& control) = 0;
+  virtual void destroyVehicle(VehicleId vehicle) = 0;
+
+  [[nodiscard]] virtual std::optional<RayHit> castRay(const Vec3& from, const Vec3& to) const = 0;
+
+  /// One step of `seconds`, whatever it costs.
+  virtual void step(float seconds) = 0;
+
+  /// The level in use, 1 the coarsest; bodies that are not hybrids have one level.
+  [[nodiscard]] virtual int level(BodyId body) const = 0;
+  [[nodiscard]] virtual int levelCount(BodyId body) const = 0;
+
+  /// Asks for a level; the request stands until the body has switched or it is retracted. False, and
+  /// nothing happens, in a standard world or if there is no such level.
+  virtual bool requestLevel(BodyId body, int level, Scope scope) = 0;
+  virtual void retractRequest(BodyId body) = 0;
+  virtual void retractAllRequests() = 0;
+
+  /// What happened to requests since the step before the last began, oldest first. Valid until the
+  /// next step.
+  [[nodiscard]] virtual std::span<const LevelEvent> levelEvents() const = 0;
+
+  [[nodiscard]] virtual const StepCounters& counters() const = 0;
+  [[nodiscard]] virtual const StageTimes& stageTimes() const = 0;
+  virtual void setProfiling(bool on) = 0;
+
+  /// Of the exact bits of every body's pose, velocities and level, in order of creation.
+  [[nodiscard]] virtual std::uint64_t stateHash() const = 0;
+  [[nodiscard]] virtual double kineticEnergy() const = 0;   ///< Joules.
+  [[nodiscard]] virtual double maxPenetration() const = 0;  ///< Deepest contact of the last step, metres.
+
+  /// Names the first body whose state is not finite, if any.
+  [[nodiscard]] virtual std::optional<BodyId> findInvalidState() const = 0;
+};
+
+}  // namespace scatter

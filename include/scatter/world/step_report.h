@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace scatter {
+
+/// The stages of a physics step (report, section 5.1.3), in the order in which they run.
+enum class Stage : std::uint8_t {
+  kUpdateAabbs,
+  kPredictMotion,
+  kCollisionDetection,  ///< Broadphase pairs and narrowphase, without the AABB update and the plan.
+  kIslands,
+  kNoncontactConstraints,
+  kContactConstraints,
+  kIntegrate,
+  kVehicles,
+  kActivation,
+  kPlan,  ///< Requests, safety queries and switches.
+};
+inline constexpr std::size_t kStageCount = 10;
+
+/// The stage's column in frames.csv, such as "update_aabbs_ms".
+[[nodiscard]] std::string_view stageColumn(Stage stage);
+
+/// Wall milliseconds that each stage of the last step took, by Stage; zero while profiling is off.
+using StageTimes = std::array<double, kStageCount>;
+
+/// Exact counts of the last step (report, section 5.1.3); the same run after run.
+struct StepCounters {
+  std::uint32_t objects = 0;
+  std::uint32_t hybrids = 0;
+  std::uint32_t overlappingPairs = 0;    ///< Broadphase pairs.
+  std::uint32_t narrowphasePairs = 0;    ///< Pairs that went through the narrowphase.
+  std::uint32_t pairsWithHybrid = 0;     ///< Of those, with at least one hybrid.
+  std::uint32_t pairsWithoutHybrid = 0;
+  std::uint32_t manifolds = 0;
+  std::uint32_t contacts = 0;     ///< Contact points in all manifolds.
+  std::uint32_t newContacts = 0;  ///< Contact points added in this step.
+  std::uint32_t requests = 0;     ///< Requests standing after the step.
+  std::uint32_t switchesCoarser = 0;
+  std::uint32_t switchesFiner = 0;
+  std::uint32_t retractions = 0;
+  std::uint32_t creditedPairs = 0;
+  std::uint32_t finestPairs = 0;  ///< Narrowphase pairs whose bodies are both at their finest level.
+};
+
+}  // namespace scatter
