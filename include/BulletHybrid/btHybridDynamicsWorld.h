@@ -24,12 +24,18 @@ struct btHybridStepInfo
 ///When and how bodies switch.
 struct btHybridSwitchingInfo
 {
-	bool m_proximity;                ///the world asks for level 1 near others and for the finest level when alone
-	btScalar m_proximitySteps;       ///margin in steps of the fastest body's travel; more than 1
-	int m_retryInterval;             ///steps between tries of a blocked request; at least 1
-	int m_quietSteps;                ///steps without a neighbour before the finest level is asked for
-	btScalar m_safetyGap;            ///distance that must separate shapes for a switch to be safe
-	bool m_safetyConditions;         ///off only to show what they prevent
+	///The world asks for level 1 when another moving body is near, and for the finest level when none is.
+	///Static bodies count for safety, but do not ask for anything: a floor is always near.
+	bool m_proximity;
+
+	///A request comes at least this many steps before the level-1 bounds of two bodies can touch at their
+	///present velocities; more than 1.
+	btScalar m_proximitySteps;
+
+	int m_retryInterval;      ///steps between tries of a blocked request; at least 1
+	int m_quietSteps;         ///steps without a neighbour before the finest level is asked for
+	btScalar m_safetyGap;     ///distance that must separate shapes for a switch to be safe
+	bool m_safetyConditions;  ///off only to show what they prevent
 
 	btHybridSwitchingInfo()
 		: m_proximity(true), m_proximitySteps(3), m_retryInterval(10), m_quietSteps(30), m_safetyGap(btScalar(0.01)), m_safetyConditions(true)
@@ -46,23 +52,33 @@ class btHybridDynamicsWorld : public btDiscreteDynamicsWorld
 	btAlignedObjectArray<btHybridRigidBody*> m_hybrids;
 	btHybridSwitchingInfo m_switching;
 	btHybridStepInfo m_stepInfo;
+	btHybridStepInfo m_counting;  ///of the step under way, and of calls since the last one
 	btHybridListener* m_listener;
 	bool m_loadIsFine;
 	int m_step;
 
-	struct Neighbourhood;
-	Neighbourhood* m_neighbourhood;
+	///The overlapping pairs of each hybrid, as of this step's broadphase: those of hybrid i are
+	///m_pairsOf[m_firstPairOf[i]] up to m_pairsOf[m_firstPairOf[i + 1]].
+	btAlignedObjectArray<int> m_firstPairOf;
+	btAlignedObjectArray<btBroadphasePair*> m_pairsOf;
+	btAlignedObjectArray<int> m_hybridIndexOfObject;  ///by world array index; -1 for other objects
 
+	void indexHybrids();
+	int hybridIndex(const btBroadphaseProxy* proxy) const;
+	void collectPairs();
 	void planSwitching();
-	btScalar proximityMargin() const;
-	void followProximity(btHybridRigidBody* body, bool hasNeighbour);
+	void closeCounts();
+	btScalar fastestOther() const;
+	void updateHybridAabb(btHybridRigidBody* body, btScalar fastestOther);
+	bool hasMovingNeighbour(const btHybridRigidBody* body) const;
+	void followProximity(btHybridRigidBody* body);
 	void tryRequest(btHybridRigidBody* body);
-	bool tryLevel(btHybridRigidBody* body, int level);
-	bool isSafe(btHybridRigidBody* body, int level);
-	bool isSeparatedFromPartners(btHybridRigidBody* body, int level);
+	bool isSafe(const btHybridRigidBody* body, int level);
+	bool isSeparatedFromPartners(const btHybridRigidBody* body, int level);
 	void switchLevel(btHybridRigidBody* body, int level);
 	void makeRequest(btHybridRigidBody* body, int level, btHybridScope scope, bool byProximity);
 	void retract(btHybridRigidBody* body, btHybridRetraction reason);
+	void registerHybrid(btRigidBody* body);
 
 public:
 	BT_DECLARE_ALIGNED_ALLOCATOR();
@@ -99,7 +115,7 @@ public:
 		return m_switching;
 	}
 
-	///Of the last step.
+	///Of the last step, and of the calls since the step before it.
 	const btHybridStepInfo& getStepInfo() const
 	{
 		return m_stepInfo;

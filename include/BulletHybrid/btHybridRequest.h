@@ -11,12 +11,14 @@ enum btHybridScope
 	BT_HYBRID_GLOBAL
 };
 
+///Why a request was withdrawn before it was fulfilled.
 enum btHybridRetraction
 {
-	BT_HYBRID_RETRACTED_BY_CALLER,
-	BT_HYBRID_RETRACTED_BY_SEPARATION,
-	BT_HYBRID_RETRACTED_BY_APPROACH,
-	BT_HYBRID_RETRACTED_BY_LOAD
+	BT_HYBRID_RETRACTED_BY_CALLER,      ///by retractRequest, or replaced by another request
+	BT_HYBRID_RETRACTED_BY_SEPARATION,  ///a coarser level is not needed any more: no neighbour is near
+	BT_HYBRID_RETRACTED_BY_APPROACH,    ///a finer level is not wanted any more: a neighbour is near
+	BT_HYBRID_RETRACTED_BY_LOAD,        ///a coarser level is not needed: the load is fine
+	BT_HYBRID_RETRACTED_BY_REMOVAL      ///the body left the world
 };
 
 ///A standing wish to change a body's level. It persists until the switch has happened or it is retracted.

@@ -48,8 +48,14 @@ public:
 	}
 
 	///The hybrid that this object is, or 0.
-	static btHybridRigidBody* upcast(btCollisionObject* object);
-	static const btHybridRigidBody* upcast(const btCollisionObject* object);
+	static btHybridRigidBody* upcast(btCollisionObject* object)
+	{
+		return dynamic_cast<btHybridRigidBody*>(object);
+	}
+	static const btHybridRigidBody* upcast(const btCollisionObject* object)
+	{
+		return dynamic_cast<const btHybridRigidBody*>(object);
+	}
 };
 
 #endif  //BT_HYBRID_RIGID_BODY_H

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <scatter/lab/run.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace scatter {
+
+struct CompareOptions {
+  /// One for each world, the first being what the others are compared to. Labels differ; `out` is ignored.
+  std::vector<RunOptions> runs;
+  int repeat = 1;
+  std::string commandLine;  ///< For the report.
+};
+
+struct CompareProgress {
+  std::string label;   ///< The world that runs.
+  int run = 0;         ///< Counts from 0 to runs - 1.
+  int runs = 0;        ///< Worlds times repeats.
+  RunProgress inside;  ///< Of this run.
+};
+
+/// The median of one figure over the repeats, and its extremes.
+struct Spread {
+  double median = 0.0;
+  double min = 0.0;
+  double max = 0.0;
+};
+
+/// Of a world to the first one, each taken within a repeat. Not a number where the first world's is zero.
+struct TimeRatios {
+  Spread peak;
+  Spread p99;
+  Spread median;
+  Spread total;
+};
+
+struct ComparedWorld {
+  std::vector<Run> repeats;  ///< In the order in which they were run.
+
+  /// The repeat with the median total physics_cpu_ms: the one that is written.
+  std::size_t typical = 0;
+
+  /// The typical repeat's table with the per-frame median over the repeats in every time column; counters
+  /// are the same in all. For figures.
+  FrameTable median;
+
+  TimeRatios physicsMs;  ///< To the first world; all 1 for itself.
+  TimeRatios physicsCpuMs;
+
+  [[nodiscard]] const Run& run() const { return repeats[typical]; }
+  [[nodiscard]] const std::string& label() const { return run().options.label; }
+};
+
+struct Comparison {
+  CompareOptions options;  ///< With defaults filled in.
+  std::vector<ComparedWorld> worlds;
+};
+
+/// Runs every world `repeat` times, interleaved, in an order that alternates (A B, B A, A B …) so that a
+/// drift of the machine hits all alike. Fails as runScene does, and if a world's state hashes differ
+/// between repeats: the message names the world and the first diverged frame.
+[[nodiscard]] Result<Comparison> compareWorlds(
+    const CompareOptions& options, const std::function<void(const CompareProgress&)>& progress = {});
+
+/// A plain-text table for the terminal; ends with a new line.
+[[nodiscard]] std::string formatTable(const Comparison& comparison);
+
+/// Writes LABEL/frames.csv and LABEL/summary.json of each world's typical repeat, comparison.json,
+/// figures/*.svg and *.png, and report.html, whole or not at all; files of other names in an existing folder
+/// are left alone. Call prepareOutputFolder() before a long run to know that this will work.
+[[nodiscard]] Result<void> writeComparison(const Comparison& comparison, const std::filesystem::path& folder);
+
+}  // namespace scatter

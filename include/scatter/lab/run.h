@@ -1,0 +1,63 @@
+#pragma once
+
+#include <scatter/lab/frame_table.h>
+#include <scatter/lab/summary.h>
+#include <scatter/result.h>
+#include <scatter/world/physics.h>
+#include <scatter/world/scene.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace scatter {
+
+using EngineFactory = std::function<Result<std::unique_ptr<Physics>>(const PhysicsDef&)>;
+
+/// One scene in one world.
+struct RunOptions {
+  std::string scene;    ///< A registered name, or any name if `makeScene` is given.
+  std::string summary;  ///< One line about the scene; empty: the registered one.
+  std::function<std::unique_ptr<Scene>()> makeScene;  ///< Empty: the registered scene.
+  EngineFactory engine;
+  PhysicsDef physics;
+  int frames = 0;  ///< 0: as many as the registered scene says.
+  std::uint64_t seed = 1;
+  double budgetMs = 1000.0 / 60.0;  ///< What frames_over_budget is counted against.
+
+  /// Where frames.csv and summary.json go; made if it does not exist. Nothing is written without it.
+  std::optional<std::filesystem::path> out;
+
+  /// The world's name in tables, figures and folders: letters, digits, '-', '_' and '.'. Empty: the
+  /// world's kind.
+  std::string label;
+};
+
+struct Run {
+  RunOptions options;  ///< With defaults filled in.
+  FrameTable table;
+  Summary summary;
+};
+
+struct RunProgress {
+  int frame = 0;  ///< Frames done.
+  int frames = 0;
+  double seconds = 0.0;  ///< Wall time since the run's first frame.
+};
+
+/// Called after every frame, outside what is measured; may be empty.
+using Progress = std::function<void(const RunProgress&)>;
+
+/// Builds the scene in a new world and runs it, one fixed step a frame, with Scene::update before each.
+/// Fails on an unknown scene, a scene or engine that cannot be made, a folder that cannot be written, and a
+/// state that is no longer finite (frames.csv and summary.json then keep the frames until there).
+[[nodiscard]] Result<Run> runScene(const RunOptions& options, const Progress& progress = {});
+
+/// `options` with the registered scene, its frames and summary, and the label filled in; fails on what
+/// runScene() would refuse before it starts.
+[[nodiscard]] Result<RunOptions> resolveRun(RunOptions options);
+
+}  // namespace scatter

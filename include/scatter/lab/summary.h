@@ -1,0 +1,72 @@
+#pragma once
+
+#include <scatter/lab/environment.h>
+#include <scatter/lab/frame_table.h>
+#include <scatter/result.h>
+#include <scatter/world/level_event.h>
+#include <scatter/world/physics.h>
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace scatter {
+
+/// Of one time channel over a run, milliseconds.
+struct TimeStatistics {
+  double peak = 0.0;
+  double p999 = 0.0;  ///< 99.9 % of the frames took no longer.
+  double p99 = 0.0;
+  double median = 0.0;
+  double total = 0.0;
+  std::uint64_t framesOverBudget = 0;
+};
+
+/// The nearest-rank percentile: the smallest of the values that at least `share` (0 to 1) of them do not
+/// exceed. Always one of the values, never interpolated; the median of 1, 2, 3, 4 is 2. Zero for none.
+[[nodiscard]] double nearestRank(std::vector<double> values, double share);
+
+[[nodiscard]] TimeStatistics timeStatistics(const std::vector<double>& milliseconds, double budgetMs);
+
+struct CounterStatistics {
+  std::string name;  ///< The column.
+  double total = 0.0;
+  double peak = 0.0;
+};
+
+/// How many LevelEvents of each kind a run had, by LevelEventKind.
+inline constexpr std::size_t kLevelEventKindCount = 5;
+using LevelEventCounts = std::array<std::uint64_t, kLevelEventKindCount>;
+
+/// What a run was and what came out of it.
+struct Summary {
+  std::string scene;
+  std::string label;  ///< The world's name in tables and figures, such as "standard".
+  std::string engine;
+  PhysicsDef physics;
+  std::uint64_t seed = 0;
+  std::uint64_t frames = 0;
+  double budgetMs = 0.0;
+  TimeStatistics physicsMs;     ///< Wall time.
+  TimeStatistics physicsCpuMs;  ///< Processor time of the physics thread.
+  std::vector<CounterStatistics> counters;
+  LevelEventCounts levelEvents{};
+  std::uint64_t stateHash = 0;  ///< After the last frame.
+  std::string stopped;          ///< Why the run ended before its last frame; empty if it did not.
+  BuildInfo build;
+  MachineInfo machine;
+
+  /// The counter must exist.
+  [[nodiscard]] const CounterStatistics& counter(std::string_view name) const;
+};
+
+/// Fills times, counters and state_hash from the recorder's columns, build and machine from the
+/// surroundings; the rest is the caller's.
+void summarise(const FrameTable& table, Summary& summary);
+
+/// As JSON; the file appears whole or not at all.
+[[nodiscard]] Result<void> writeSummary(const std::filesystem::path& file, const Summary& summary);
+
+}  // namespace scatter

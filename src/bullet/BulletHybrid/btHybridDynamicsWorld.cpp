@@ -1,0 +1,389 @@
+#include "BulletHybrid/btHybridDynamicsWorld.h"
+
+#include <BulletCollision/BroadphaseCollision/btBroadphaseInterface.h>
+#include <BulletCollision/BroadphaseCollision/btDispatcher.h>
+#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
+#include <LinearMath/btAabbUtil2.h>
+#include <LinearMath/btQuickprof.h>
+
+#include "BulletHybrid/btHybridSeparation.h"
+
+btHybridDynamicsWorld::btHybridDynamicsWorld(btDispatcher* dispatcher, btBroadphaseInterface* pairCache, btConstraintSolver* constraintSolver, btCollisionConfiguration* collisionConfiguration)
+	: btDiscreteDynamicsWorld(dispatcher, pairCache, constraintSolver, collisionConfiguration),
+	  m_listener(0),
+	  m_loadIsFine(false),
+	  m_step(0)
+{
+}
+
+btHybridDynamicsWorld::~btHybridDynamicsWorld()
+{
+	for (int i = 0; i < m_hybrids.size(); i++)
+		m_hybrids[i]->m_hybridIndex = -1;
+}
+
+void btHybridDynamicsWorld::registerHybrid(btRigidBody* body)
+{
+	btHybridRigidBody* hybrid = btHybridRigidBody::upcast(body);
+	if (!hybrid || hybrid->m_hybridIndex >= 0 || body->getWorldArrayIndex() < 0)
+		return;
+	hybrid->m_hybridIndex = m_hybrids.size();
+	hybrid->m_lonelySteps = 0;
+	m_hybrids.push_back(hybrid);
+}
+
+void btHybridDynamicsWorld::addRigidBody(btRigidBody* body)
+{
+	btDiscreteDynamicsWorld::addRigidBody(body);
+	registerHybrid(body);
+}
+
+void btHybridDynamicsWorld::addRigidBody(btRigidBody* body, int group, int mask)
+{
+	btDiscreteDynamicsWorld::addRigidBody(body, group, mask);
+	registerHybrid(body);
+}
+
+void btHybridDynamicsWorld::removeRigidBody(btRigidBody* body)
+{
+	btHybridRigidBody* hybrid = btHybridRigidBody::upcast(body);
+	if (hybrid && hybrid->m_hybridIndex >= 0)
+	{
+		retract(hybrid, BT_HYBRID_RETRACTED_BY_REMOVAL);
+		btHybridRigidBody* last = m_hybrids[m_hybrids.size() - 1];
+		m_hybrids[hybrid->m_hybridIndex] = last;
+		last->m_hybridIndex = hybrid->m_hybridIndex;
+		m_hybrids.pop_back();
+		hybrid->m_hybridIndex = -1;
+	}
+	btDiscreteDynamicsWorld::removeRigidBody(body);
+}
+
+bool btHybridDynamicsWorld::requestLevel(btHybridRigidBody* body, int level, btHybridScope scope)
+{
+	if (body->m_hybridIndex < 0 || m_hybrids[body->m_hybridIndex] != body || level < 1 || level > body->getFinestLevel())
+		return false;
+	if (level == body->m_level)
+		retract(body, BT_HYBRID_RETRACTED_BY_CALLER);
+	else
+		makeRequest(body, level, scope, false);
+	return true;
+}
+
+void btHybridDynamicsWorld::retractRequest(btHybridRigidBody* body)
+{
+	retract(body, BT_HYBRID_RETRACTED_BY_CALLER);
+}
+
+void btHybridDynamicsWorld::retractAllRequests()
+{
+	for (int i = 0; i < m_hybrids.size(); i++)
+		retract(m_hybrids[i], BT_HYBRID_RETRACTED_BY_CALLER);
+}
+
+void btHybridDynamicsWorld::makeRequest(btHybridRigidBody* body, int level, btHybridScope scope, bool byProximity)
+{
+	if (body->m_request.m_targetLevel == level)
+	{
+		body->m_request.m_scope = scope;
+		body->m_request.m_byProximity = byProximity;
+		return;
+	}
+	retract(body, BT_HYBRID_RETRACTED_BY_CALLER);
+	btHybridRequest& request = body->m_request;
+	request.m_targetLevel = level;
+	request.m_scope = scope;
+	request.m_byProximity = byProximity;
+	request.m_stepMade = m_step;
+	request.m_nextTry = m_step;
+	if (m_listener)
+		m_listener->requested(body, request);
+}
+
+void btHybridDynamicsWorld::retract(btHybridRigidBody* body, btHybridRetraction reason)
+{
+	if (!body->m_request.isStanding())
+		return;
+	const btHybridRequest request = body->m_request;
+	body->m_request = btHybridRequest();
+	m_counting.m_retractions++;
+	if (m_listener)
+		m_listener->retracted(body, request, reason);
+}
+
+void btHybridDynamicsWorld::indexHybrids()
+{
+	m_hybridIndexOfObject.resizeNoInitialize(m_collisionObjects.size());
+	for (int i = 0; i < m_hybridIndexOfObject.size(); i++)
+		m_hybridIndexOfObject[i] = -1;
+	for (int i = 0; i < m_hybrids.size(); i++)
+		m_hybridIndexOfObject[m_hybrids[i]->getWorldArrayIndex()] = i;
+}
+
+int btHybridDynamicsWorld::hybridIndex(const btBroadphaseProxy* proxy) const
+{
+	return m_hybridIndexOfObject[static_cast<const btCollisionObject*>(proxy->m_clientObject)->getWorldArrayIndex()];
+}
+
+//The speed of a body's fastest point.
+static btScalar fastestPoint(const btRigidBody* body)
+{
+	return body->getLinearVelocity().length() + body->getAngularVelocity().length() * body->getCollisionShape()->getAngularMotionDisc();
+}
+
+btScalar btHybridDynamicsWorld::fastestOther() const
+{
+	btScalar fastest = 0;
+	for (int i = 0; i < m_nonStaticRigidBodies.size(); i++)
+	{
+		const btRigidBody* body = m_nonStaticRigidBodies[i];
+		if (m_hybridIndexOfObject[body->getWorldArrayIndex()] < 0)
+			fastest = btMax(fastest, fastestPoint(body));
+	}
+	return fastest;
+}
+
+void btHybridDynamicsWorld::updateAabbs()
+{
+	indexHybrids();
+	if (m_hybrids.size() == 0)
+	{
+		btDiscreteDynamicsWorld::updateAabbs();
+		return;
+	}
+	BT_PROFILE("updateAabbs");
+	const btScalar fastest = m_switching.m_proximity ? fastestOther() : btScalar(0);
+	for (int i = 0; i < m_collisionObjects.size(); i++)
+	{
+		btCollisionObject* object = m_collisionObjects[i];
+		if (!m_forceUpdateAllAabbs && !object->isActive())
+			continue;
+		if (m_hybridIndexOfObject[i] >= 0)
+			updateHybridAabb(m_hybrids[m_hybridIndexOfObject[i]], fastest);
+		else
+			updateSingleAabb(object);
+	}
+}
+
+//The pair's margins add up: a hybrid covers its own travel and that of the fastest body that has no
+//margin, so that m > v_max * dt holds for every pair (report, section 6.3.1).
+void btHybridDynamicsWorld::updateHybridAabb(btHybridRigidBody* body, btScalar fastestOther)
+{
+	btVector3 aabbMin, aabbMax;
+	body->m_levels->getCoarsestAabb(body->getWorldTransform(), aabbMin, aabbMax);
+	if (getDispatchInfo().m_useContinuous && !body->isStaticOrKinematicObject())
+	{
+		btVector3 nextMin, nextMax;
+		body->m_levels->getCoarsestAabb(body->getInterpolationWorldTransform(), nextMin, nextMax);
+		aabbMin.setMin(nextMin);
+		aabbMax.setMax(nextMax);
+	}
+	btScalar margin = m_switching.m_safetyGap;
+	if (m_switching.m_proximity)
+		margin = btMax(margin, m_switching.m_proximitySteps * getDispatchInfo().m_timeStep * (fastestPoint(body) + fastestOther));
+	margin += gContactBreakingThreshold;
+	const btVector3 wide(margin, margin, margin);
+	aabbMin -= wide;
+	aabbMax += wide;
+	if ((aabbMax - aabbMin).length2() < btScalar(1e12))
+		m_broadphasePairCache->setAabb(body->getBroadphaseHandle(), aabbMin, aabbMax, m_dispatcher1);
+	else
+		updateSingleAabb(body);  //Bullet's own refusal of an overflowing AABB
+}
+
+void btHybridDynamicsWorld::performDiscreteCollisionDetection()
+{
+	m_step++;
+	if (m_hybrids.size() == 0)
+	{
+		closeCounts();
+		btDiscreteDynamicsWorld::performDiscreteCollisionDetection();
+		return;
+	}
+	BT_PROFILE("performDiscreteCollisionDetection");
+	updateAabbs();
+	computeOverlappingPairs();
+	planSwitching();
+	{
+		BT_PROFILE("dispatchAllCollisionPairs");
+		getDispatcher()->dispatchAllCollisionPairs(m_broadphasePairCache->getOverlappingPairCache(), getDispatchInfo(), m_dispatcher1);
+	}
+}
+
+void btHybridDynamicsWorld::closeCounts()
+{
+	m_stepInfo = m_counting;
+	m_counting = btHybridStepInfo();
+	for (int i = 0; i < m_hybrids.size(); i++)
+		m_stepInfo.m_standingRequests += m_hybrids[i]->m_request.isStanding();
+}
+
+void btHybridDynamicsWorld::planSwitching()
+{
+	BT_PROFILE("planSwitching");
+	collectPairs();
+	for (int i = 0; i < m_hybrids.size(); i++)
+	{
+		btHybridRigidBody* body = m_hybrids[i];
+		if (!body->isActive())
+			continue;
+		if (m_switching.m_proximity)
+			followProximity(body);
+		if (body->m_request.isStanding() && m_step >= body->m_request.m_nextTry)
+			tryRequest(body);
+	}
+	closeCounts();
+}
+
+void btHybridDynamicsWorld::collectPairs()
+{
+	btBroadphasePairArray& pairs = m_broadphasePairCache->getOverlappingPairCache()->getOverlappingPairArray();
+	m_firstPairOf.resizeNoInitialize(m_hybrids.size() + 1);
+	for (int i = 0; i < m_firstPairOf.size(); i++)
+		m_firstPairOf[i] = 0;
+	for (int i = 0; i < pairs.size(); i++)
+	{
+		const int owners[2] = {hybridIndex(pairs[i].m_pProxy0), hybridIndex(pairs[i].m_pProxy1)};
+		for (int k = 0; k < 2; k++)
+			if (owners[k] >= 0)
+				m_firstPairOf[owners[k]]++;
+	}
+	for (int i = 1; i < m_firstPairOf.size(); i++)
+		m_firstPairOf[i] += m_firstPairOf[i - 1];
+	//Filling from the back turns each count into the start of its run.
+	m_pairsOf.resizeNoInitialize(m_firstPairOf[m_hybrids.size()]);
+	for (int i = pairs.size() - 1; i >= 0; i--)
+	{
+		const int owners[2] = {hybridIndex(pairs[i].m_pProxy0), hybridIndex(pairs[i].m_pProxy1)};
+		for (int k = 0; k < 2; k++)
+			if (owners[k] >= 0)
+				m_pairsOf[--m_firstPairOf[owners[k]]] = &pairs[i];
+	}
+}
+
+static btCollisionObject* partnerIn(const btBroadphasePair* pair, const btCollisionObject* body)
+{
+	btCollisionObject* first = static_cast<btCollisionObject*>(pair->m_pProxy0->m_clientObject);
+	return first == body ? static_cast<btCollisionObject*>(pair->m_pProxy1->m_clientObject) : first;
+}
+
+static bool canPush(const btCollisionObject* body, const btCollisionObject* partner)
+{
+	return body->hasContactResponse() && partner->hasContactResponse() && body->checkCollideWith(partner) && partner->checkCollideWith(body);
+}
+
+bool btHybridDynamicsWorld::hasMovingNeighbour(const btHybridRigidBody* body) const
+{
+	for (int i = m_firstPairOf[body->m_hybridIndex]; i < m_firstPairOf[body->m_hybridIndex + 1]; i++)
+	{
+		const btBroadphasePair* pair = m_pairsOf[i];
+		//A broadphase may keep a pair for a while after its bounds have parted.
+		if (!partnerIn(pair, body)->isStaticObject() && TestAabbAgainstAabb2(pair->m_pProxy0->m_aabbMin, pair->m_pProxy0->m_aabbMax, pair->m_pProxy1->m_aabbMin, pair->m_pProxy1->m_aabbMax))
+			return true;
+	}
+	return false;
+}
+
+void btHybridDynamicsWorld::followProximity(btHybridRigidBody* body)
+{
+	const btHybridRequest& request = body->m_request;
+	const bool mayReplace = !request.isStanding() || request.m_byProximity;
+	const bool wantsCoarser = request.isStanding() && request.m_targetLevel < body->m_level;
+	if (hasMovingNeighbour(body))
+	{
+		body->m_lonelySteps = 0;
+		if (!mayReplace)
+			return;
+		if (request.isStanding() && !wantsCoarser)
+			retract(body, BT_HYBRID_RETRACTED_BY_APPROACH);
+		if (m_loadIsFine)
+			retract(body, BT_HYBRID_RETRACTED_BY_LOAD);
+		else if (body->m_level > 1)
+			makeRequest(body, 1, BT_HYBRID_LOCAL, true);
+		return;
+	}
+	body->m_lonelySteps++;
+	if (!mayReplace)
+		return;
+	if (wantsCoarser)
+		retract(body, BT_HYBRID_RETRACTED_BY_SEPARATION);
+	if (body->m_lonelySteps >= m_switching.m_quietSteps && body->m_level < body->getFinestLevel())
+		makeRequest(body, body->getFinestLevel(), BT_HYBRID_LOCAL, true);
+}
+
+void btHybridDynamicsWorld::tryRequest(btHybridRigidBody* body)
+{
+	btHybridRequest& request = body->m_request;
+	if (!request.m_acknowledged)
+	{
+		request.m_acknowledged = true;
+		if (m_listener)
+			m_listener->acknowledged(body, request);
+	}
+	request.m_nextTry = m_step + m_switching.m_retryInterval;
+	if (request.m_targetLevel > body->m_level)
+	{
+		if (isSafe(body, request.m_targetLevel))
+		{
+			switchLevel(body, request.m_targetLevel);
+			return;
+		}
+	}
+	else
+	{
+		//The coarsest that is safe: part of the way helps, and the request for the rest stands.
+		for (int level = request.m_targetLevel; level < body->m_level; level++)
+		{
+			if (isSafe(body, level))
+			{
+				switchLevel(body, level);
+				return;
+			}
+		}
+	}
+	request.m_tries++;
+	m_counting.m_blockedTries++;
+	if (m_listener)
+		m_listener->blocked(body, request);
+}
+
+//Report, section 3.4.3: finer only if there is no contact, coarser only if the coarser level is free of
+//collision. Free of contact is measured at the present level, which holds the finer one.
+bool btHybridDynamicsWorld::isSafe(const btHybridRigidBody* body, int level)
+{
+	return !m_switching.m_safetyConditions || isSeparatedFromPartners(body, btMin(level, body->m_level));
+}
+
+bool btHybridDynamicsWorld::isSeparatedFromPartners(const btHybridRigidBody* body, int level)
+{
+	const btCollisionShape* shape = body->m_levels->getLevelShape(level);
+	for (int i = m_firstPairOf[body->m_hybridIndex]; i < m_firstPairOf[body->m_hybridIndex + 1]; i++)
+	{
+		const btCollisionObject* partner = partnerIn(m_pairsOf[i], body);
+		if (!canPush(body, partner))
+			continue;
+		m_counting.m_separationQueries++;
+		if (!btHybridIsSeparated(shape, body->getWorldTransform(), partner->getCollisionShape(), partner->getWorldTransform(), m_switching.m_safetyGap))
+			return false;
+	}
+	return true;
+}
+
+void btHybridDynamicsWorld::switchLevel(btHybridRigidBody* body, int level)
+{
+	const int from = body->m_level;
+	body->m_level = level;
+	body->setCollisionShape(body->m_levels->getLevelShape(level));
+	//A cached algorithm was made for the old shape's type.
+	for (int i = m_firstPairOf[body->m_hybridIndex]; i < m_firstPairOf[body->m_hybridIndex + 1]; i++)
+		m_broadphasePairCache->getOverlappingPairCache()->cleanOverlappingPair(*m_pairsOf[i], getDispatcher());
+	if (level < from)
+		m_counting.m_switchesCoarser++;
+	else
+		m_counting.m_switchesFiner++;
+	const btHybridRequest request = body->m_request;
+	if (request.m_targetLevel == level)
+		body->m_request = btHybridRequest();
+	if (m_listener)
+		m_listener->switched(body, from, level, request);
+}

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <scatter/result.h>
+
+#include <glm/vec3.hpp>
+#include <span>
+
+#include "levels/polytope.h"
+
+namespace scatter::levels {
+
+/// The convex hull of points (through qhull). Fails if they do not span a volume: fewer than four, or
+/// thinner than the rounding of their coordinates; the message is a phrase such as "its 5 vertices lie in one
+/// plane".
+[[nodiscard]] Result<Polytope> convexHull(std::span<const glm::dvec3> points);
+
+}  // namespace scatter::levels
