@@ -83,7 +83,7 @@ glm::dmat3 pointInertia(const glm::dvec3& offset) {
   return glm::dmat3(glm::dot(offset, offset)) - glm::outerProduct(offset, offset);
 }
 
-bool isFinite(const MassProperties& mass) {
+bool hasFiniteValues(const MassProperties& mass) {
   bool finite = std::isfinite(mass.volume) && isFinite(mass.centerOfMass);
   for (int column = 0; column < 3; ++column) finite = finite && isFinite(Vec3(mass.inertia[column]));
   return finite;
@@ -110,7 +110,7 @@ Result<MassProperties> massProperties(const std::vector<ConvexPart>& parts) {
     inertia += solid.volume / volume * (solid.inertia + levels::pointInertia(solid.center - center));
   }
   const MassProperties mass{static_cast<float>(volume), Vec3(center), Mat3(inertia)};
-  if (!levels::isFinite(mass)) return fail("the parts together are too large for single precision");
+  if (!levels::hasFiniteValues(mass)) return fail("the parts together are too large for single precision");
   return mass;
 }
 

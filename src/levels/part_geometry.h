@@ -5,6 +5,8 @@
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "levels/polytope.h"
@@ -18,7 +20,34 @@ struct DoublePose {
 
   explicit DoublePose(const Transform& pose);
   [[nodiscard]] glm::dvec3 operator()(const glm::dvec3& local) const { return position + rotation * local; }
+  [[nodiscard]] glm::dvec3 toLocal(const glm::dvec3& point) const { return (point - position) * rotation; }
 };
+
+/// All points within `radius` of the convex hull of `points`.
+struct RoundedHull {
+  std::vector<glm::dvec3> points;
+  double radius = 0.0;
+};
+
+/// The part in the model's frame, exactly; but a cylinder as a prism around it.
+[[nodiscard]] RoundedHull roundedHull(const ConvexPart& part, double hullMargin);
+
+/// How far the part, hull margin included, reaches along a unit direction.
+[[nodiscard]] double support(const ConvexPart& part, double hullMargin, const glm::dvec3& direction);
+
+/// A box, or a hull without its margin; nothing for round shapes. Fails on a hull without volume.
+[[nodiscard]] Result<std::optional<Polytope>> flatSidedCore(const ConvexPart& part);
+
+/// A polytope that holds the part, hull margin included, and touches it in the directions `tangents`.
+/// Elsewhere a sphere or capsule is exceeded by at most 1 % of its radius, a cylinder by 0.5 %, and a hull
+/// by 7 % of its margin.
+[[nodiscard]] Polytope outerPolytope(const ConvexPart& part, double hullMargin,
+                                     std::span<const glm::dvec3> tangents, double epsilon);
+
+/// A polytope of points whose distance from the part's outside, hull margin included, is at least `inset`;
+/// empty if there are none. `inset` is 0 or the hull margin. Of a round shape at most 1 % of the radius is
+/// lost; of a hull's margin, with inset 0, what rounds its edges and corners.
+[[nodiscard]] Polytope innerPolytope(const ConvexPart& part, double hullMargin, double inset);
 
 /// The hull's vertices in the model's frame.
 [[nodiscard]] std::vector<glm::dvec3> placedVertices(const ConvexHull& hull, const Transform& pose);

@@ -9,10 +9,12 @@
 namespace scatter {
 
 /// Reads the one rigid body of a COLLADA 1.4.1 physics file. Its shapes are the finest level; coarser
-/// ones stand in its `<extra><technique profile="SCATTER"><levels>`, coarsest first. Without that element
-/// the model has a single level. Lengths become metres and the y axis points up, whatever the file uses.
-/// The mesh is that of the first geometry instance in the visual scenes, without its node's transform.
-/// Elements that are not known are ignored. Errors read `FILE:LINE: <element>: what is wrong`.
+/// ones stand in its `<extra><technique profile="SCATTER">` as
+/// `<levels margin="0.02" count="3"><level index="1">shapes</level><level index="2">…`, coarsest first.
+/// Without that element the model has a single level. Lengths become metres and the y axis points up,
+/// whatever the file uses. The mesh is that of the first geometry instance in the visual scenes, without its
+/// node's transform. Elements that are not known are ignored. Errors read `FILE:LINE: <element>: what is
+/// wrong`.
 [[nodiscard]] Result<Model> readCollada(const std::filesystem::path& path);
 
 /// The same from text. `nameForMessages` stands for the file name.

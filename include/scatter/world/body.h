@@ -8,6 +8,7 @@
 
 namespace scatter {
 
+/// Where two bodies touch, friction and restitution are the products of theirs.
 struct Material {
   float friction = 0.5F;
   float rollingFriction = 0.0F;
@@ -33,9 +34,9 @@ struct BodyDef {
   Vec3 linearVelocity{0.0F};   ///< Of the centre of mass, metres per second.
   Vec3 angularVelocity{0.0F};  ///< Radians per second, world axes.
   Material material;
-  bool mayRest = true;           ///< May fall asleep when it hardly moves.
-  bool sensor = false;           ///< Reports contacts, but neither pushes nor is pushed.
-  std::uint32_t group = 1;       ///< Collision group bits.
+  bool mayRest = true;               ///< May fall asleep when it hardly moves.
+  bool sensor = false;               ///< Reports contacts, but neither pushes nor is pushed.
+  std::uint32_t group = 1;           ///< Collision group bits.
   std::uint32_t collidesWith = ~0U;  ///< Groups it collides with; both bodies must agree.
 };
 
@@ -44,6 +45,7 @@ struct BodyState {
   Vec3 linearVelocity{0.0F};
   Vec3 angularVelocity{0.0F};
   bool asleep = false;
+  Vec3 centerOfMass{0.0F};  ///< World frame.
 };
 
 /// Names a body in a Physics; never reused within one.

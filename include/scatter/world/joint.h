@@ -4,21 +4,23 @@
 #include <scatter/world/body.h>
 
 #include <cstdint>
-#include <optional>
 #include <variant>
+#include <vector>
 
 namespace scatter {
 
 /// A point of one body stays on a point of the other.
 struct PointJoint {};
 
-/// Free rotation about the frame's z axis, within limits if lower <= upper (radians).
+/// Free rotation about the frame's z axis. Within limits if lower <= upper: radians, from -pi to pi, that
+/// body B has turned relative to body A since the joint was made.
 struct HingeJoint {
   float lower = 1.0F;
   float upper = -1.0F;
 };
 
-/// Free motion along the frame's x axis, within limits if lower <= upper (metres).
+/// Free motion along the frame's x axis. Within limits if lower <= upper: metres that body B has moved
+/// relative to body A since the joint was made.
 struct SliderJoint {
   float lower = 1.0F;
   float upper = -1.0F;
@@ -26,7 +28,8 @@ struct SliderJoint {
 
 struct FixedJoint {};
 
-/// Each axis: locked if lower == upper, limited if lower < upper, free if lower > upper.
+/// Each axis: locked if lower == upper, limited if lower < upper, free if lower > upper. Of body B
+/// relative to body A; angles are Euler angles about x, y, z in that order, y within -pi/2 to pi/2.
 struct SixDofJoint {
   Vec3 linearLower{0.0F};
   Vec3 linearUpper{0.0F};
@@ -36,13 +39,13 @@ struct SixDofJoint {
 
 using JointKind = std::variant<PointJoint, HingeJoint, SliderJoint, FixedJoint, SixDofJoint>;
 
-/// A non-contact constraint between two bodies.
+/// A non-contact constraint between two bodies, of which at least one is dynamic.
 struct JointDef {
   JointKind kind;
   BodyId bodyA{};
   BodyId bodyB{};
-  Transform frame;                ///< The joint's frame in the world, at creation.
-  bool bodiesCollide = false;     ///< Whether the two bodies still collide with each other.
+  Transform frame;             ///< The joint's frame in the world, at creation.
+  bool bodiesCollide = false;  ///< Whether the two bodies still collide with each other.
 };
 
 enum class JointId : std::uint32_t {};
@@ -57,7 +60,8 @@ struct WheelDef {
   bool driven = false;
 };
 
-/// A vehicle whose wheels are rays cast from a chassis body.
+/// A vehicle whose wheels are rays cast from a chassis body. A driven wheel pushes toward
+/// axle x direction: +z with the defaults.
 struct VehicleDef {
   BodyId chassis{};
   std::vector<WheelDef> wheels;

@@ -35,9 +35,9 @@ struct SwitchingDef {
   /// request comes at least that many steps before the level-1 boxes can touch (report, section 6.3.1).
   float proximitySteps = 3.0F;
 
-  int retryInterval = 10;    ///< Steps between tries of a request whose safety condition failed.
-  int quietSteps = 30;       ///< Steps without a neighbour before a finer level is asked for.
-  float safetyGap = 0.01F;   ///< Metres that must separate the shapes for a switch to be safe.
+  int retryInterval = 10;   ///< Steps between tries of a request whose safety condition failed.
+  int quietSteps = 30;      ///< Steps without a neighbour before a finer level is asked for.
+  float safetyGap = 0.01F;  ///< Metres that must separate the shapes for a switch to be safe.
 
   /// "The load is fine" while fewer narrowphase pairs than this are at work: standing requests are then
   /// retracted and none are made. 0: never.
@@ -81,7 +81,9 @@ class Physics {
   virtual void destroyBody(BodyId body) = 0;  ///< Its joints and vehicles go with it.
 
   [[nodiscard]] virtual BodyState state(BodyId body) const = 0;
+  /// Wakes the body. A kinematic body pushes with the velocity that takes it there in the next step.
   virtual void setPose(BodyId body, const Transform& pose) = 0;
+  /// Wakes the body. Nothing happens if it is not dynamic.
   virtual void setVelocity(BodyId body, const Vec3& linear, const Vec3& angular) = 0;
   virtual void activate(BodyId body) = 0;  ///< Wakes it.
 
@@ -92,14 +94,18 @@ class Physics {
   virtual void applyTorque(BodyId body, const Vec3& torque) = 0;
   virtual void applyImpulse(BodyId body, const Vec3& impulse, const Vec3& point) = 0;  ///< Newton seconds.
 
+  /// Of all bodies, from the next step on. Wakes them.
   virtual void setGravity(const Vec3& gravity) = 0;
 
+  /// Fails on a frame or limit that is not finite, or bodies that cannot be joined; the message names
+  /// them.
   [[nodiscard]] virtual Result<JointId> createJoint(const JointDef& def) = 0;
   virtual void destroyJoint(JointId joint) = 0;
   [[nodiscard]] virtual Result<VehicleId> createVehicle(const VehicleDef& def) = 0;
   virtual void control(VehicleId vehicle, const VehicleControl& control) = 0;
   virtual void destroyVehicle(VehicleId vehicle) = 0;
 
+  /// The closest hit. Sensors are not hit, nor are shapes that the ray starts in.
   [[nodiscard]] virtual std::optional<RayHit> castRay(const Vec3& from, const Vec3& to) const = 0;
 
   /// One step of `seconds`, whatever it costs.
@@ -115,8 +121,8 @@ class Physics {
   virtual void retractRequest(BodyId body) = 0;
   virtual void retractAllRequests() = 0;
 
-  /// What happened to requests since the step before the last began, oldest first. Valid until the
-  /// next step.
+  /// What happened to requests in the last step and in the calls between it and the step before, oldest
+  /// first. Valid until the next step.
   [[nodiscard]] virtual std::span<const LevelEvent> levelEvents() const = 0;
 
   [[nodiscard]] virtual const StepCounters& counters() const = 0;

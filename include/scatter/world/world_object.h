@@ -53,7 +53,9 @@ class HybridObject final : public WorldObject {
   [[nodiscard]] int levelCount() const { return physics().levelCount(body()); }
 
   /// Asks for a level, 1 the coarsest. False in a standard world.
-  bool requestLevel(int level, Scope scope = Scope::kLocal) { return physics().requestLevel(body(), level, scope); }
+  bool requestLevel(int level, Scope scope = Scope::kLocal) {
+    return physics().requestLevel(body(), level, scope);
+  }
   void retractRequest() { physics().retractRequest(body()); }
 
   /// Called after the step in which something happened to its requests.

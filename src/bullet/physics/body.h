@@ -1,0 +1,76 @@
+#pragma once
+
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+#include <scatter/world/body.h>
+
+#include <memory>
+#include <string>
+
+#include "bullet/physics/shapes.h"
+
+class btHybridRigidBody;
+
+namespace scatter {
+
+/// Whether and where a LevelSet's body begins among its levels.
+struct LevelStart {
+  bool switches = false;  ///< In a hybrid world.
+  int level = 0;          ///< 0: the finest.
+};
+
+/// One body of BulletPhysics. Bullet's user pointer of the rigid body leads back to it, so it stays where
+/// it is.
+class BulletBody {
+ public:
+  /// `def` is valid.
+  BulletBody(BodyId id, const BodyDef& def, std::shared_ptr<const BulletShape> shape, LevelStart start);
+  BulletBody(const BulletBody&) = delete;
+  BulletBody& operator=(const BulletBody&) = delete;
+  ~BulletBody();
+
+  /// The body that a Bullet object of this adapter belongs to.
+  static const BulletBody& of(const btCollisionObject& object) {
+    return *static_cast<const BulletBody*>(object.getUserPointer());
+  }
+
+  [[nodiscard]] BodyId id() const { return id_; }
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] Motion motion() const { return motion_; }
+  [[nodiscard]] bool isDynamic() const { return motion_ == Motion::kDynamic; }
+  [[nodiscard]] btRigidBody& rigid() { return *rigid_; }
+  [[nodiscard]] const btRigidBody& rigid() const { return *rigid_; }
+
+  /// Made from a LevelSet, whatever the world.
+  [[nodiscard]] bool isHybrid() const { return isHybrid_; }
+
+  /// Null unless its levels can switch.
+  [[nodiscard]] btHybridRigidBody* switching() const { return switching_; }
+  [[nodiscard]] int level() const;
+  [[nodiscard]] int levelCount() const { return shape_->levelCount(); }
+
+  [[nodiscard]] BodyState state() const;
+  void setPose(const Transform& pose);
+  void wake();
+
+  /// The frame `inWorld` in the frame of the centre of mass.
+  [[nodiscard]] btTransform fromCenter(const Transform& inWorld) const;
+
+  /// The frame of the centre of mass in the model's frame.
+  [[nodiscard]] const Transform& center() const { return shape_->center(); }
+
+  /// Joules; zero unless dynamic.
+  [[nodiscard]] double kineticEnergy() const;
+  [[nodiscard]] bool isFiniteNow() const;
+
+ private:
+  BodyId id_;
+  std::string name_;
+  Motion motion_;
+  bool isHybrid_;
+  double mass_;
+  std::shared_ptr<const BulletShape> shape_;
+  btHybridRigidBody* switching_ = nullptr;
+  std::unique_ptr<btRigidBody> rigid_;
+};
+
+}  // namespace scatter

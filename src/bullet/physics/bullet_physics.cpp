@@ -1,0 +1,315 @@
+#include "bullet/physics/bullet_physics.h"
+
+#include <BulletHybrid/btHybridDynamicsWorld.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "bullet/physics/contact_summary.h"
+#include "bullet/physics/conversions.h"
+#include "bullet/physics/joints.h"
+#include "bullet/physics/ray.h"
+#include "bullet/physics/state_hash.h"
+#include "bullet/physics/validation.h"
+
+namespace scatter {
+
+BulletPhysics::BulletPhysics(const PhysicsDef& def) : def_(def), engine_(def) {
+  assert(isFinite(def.gravity) && def.solverIterations > 0);
+  if (engine_.switching() != nullptr) engine_.switching()->setListener(&listener_);
+}
+
+BulletPhysics::~BulletPhysics() {
+  if (engine_.switching() != nullptr) engine_.switching()->setListener(nullptr);
+  for (const auto& [id, vehicle] : vehicles_) engine_.world().removeAction(&vehicle->action());
+  for (const auto& [id, joint] : joints_) engine_.world().removeConstraint(joint.constraint.get());
+  for (const auto& body : bodies_) {
+    if (body) engine_.world().removeRigidBody(&body->rigid());
+  }
+}
+
+std::string BulletPhysics::engine() const {
+  const int version = btGetVersion();
+  return "bullet " + std::to_string(version / 100) + "." + std::to_string(version % 100);
+}
+
+BulletBody& BulletPhysics::at(BodyId body) {
+  const auto index = static_cast<std::size_t>(body) - 1;
+  assert(index < bodies_.size() && bodies_[index] && "unknown body");
+  return *bodies_[index];
+}
+
+const BulletBody& BulletPhysics::at(BodyId body) const {
+  return const_cast<BulletPhysics*>(this)->at(body);
+}
+
+Result<BodyId> BulletPhysics::createBody(const BodyDef& def) {
+  if (auto valid = validateBody(def); !valid) return tl::unexpected(valid.error());
+  auto shape = shapes_.build(def.shape);
+  if (!shape) return fail("body \"" + def.name + "\": " + shape.error().message);
+
+  LevelStart start;
+  start.switches = def_.world == WorldKind::kHybrid;
+  if (def_.switching.policy == Policy::kCoarsest) start.level = 1;
+  const BodyId id{static_cast<std::uint32_t>(bodies_.size() + 1)};
+  bodies_.push_back(std::make_unique<BulletBody>(id, def, std::move(*shape), start));
+  BulletBody& body = *bodies_.back();
+  engine_.world().addRigidBody(&body.rigid(), static_cast<int>(def.group),
+                               static_cast<int>(def.collidesWith));
+  ++bodyCount_;
+  if (body.isHybrid()) ++hybridCount_;
+  return id;
+}
+
+void BulletPhysics::destroyBody(BodyId body) {
+  BulletBody& leaving = at(body);
+  for (auto it = vehicles_.begin(); it != vehicles_.end();) {
+    const VehicleId id = (it++)->first;
+    if (&vehicles_.at(id)->chassis() == &leaving) destroyVehicle(id);
+  }
+  for (auto it = joints_.begin(); it != joints_.end();) {
+    const auto& [id, joint] = *it++;
+    if (joint.a == body || joint.b == body) destroyJoint(id);
+  }
+  engine_.wakeNeighbours(leaving.rigid());
+  engine_.world().removeRigidBody(&leaving.rigid());
+  --bodyCount_;
+  if (leaving.isHybrid()) --hybridCount_;
+  bodies_[static_cast<std::size_t>(body) - 1].reset();
+}
+
+BodyState BulletPhysics::state(BodyId body) const {
+  return at(body).state();
+}
+
+void BulletPhysics::setPose(BodyId body, const Transform& pose) {
+  assert(isFinite(pose));
+  BulletBody& moved = at(body);
+  moved.setPose(pose);
+  // So that rays find it where it is now.
+  engine_.world().updateSingleAabb(&moved.rigid());
+}
+
+void BulletPhysics::setVelocity(BodyId body, const Vec3& linear, const Vec3& angular) {
+  assert(isFinite(linear) && isFinite(angular));
+  BulletBody& moved = at(body);
+  if (!moved.isDynamic()) return;
+  moved.rigid().setLinearVelocity(toBullet(linear));
+  moved.rigid().setAngularVelocity(toBullet(angular));
+  moved.wake();
+}
+
+void BulletPhysics::activate(BodyId body) {
+  at(body).wake();
+}
+
+void BulletPhysics::applyForce(BodyId body, const Vec3& force, const Vec3& point, bool wake) {
+  BulletBody& pushed = at(body);
+  if (wake) pushed.wake();
+  // An asleep body would keep the force for when something wakes it in the middle of the step.
+  if (!pushed.rigid().isActive()) return;
+  pushed.rigid().applyForce(toBullet(force), toBullet(point) - pushed.rigid().getCenterOfMassPosition());
+}
+
+void BulletPhysics::applyCentralForce(BodyId body, const Vec3& force, bool wake) {
+  BulletBody& pushed = at(body);
+  if (wake) pushed.wake();
+  if (!pushed.rigid().isActive()) return;
+  pushed.rigid().applyCentralForce(toBullet(force));
+}
+
+void BulletPhysics::applyTorque(BodyId body, const Vec3& torque) {
+  BulletBody& turned = at(body);
+  turned.wake();
+  turned.rigid().applyTorque(toBullet(torque));
+}
+
+void BulletPhysics::applyImpulse(BodyId body, const Vec3& impulse, const Vec3& point) {
+  BulletBody& pushed = at(body);
+  pushed.wake();
+  pushed.rigid().applyImpulse(toBullet(impulse), toBullet(point) - pushed.rigid().getCenterOfMassPosition());
+}
+
+void BulletPhysics::setGravity(const Vec3& gravity) {
+  assert(isFinite(gravity));
+  engine_.world().setGravity(toBullet(gravity));
+  // Bullet's own leaves out the bodies that are asleep.
+  for (const auto& body : bodies_) {
+    if (!body || !body->isDynamic()) continue;
+    body->rigid().setGravity(toBullet(gravity));
+    body->wake();
+  }
+}
+
+Result<JointId> BulletPhysics::createJoint(const JointDef& def) {
+  BulletBody& a = at(def.bodyA);
+  BulletBody& b = at(def.bodyB);
+  const std::string joint = "joint between \"" + a.name() + "\" and \"" + b.name() + "\"";
+  if (&a == &b) return fail(joint + ": a body cannot be joined to itself");
+  if (!a.isDynamic() && !b.isDynamic()) return fail(joint + ": at least one body must be dynamic");
+  if (auto valid = validateJoint(def, joint); !valid) return tl::unexpected(valid.error());
+
+  const JointId id{++lastJoint_};
+  auto& made = joints_.emplace(id, Joint{makeConstraint(def, a, b), def.bodyA, def.bodyB}).first->second;
+  // Contacts that are not looked after any more would go on pushing.
+  if (!def.bodiesCollide) engine_.forgetContacts(a.rigid(), b.rigid());
+  engine_.world().addConstraint(made.constraint.get(),
+                                /*disableCollisionsBetweenLinkedBodies=*/!def.bodiesCollide);
+  a.wake();
+  b.wake();
+  return id;
+}
+
+void BulletPhysics::destroyJoint(JointId joint) {
+  const auto found = joints_.find(joint);
+  assert(found != joints_.end() && "unknown joint");
+  engine_.world().removeConstraint(found->second.constraint.get());
+  at(found->second.a).wake();
+  at(found->second.b).wake();
+  joints_.erase(found);
+}
+
+Result<VehicleId> BulletPhysics::createVehicle(const VehicleDef& def) {
+  BulletBody& chassis = at(def.chassis);
+  const std::string vehicle = "vehicle on \"" + chassis.name() + "\"";
+  if (!chassis.isDynamic()) return fail(vehicle + ": the chassis must be dynamic");
+  if (auto valid = validateVehicle(def, vehicle); !valid) return tl::unexpected(valid.error());
+  const VehicleId id{++lastVehicle_};
+  auto& made = vehicles_[id] = std::make_unique<BulletVehicle>(def, chassis, engine_.world());
+  engine_.world().addAction(&made->action());
+  chassis.wake();
+  return id;
+}
+
+void BulletPhysics::control(VehicleId vehicle, const VehicleControl& control) {
+  const auto found = vehicles_.find(vehicle);
+  assert(found != vehicles_.end() && "unknown vehicle");
+  found->second->control(control);
+}
+
+void BulletPhysics::destroyVehicle(VehicleId vehicle) {
+  const auto found = vehicles_.find(vehicle);
+  assert(found != vehicles_.end() && "unknown vehicle");
+  engine_.world().removeAction(&found->second->action());
+  vehicles_.erase(found);
+}
+
+std::optional<RayHit> BulletPhysics::castRay(const Vec3& from, const Vec3& to) const {
+  if (!isFinite(from) || !isFinite(to) || from == to) return std::nullopt;
+  ClosestRayHit hit(toBullet(from), toBullet(to));
+  engine_.world().rayTest(toBullet(from), toBullet(to), hit);
+  if (!hit.hasHit()) return std::nullopt;
+  return RayHit{BulletBody::of(*hit.m_collisionObject).id(), fromBullet(hit.m_hitPointWorld),
+                fromBullet(hit.m_hitNormalWorld.normalized()), hit.m_closestHitFraction};
+}
+
+void BulletPhysics::step(float seconds) {
+  assert(isFinite(seconds) && seconds > 0.0F);
+  if (auto* hybrid = engine_.switching()) {
+    hybrid->setLoadIsFine(counters_.narrowphasePairs < def_.switching.loadFinePairs);
+  }
+  engine_.dispatcher().resetCounts();
+  {
+    const NewContactCounter newContacts;
+    runStep(seconds);
+  }
+  listener_.endSpan();
+  countStep(NewContactCounter::count());
+}
+
+void BulletPhysics::runStep(float seconds) {
+  // No sub-steps: exactly one, of the length asked for.
+  if (!def_.profiling) {
+    engine_.world().stepSimulation(seconds, 0);
+    return;
+  }
+  {
+    const BulletStageTimer::Running timing(engine_.timer());
+    engine_.world().stepSimulation(seconds, 0);
+  }
+  stageTimes_ = engine_.timer().times();
+}
+
+void BulletPhysics::countStep(std::uint32_t newContacts) {
+  const PairCounts& pairs = engine_.dispatcher().counts();
+  const ContactSummary contacts = summarizeContacts(engine_.dispatcher());
+  counters_ = {};
+  counters_.objects = bodyCount_;
+  counters_.hybrids = hybridCount_;
+  counters_.overlappingPairs =
+      static_cast<std::uint32_t>(engine_.world().getPairCache()->getNumOverlappingPairs());
+  counters_.narrowphasePairs = pairs.all;
+  counters_.pairsWithHybrid = pairs.withHybrid;
+  counters_.pairsWithoutHybrid = pairs.all - pairs.withHybrid;
+  counters_.finestPairs = pairs.finest;
+  counters_.manifolds = contacts.manifolds;
+  counters_.contacts = contacts.contacts;
+  counters_.newContacts = newContacts;
+  maxPenetration_ = static_cast<double>(contacts.deepest);
+  if (auto* hybrid = engine_.switching()) {
+    const btHybridStepInfo& info = hybrid->getStepInfo();
+    counters_.requests = static_cast<std::uint32_t>(info.m_standingRequests);
+    counters_.switchesCoarser = static_cast<std::uint32_t>(info.m_switchesCoarser);
+    counters_.switchesFiner = static_cast<std::uint32_t>(info.m_switchesFiner);
+    counters_.retractions = static_cast<std::uint32_t>(info.m_retractions);
+  }
+}
+
+int BulletPhysics::level(BodyId body) const {
+  return at(body).level();
+}
+
+int BulletPhysics::levelCount(BodyId body) const {
+  return at(body).levelCount();
+}
+
+bool BulletPhysics::requestLevel(BodyId body, int level, Scope scope) {
+  BulletBody& asked = at(body);
+  if (asked.switching() == nullptr) return false;
+  constexpr btHybridScope kScopes[]{BT_HYBRID_LOCAL, BT_HYBRID_GROUP, BT_HYBRID_GLOBAL};
+  return engine_.switching()->requestLevel(asked.switching(), level, kScopes[static_cast<int>(scope)]);
+}
+
+void BulletPhysics::retractRequest(BodyId body) {
+  BulletBody& asked = at(body);
+  if (asked.switching() != nullptr) engine_.switching()->retractRequest(asked.switching());
+}
+
+void BulletPhysics::retractAllRequests() {
+  if (engine_.switching() != nullptr) engine_.switching()->retractAllRequests();
+}
+
+void BulletPhysics::setProfiling(bool on) {
+  def_.profiling = on;
+  if (!on) stageTimes_ = {};
+}
+
+std::uint64_t BulletPhysics::stateHash() const {
+  StateHash hash;
+  for (const auto& body : bodies_) {
+    if (body) hash.add(*body);
+  }
+  return hash.value();
+}
+
+double BulletPhysics::kineticEnergy() const {
+  double energy = 0.0;
+  for (const auto& body : bodies_) {
+    if (body) energy += body->kineticEnergy();
+  }
+  return energy;
+}
+
+std::optional<BodyId> BulletPhysics::findInvalidState() const {
+  const auto found = std::find_if(bodies_.begin(), bodies_.end(),
+                                  [](const auto& body) { return body && !body->isFiniteNow(); });
+  if (found == bodies_.end()) return std::nullopt;
+  return (*found)->id();
+}
+
+std::unique_ptr<Physics> makeBulletPhysics(const PhysicsDef& def) {
+  return std::make_unique<BulletPhysics>(def);
+}
+
+}  // namespace scatter

@@ -1,0 +1,53 @@
+#include "bullet/physics/engine.h"
+
+#include <BulletHybrid/btHybridDynamicsWorld.h>
+
+#include "bullet/physics/conversions.h"
+
+namespace scatter {
+
+namespace {
+
+btHybridSwitchingInfo switchingInfo(const SwitchingDef& def) {
+  btHybridSwitchingInfo info;
+  info.m_proximity = def.policy == Policy::kProximity;
+  info.m_proximitySteps = def.proximitySteps;
+  info.m_retryInterval = def.retryInterval;
+  info.m_quietSteps = def.quietSteps;
+  info.m_safetyGap = def.safetyGap;
+  info.m_safetyConditions = def.safetyConditions;
+  return info;
+}
+
+}  // namespace
+
+BulletEngine::BulletEngine(const PhysicsDef& def) : dispatcher_(&configuration_), solver_(timer_) {
+  if (def.world == WorldKind::kHybrid) {
+    auto hybrid =
+        std::make_unique<btHybridDynamicsWorld>(&dispatcher_, &broadphase_, &solver_, &configuration_);
+    hybrid->getSwitchingInfo() = switchingInfo(def.switching);
+    switching_ = hybrid.get();
+    world_ = std::move(hybrid);
+  } else {
+    world_ = std::make_unique<btDiscreteDynamicsWorld>(&dispatcher_, &broadphase_, &solver_, &configuration_);
+  }
+  world_->setGravity(toBullet(def.gravity));
+  world_->getSolverInfo().m_numIterations = def.solverIterations;
+}
+
+void BulletEngine::forgetContacts(btCollisionObject& a, btCollisionObject& b) {
+  btOverlappingPairCache& pairs = *broadphase_.getOverlappingPairCache();
+  btBroadphasePair* pair = pairs.findPair(a.getBroadphaseHandle(), b.getBroadphaseHandle());
+  if (pair != nullptr) pairs.cleanOverlappingPair(*pair, &dispatcher_);
+}
+
+void BulletEngine::wakeNeighbours(const btCollisionObject& object) {
+  for (int i = 0; i < dispatcher_.getNumManifolds(); ++i) {
+    const btPersistentManifold& manifold = *dispatcher_.getManifoldByIndexInternal(i);
+    if (manifold.getNumContacts() == 0) continue;
+    if (manifold.getBody0() == &object) manifold.getBody1()->activate();
+    if (manifold.getBody1() == &object) manifold.getBody0()->activate();
+  }
+}
+
+}  // namespace scatter

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
+#include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
+#include <scatter/world/physics.h>
+
+#include <memory>
+
+#include "bullet/physics/broadphase.h"
+#include "bullet/physics/dispatcher.h"
+#include "bullet/physics/stage_timer.h"
+#include "bullet/physics/timed_solver.h"
+
+class btHybridDynamicsWorld;
+
+namespace scatter {
+
+/// A Bullet world and the parts it is put together from. Empty it before it goes.
+class BulletEngine {
+ public:
+  explicit BulletEngine(const PhysicsDef& def);
+
+  [[nodiscard]] btDiscreteDynamicsWorld& world() { return *world_; }
+  [[nodiscard]] const btDiscreteDynamicsWorld& world() const { return *world_; }
+  [[nodiscard]] BulletDispatcher& dispatcher() { return dispatcher_; }
+  [[nodiscard]] BulletStageTimer& timer() { return timer_; }
+
+  /// Null in a standard world.
+  [[nodiscard]] btHybridDynamicsWorld* switching() { return switching_; }
+
+  /// Drops what is known about how the two objects touch.
+  void forgetContacts(btCollisionObject& a, btCollisionObject& b);
+
+  /// Wakes all bodies that touch `object`.
+  void wakeNeighbours(const btCollisionObject& object);
+
+ private:
+  BulletStageTimer timer_;
+  btDefaultCollisionConfiguration configuration_;
+  BulletDispatcher dispatcher_;
+  BulletBroadphase broadphase_;
+  BulletTimedSolver solver_;
+  std::unique_ptr<btDiscreteDynamicsWorld> world_;
+  btHybridDynamicsWorld* switching_ = nullptr;
+};
+
+}  // namespace scatter

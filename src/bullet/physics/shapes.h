@@ -1,0 +1,75 @@
+#pragma once
+
+#include <BulletCollision/CollisionShapes/btCollisionShape.h>
+#include <BulletCollision/CollisionShapes/btStridingMeshInterface.h>
+#include <BulletHybrid/btHybridLevelSet.h>
+#include <scatter/result.h>
+#include <scatter/world/shape.h>
+
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace scatter {
+
+/// Margin around the hulls of shapes that are not LevelSets: the same as theirs, metres.
+inline constexpr float kHullMargin = 0.02F;
+
+/// A Shape as Bullet wants it, in the frame of its centre of mass. Shared by bodies, immutable.
+class BulletShape {
+ public:
+  BulletShape() = default;
+  BulletShape(const BulletShape&) = delete;
+  BulletShape& operator=(const BulletShape&) = delete;
+  ~BulletShape() = default;
+
+  /// The only level of a shape that is not a LevelSet. Bullet's interfaces are not const correct; the
+  /// shape is not changed.
+  [[nodiscard]] btCollisionShape* finest() const { return levels_.getLevelShape(levels_.getNumLevels()); }
+  [[nodiscard]] const btHybridLevelSet& levels() const { return levels_; }
+  [[nodiscard]] int levelCount() const { return levels_.getNumLevels(); }
+
+  /// The frame of the centre of mass and the principal axes, in the model's frame.
+  [[nodiscard]] const Transform& center() const { return center_; }
+
+  /// About `center`'s axes, per kilogram: square metres. Zero for planes and meshes.
+  [[nodiscard]] const Vec3& inertia() const { return inertia_; }
+
+ private:
+  friend class BulletShapeBuilder;
+
+  std::vector<std::unique_ptr<btCollisionShape>> owned_;
+  std::unique_ptr<btStridingMeshInterface> meshView_;
+  btHybridLevelSet levels_;
+  Transform center_;
+  Vec3 inertia_{0.0F};
+
+  /// Kept so that its address, the key under which this shape is shared, is not used again.
+  std::shared_ptr<const void> source_;
+};
+
+/// Makes BulletShapes; the same one for the same LevelSet or TriangleMesh as long as a body uses it.
+class BulletShapeBuilder {
+ public:
+  /// `shape` has passed validateShape(). Fails if it has no volume, naming the part.
+  [[nodiscard]] Result<std::shared_ptr<const BulletShape>> build(const Shape& shape);
+
+ private:
+  using Made = Result<std::shared_ptr<const BulletShape>>;
+
+  Made make(const ConvexShape& shape);
+  Made make(const Plane& plane);
+  Made make(const Compound& compound);
+  Made make(const std::shared_ptr<const TriangleMesh>& mesh);
+  Made make(const std::shared_ptr<const LevelSet>& levels);
+
+  template <class Source, class Make>
+  Made share(const std::shared_ptr<const Source>& source, Make make);
+
+  static void setMass(BulletShape& shape, const MassProperties& mass);
+  static void addLevel(BulletShape& shape, const std::vector<ConvexPart>& parts, float hullMargin);
+
+  std::map<const void*, std::weak_ptr<const BulletShape>> shared_;
+};
+
+}  // namespace scatter

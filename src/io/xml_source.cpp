@@ -1,0 +1,114 @@
+#include "io/xml_source.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <pugixml.hpp>
+#include <utility>
+
+namespace scatter::io {
+namespace {
+
+constexpr std::size_t kMaxQuoted = 60;
+
+bool isControl(char c) {
+  return static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
+}
+
+std::size_t lineAt(std::string_view text, std::ptrdiff_t offset) {
+  const auto end = std::clamp<std::ptrdiff_t>(offset, 0, static_cast<std::ptrdiff_t>(text.size()));
+  return 1 + static_cast<std::size_t>(std::count(text.begin(), text.begin() + end, '\n'));
+}
+
+}  // namespace
+
+std::string inQuotes(std::string_view text) {
+  std::string result(text.substr(0, kMaxQuoted));
+  std::replace_if(result.begin(), result.end(), isControl, '?');
+  result.insert(0, 1, '"');
+  return result + (text.size() > kMaxQuoted ? "…\"" : "\"");
+}
+
+struct XmlSource::Document {
+  pugi::xml_document xml;
+  std::map<std::string_view, pugi::xml_node> byId;
+
+  void indexIds() {
+    struct Indexer : pugi::xml_tree_walker {
+      std::map<std::string_view, pugi::xml_node>* index = nullptr;
+      bool for_each(pugi::xml_node& node) override {
+        if (const pugi::xml_attribute id = node.attribute("id")) {
+          index->emplace(id.value(), node);
+        }
+        return true;
+      }
+    };
+    Indexer indexer;
+    indexer.index = &byId;
+    xml.traverse(indexer);
+  }
+};
+
+XmlSource::XmlSource(std::string_view text, std::string_view name)
+    : text_(text), name_(name), document_(std::make_unique<Document>()) {}
+XmlSource::XmlSource(XmlSource&&) noexcept = default;
+XmlSource& XmlSource::operator=(XmlSource&&) noexcept = default;
+XmlSource::~XmlSource() = default;
+
+Result<XmlSource> XmlSource::parse(std::string_view text, std::string_view name) {
+  XmlSource source(text, name);
+  const pugi::xml_parse_result parsed = source.document_->xml.load_buffer(text.data(), text.size());
+  if (!parsed || !source.document_->xml.document_element()) {
+    const std::string reason = parsed ? "it has no element" : parsed.description();
+    return fail(std::string(name) + ":" + std::to_string(lineAt(text, parsed.offset)) +
+                ": not a well-formed XML file: " + reason);
+  }
+  source.document_->indexIds();
+  return source;
+}
+
+pugi::xml_node XmlSource::root() const {
+  return document_->xml.document_element();
+}
+
+tl::unexpected<Error> XmlSource::failAt(const pugi::xml_node& node, std::string_view what) const {
+  std::string message(name_);
+  message.append(":").append(std::to_string(lineAt(text_, node.offset_debug()))).append(": <");
+  message.append(std::string_view(node.name()).substr(0, kMaxQuoted)).append(">: ").append(what);
+  std::replace_if(message.begin(), message.end(), isControl, '?');
+  return fail(std::move(message));
+}
+
+Result<pugi::xml_node> XmlSource::child(const pugi::xml_node& parent, const char* name,
+                                        std::string_view purpose) const {
+  const pugi::xml_node found = parent.child(name);
+  if (!found) {
+    return failAt(parent, "has no <" + std::string(name) + ">; " + std::string(purpose));
+  }
+  return found;
+}
+
+Result<pugi::xml_node> XmlSource::follow(const pugi::xml_node& node, const char* attribute,
+                                         const char* kind) const {
+  const pugi::xml_attribute link = node.attribute(attribute);
+  const std::string_view url = link.value();
+  if (!link || url.empty()) {
+    return failAt(node, "has no " + std::string(attribute) + " that names a <" + kind + ">");
+  }
+  if (url.front() != '#') {
+    return failAt(node, std::string(attribute) + " " + inQuotes(url) +
+                            " points outside this file; put the <" + kind + "> into it");
+  }
+  const auto found = document_->byId.find(url.substr(1));
+  if (found == document_->byId.end()) {
+    return failAt(node, std::string(attribute) + " " + inQuotes(url) + " names nothing in this file");
+  }
+  if (std::string_view(found->second.name()) != kind) {
+    return failAt(node, std::string(attribute) + " " + inQuotes(url) + " should name a <" + kind +
+                            ">, but that is a <" + std::string(found->second.name()).substr(0, kMaxQuoted) +
+                            ">");
+  }
+  return found->second;
+}
+
+}  // namespace scatter::io

@@ -1,0 +1,127 @@
+#include "lab/atomic_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cassert>
+#include <cerrno>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+#include <utility>
+
+namespace scatter::lab {
+
+namespace {
+
+constexpr std::size_t kBufferBytes = 1U << 16U;
+
+tl::unexpected<Error> cannotWrite(const std::filesystem::path& file, int errorNumber) {
+  return fail("cannot write " + file.string() + ": " + std::generic_category().message(errorNumber) +
+              "; free some space there, or choose another folder");
+}
+
+// What open() would have given a new file; mkstemp() lets only the owner read.
+mode_t newFileMode() {
+  const mode_t mask = umask(0);
+  umask(mask);
+  return 0666U & ~mask;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<AtomicFile>> AtomicFile::create(std::filesystem::path file) {
+  std::string name = (file.parent_path() / ('.' + file.filename().string() + ".XXXXXX")).string();
+  const int descriptor = mkostemp(name.data(), O_CLOEXEC);
+  if (descriptor < 0) {
+    return cannotWrite(file, errno);
+  }
+  return std::unique_ptr<AtomicFile>(new AtomicFile(std::move(file), std::move(name), descriptor));
+}
+
+AtomicFile::AtomicFile(std::filesystem::path file, std::filesystem::path temporary, int descriptor)
+    : file_(std::move(file)), temporary_(std::move(temporary)), descriptor_(descriptor) {}
+
+AtomicFile::~AtomicFile() {
+  discard();
+}
+
+Result<void> AtomicFile::write(std::string_view text) {
+  assert(descriptor_ >= 0);
+  buffer_.append(text);
+  if (buffer_.size() < kBufferBytes) {
+    return {};
+  }
+  return flush();
+}
+
+Result<void> AtomicFile::commit() {
+  assert(descriptor_ >= 0);
+  if (auto flushed = flush(); !flushed) {
+    return flushed;
+  }
+  if (fchmod(descriptor_, newFileMode()) != 0) {
+    return giveUp(errno);
+  }
+  // Some file systems report a full disk only here.
+  if (close(std::exchange(descriptor_, -1)) != 0 || rename(temporary_.c_str(), file_.c_str()) != 0) {
+    return giveUp(errno);
+  }
+  temporary_.clear();
+  return {};
+}
+
+Result<void> AtomicFile::flush() {
+  std::string_view left = buffer_;
+  while (!left.empty()) {
+    const ssize_t written = ::write(descriptor_, left.data(), left.size());
+    if (written < 0 && errno == EINTR) {
+      continue;
+    }
+    if (written < 0) {
+      return giveUp(errno);
+    }
+    left.remove_prefix(static_cast<std::size_t>(written));
+  }
+  buffer_.clear();
+  return {};
+}
+
+tl::unexpected<Error> AtomicFile::giveUp(int errorNumber) {
+  discard();
+  return cannotWrite(file_, errorNumber);
+}
+
+void AtomicFile::discard() noexcept {
+  if (descriptor_ >= 0) {
+    close(std::exchange(descriptor_, -1));
+  }
+  if (!temporary_.empty()) {
+    unlink(temporary_.c_str());
+    temporary_.clear();
+  }
+}
+
+Result<void> writeFile(const std::filesystem::path& file, std::string_view text) {
+  auto output = AtomicFile::create(file);
+  if (!output) {
+    return tl::unexpected(output.error());
+  }
+  if (auto written = (*output)->write(text); !written) {
+    return written;
+  }
+  return (*output)->commit();
+}
+
+Result<std::string> readFile(const std::filesystem::path& file) {
+  std::ifstream input(file, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(input), {}};
+  if (!input.good() && !input.eof()) {
+    return fail("cannot read " + file.string() + "; see that it exists and may be read");
+  }
+  return text;
+}
+
+}  // namespace scatter::lab

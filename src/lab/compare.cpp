@@ -1,0 +1,172 @@
+#include <scatter/lab/comparison.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
+namespace scatter {
+
+namespace {
+
+Result<CompareOptions> resolve(CompareOptions options) {
+  if (options.runs.empty()) {
+    return fail("there is no world to compare; name at least one");
+  }
+  if (options.repeat < 1) {
+    return fail("a comparison needs at least one repeat, not " + std::to_string(options.repeat) +
+                "; give a larger number");
+  }
+  std::set<std::string> labels;
+  for (RunOptions& run : options.runs) {
+    auto resolved = resolveRun(std::move(run));
+    if (!resolved) {
+      return tl::unexpected(resolved.error());
+    }
+    run = std::move(*resolved);
+    run.out.reset();
+    if (!labels.insert(run.label).second) {
+      return fail("two worlds are labelled '" + run.label + "'; give each a label of its own");
+    }
+  }
+  return options;
+}
+
+std::optional<std::size_t> firstDifference(const std::vector<std::uint64_t>& a,
+                                           const std::vector<std::uint64_t>& b) {
+  const auto [left, right] = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
+  if (left == a.end() && right == b.end()) {
+    return std::nullopt;
+  }
+  return static_cast<std::size_t>(left - a.begin());
+}
+
+Result<void> checkSameHashes(const ComparedWorld& world) {
+  const Run& first = world.repeats.front();
+  const Run& last = world.repeats.back();
+  const auto differs = firstDifference(first.table.hashes("state_hash"), last.table.hashes("state_hash"));
+  if (!differs) {
+    return {};
+  }
+  return fail("the " + first.options.label + " world of scene '" + first.options.scene +
+              "' is not the same run after run: repeat " + std::to_string(world.repeats.size()) +
+              " differs from repeat 1 from frame " + std::to_string(*differs + 1) +
+              " on, so its times cannot be compared; look for chance or a clock in the scene or the engine");
+}
+
+Spread spreadOf(const std::vector<double>& values) {
+  const auto [min, max] = std::minmax_element(values.begin(), values.end());
+  return {.median = nearestRank(values, 0.5), .min = *min, .max = *max};
+}
+
+// Each repeat's figure over that of the first world in the same repeat.
+Spread ratio(const ComparedWorld& world, const ComparedWorld& first, TimeStatistics Summary::*channel,
+             double TimeStatistics::*figure) {
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < world.repeats.size(); ++i) {
+    const double value = world.repeats[i].summary.*channel.*figure;
+    const double base = first.repeats[i].summary.*channel.*figure;
+    if (base == 0.0) {
+      const double none = std::numeric_limits<double>::quiet_NaN();
+      return {.median = none, .min = none, .max = none};
+    }
+    ratios.push_back(value / base);
+  }
+  return spreadOf(ratios);
+}
+
+TimeRatios ratios(const ComparedWorld& world, const ComparedWorld& first, TimeStatistics Summary::*channel) {
+  return {.peak = ratio(world, first, channel, &TimeStatistics::peak),
+          .p99 = ratio(world, first, channel, &TimeStatistics::p99),
+          .median = ratio(world, first, channel, &TimeStatistics::median),
+          .total = ratio(world, first, channel, &TimeStatistics::total)};
+}
+
+std::size_t typicalRepeat(const std::vector<Run>& repeats) {
+  std::vector<std::size_t> order(repeats.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&repeats](std::size_t a, std::size_t b) {
+    return repeats[a].summary.physicsCpuMs.total < repeats[b].summary.physicsCpuMs.total;
+  });
+  return order[(order.size() - 1) / 2];
+}
+
+bool isMeasured(const Channel& channel) {
+  return channel.unit == "ms" || channel.name == "cpu_load";
+}
+
+FrameTable medianTable(const ComparedWorld& world) {
+  FrameTable median = world.run().table;
+  for (const FrameColumn& column : world.run().table.columns()) {
+    if (!isMeasured(column.channel)) {
+      continue;
+    }
+    std::vector<double> values(median.frames());
+    for (std::size_t frame = 0; frame < values.size(); ++frame) {
+      std::vector<double> repeats;
+      for (const Run& run : world.repeats) {
+        repeats.push_back(run.table.values(column.channel.name)[frame]);
+      }
+      values[frame] = nearestRank(std::move(repeats), 0.5);
+    }
+    median.setValues(column.channel.name, std::move(values));
+  }
+  return median;
+}
+
+// A B, then B A, and so on.
+std::vector<std::size_t> orderOf(int repeat, std::size_t worlds) {
+  std::vector<std::size_t> order(worlds);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  if (repeat % 2 == 1) {
+    std::reverse(order.begin(), order.end());
+  }
+  return order;
+}
+
+}  // namespace
+
+Result<Comparison> compareWorlds(const CompareOptions& options,
+                                 const std::function<void(const CompareProgress&)>& progress) {
+  auto resolved = resolve(options);
+  if (!resolved) {
+    return tl::unexpected(resolved.error());
+  }
+  Comparison comparison{.options = std::move(*resolved), .worlds = {}};
+  const auto& runs = comparison.options.runs;
+  comparison.worlds.resize(runs.size());
+  CompareProgress report{
+      .label = {}, .run = 0, .runs = comparison.options.repeat * static_cast<int>(runs.size()), .inside = {}};
+  for (int repeat = 0; repeat < comparison.options.repeat; ++repeat) {
+    for (const std::size_t index : orderOf(repeat, runs.size())) {
+      report.label = runs[index].label;
+      auto run = runScene(runs[index], [&](const RunProgress& inside) {
+        report.inside = inside;
+        if (progress) {
+          progress(report);
+        }
+      });
+      if (!run) {
+        return tl::unexpected(run.error());
+      }
+      comparison.worlds[index].repeats.push_back(std::move(*run));
+      if (auto same = checkSameHashes(comparison.worlds[index]); !same) {
+        return tl::unexpected(same.error());
+      }
+      ++report.run;
+    }
+  }
+  const ComparedWorld& first = comparison.worlds.front();
+  for (ComparedWorld& world : comparison.worlds) {
+    world.typical = typicalRepeat(world.repeats);
+    world.median = medianTable(world);
+    world.physicsMs = ratios(world, first, &Summary::physicsMs);
+    world.physicsCpuMs = ratios(world, first, &Summary::physicsCpuMs);
+  }
+  return comparison;
+}
+
+}  // namespace scatter

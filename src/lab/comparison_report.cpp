@@ -1,0 +1,117 @@
+#include <scatter/lab/comparison.h>
+#include <scatter/lab/figures.h>
+#include <scatter/lab/frame_csv.h>
+#include <scatter/lab/output_folder.h>
+
+#include "lab/atomic_file.h"
+#include "lab/report_html.h"
+#include "lab/summary_json.h"
+
+#include <system_error>
+
+namespace scatter {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+lab::Json spreadJson(const Spread& spread) {
+  return {{"median", spread.median}, {"min", spread.min}, {"max", spread.max}};
+}
+
+lab::Json ratiosJson(const TimeRatios& ratios) {
+  return {{"peak", spreadJson(ratios.peak)},
+          {"p99", spreadJson(ratios.p99)},
+          {"median", spreadJson(ratios.median)},
+          {"total", spreadJson(ratios.total)}};
+}
+
+lab::Json worldJson(const ComparedWorld& world) {
+  lab::Json repeats = lab::Json::array();
+  for (const Run& run : world.repeats) {
+    const lab::Json summary = lab::summaryJson(run.summary);
+    repeats.push_back({{"physics_ms", summary["physics_ms"]}, {"physics_cpu_ms", summary["physics_cpu_ms"]}});
+  }
+  lab::Json summary = lab::summaryJson(world.run().summary);
+  for (const char* shared : {"scene", "build", "machine"}) {
+    summary.erase(shared);
+  }
+  return {{"label", world.label()},
+          {"written_repeat", world.typical + 1},
+          {"written_repeat_is", "the repeat with the median total of physics_cpu_ms"},
+          {"ratios_to_first_world",
+           {{"physics_ms", ratiosJson(world.physicsMs)}, {"physics_cpu_ms", ratiosJson(world.physicsCpuMs)}}},
+          {"summary", std::move(summary)},
+          {"repeats", std::move(repeats)}};
+}
+
+lab::Json comparisonJson(const Comparison& comparison) {
+  const Summary& first = comparison.worlds.front().run().summary;
+  lab::Json worlds = lab::Json::array();
+  for (const ComparedWorld& world : comparison.worlds) {
+    worlds.push_back(worldJson(world));
+  }
+  return {{"scene", first.scene},
+          {"command_line", comparison.options.commandLine},
+          {"repeat", comparison.options.repeat},
+          {"build", lab::buildJson(first.build)},
+          {"machine", lab::machineJson(first.machine)},
+          {"worlds", std::move(worlds)}};
+}
+
+Result<void> writeWorld(const ComparedWorld& world, const fs::path& folder) {
+  std::error_code error;
+  fs::create_directory(folder, error);
+  if (error) {
+    return fail("cannot make folder " + folder.string() + ": " + error.message() +
+                "; choose another output folder");
+  }
+  if (auto written = writeFrameCsv(folder / "frames.csv", world.run().table); !written) {
+    return written;
+  }
+  return writeSummary(folder / "summary.json", world.run().summary);
+}
+
+Result<void> writeFiguresAndReport(const Comparison& comparison, const fs::path& folder) {
+  const RunOptions& first = comparison.options.runs.front();
+  std::vector<FigureWorld> worlds;
+  for (const ComparedWorld& world : comparison.worlds) {
+    worlds.push_back({.label = world.label(), .table = &world.median});
+  }
+  const fs::path figureFolder = folder / "figures";
+  const auto figures =
+      drawFigures(worlds, {.scene = first.scene, .budgetMs = first.budgetMs, .folder = figureFolder});
+  if (!figures) {
+    return tl::unexpected(figures.error());
+  }
+  const auto html = lab::reportHtml(comparison, *figures, figureFolder);
+  if (!html) {
+    return tl::unexpected(html.error());
+  }
+  return lab::writeFile(folder / "report.html", *html);
+}
+
+}  // namespace
+
+Result<void> writeComparison(const Comparison& comparison, const fs::path& folder) {
+  auto staged = StagedFolder::create(folder);
+  if (!staged) {
+    return tl::unexpected(staged.error());
+  }
+  for (const ComparedWorld& world : comparison.worlds) {
+    if (auto written = writeWorld(world, staged->path() / world.label()); !written) {
+      return written;
+    }
+  }
+  const std::string json =
+      comparisonJson(comparison).dump(2, ' ', false, lab::Json::error_handler_t::replace) + '\n';
+  if (auto written = lab::writeFile(staged->path() / "comparison.json", json); !written) {
+    return written;
+  }
+  if (auto written = writeFiguresAndReport(comparison, staged->path()); !written) {
+    return written;
+  }
+  return staged->commit();
+}
+
+}  // namespace scatter

@@ -1,0 +1,113 @@
+#include "lab/figure_data.h"
+
+#include <scatter/world/step_report.h>
+
+#include "lab/atomic_file.h"
+#include "lab/text.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+namespace scatter::lab {
+
+namespace {
+
+constexpr std::array<std::string_view, 13> kColumns{
+    "frame",
+    "physics_ms",
+    "physics_cpu_ms",
+    "manifolds",
+    "narrowphase_pairs",
+    "pairs_with_hybrid",
+    "objects",
+    "contacts",
+    "finest_pairs",
+    "switches_coarser",
+    "switches_finer",
+    "pairs_without_hybrid",
+    "requests",
+};
+
+}  // namespace
+
+FigureData::FigureData(const std::vector<FigureWorld>& worlds, FigureOptions options)
+    : worlds_(worlds), options_(std::move(options)) {
+  assert(!worlds_.empty());
+}
+
+FrameRange FigureData::allFrames() const {
+  FrameRange range{.first = worlds_[0].table->values("frame").front(), .last = 0.0};
+  for (const FigureWorld& world : worlds_) {
+    range.first = std::min(range.first, world.table->values("frame").front());
+    range.last = std::max(range.last, world.table->values("frame").back());
+  }
+  // gnuplot refuses an empty range.
+  range.last = std::max(range.last, range.first + 1.0);
+  return range;
+}
+
+FrameRange FigureData::peakFrames() const {
+  const FrameRange all = allFrames();
+  const double center = peak(0, "physics_cpu_ms").frame;
+  const double half = std::max(25.0, std::round((all.last - all.first) * 0.05));
+  return {.first = std::max(all.first, center - half), .last = std::min(all.last, center + half)};
+}
+
+FramePeak FigureData::peak(std::size_t world, std::string_view column) const {
+  const FrameTable& table = *worlds_[world].table;
+  const auto& values = table.values(column);
+  const auto highest = std::max_element(values.begin(), values.end());
+  return {.frame = table.values("frame")[static_cast<std::size_t>(highest - values.begin())],
+          .value = *highest};
+}
+
+double FigureData::highest(std::string_view column, const FrameRange& frames) const {
+  double highest = 0.0;
+  for (const FigureWorld& world : worlds_) {
+    const auto& numbers = world.table->values("frame");
+    const auto& values = world.table->values(column);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (numbers[i] >= frames.first && numbers[i] <= frames.last) {
+        highest = std::max(highest, values[i]);
+      }
+    }
+  }
+  return highest;
+}
+
+Result<void> FigureData::write(const std::filesystem::path& folder) const {
+  for (std::size_t world = 0; world < worlds_.size(); ++world) {
+    const FrameTable& table = *worlds_[world].table;
+    std::string text;
+    for (std::size_t frame = 0; frame < table.frames(); ++frame) {
+      for (const std::string_view column : kColumns) {
+        text += shortestNumber(table.values(column)[frame]) + ' ';
+      }
+      double sum = 0.0;
+      for (std::size_t stage = 0; stage < kStageCount; ++stage) {
+        sum += table.values(stageColumn(static_cast<Stage>(stage)))[frame];
+        text += shortestNumber(sum) + ' ';
+      }
+      text.back() = '\n';
+    }
+    if (auto written = writeFile(folder / fileOf(world), text); !written) {
+      return written;
+    }
+  }
+  return {};
+}
+
+int FigureData::columnOf(std::string_view name) {
+  const auto* const found = std::find(kColumns.begin(), kColumns.end(), name);
+  assert(found != kColumns.end());
+  return static_cast<int>(found - kColumns.begin()) + 1;
+}
+
+int FigureData::stackColumn(std::size_t stages) {
+  return static_cast<int>(kColumns.size() + stages);
+}
+
+}  // namespace scatter::lab

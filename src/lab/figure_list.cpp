@@ -1,0 +1,295 @@
+#include "lab/figure_list.h"
+
+#include <scatter/world/step_report.h>
+
+#include "lab/text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace scatter::lab {
+
+namespace {
+
+struct StageLook {
+  const char* name;
+  const char* color;
+};
+
+// By Stage. The ones that are hardly ever seen are grey.
+constexpr std::array<StageLook, kStageCount> kStageLooks{{
+    {"update AABBs", color::kSkyBlue},
+    {"predict motion", color::kYellow},
+    {"collision detection", color::kVermillion},
+    {"islands", color::kPurple},
+    {"non-contact constraints", color::kDarkGrey},
+    {"contact constraints", color::kBlue},
+    {"integrate transforms", color::kGreen},
+    {"vehicles", color::kLightGrey},
+    {"activation", color::kGrey},
+    {"level planning", color::kOrange},
+}};
+
+constexpr std::array<const char*, 6> kWorldColors{color::kVermillion, color::kBlue,   color::kGreen,
+                                                  color::kOrange,     color::kPurple, color::kSkyBlue};
+
+const char* worldColor(std::size_t world) {
+  return kWorldColors[world % kWorldColors.size()];
+}
+
+std::string coloured(const std::string& look, const char* rgb) {
+  return look + " linecolor rgb " + quoted(rgb);
+}
+
+Curve curveOf(std::size_t world, std::string_view column, std::string style, std::string title,
+              const std::string& axes = {}) {
+  return {.plot = quoted(FigureData::fileOf(world)) + " using 1:" +
+                  std::to_string(FigureData::columnOf(column)) + (axes.empty() ? "" : " axes " + axes),
+          .style = std::move(style),
+          .title = std::move(title)};
+}
+
+// Room above the highest value; gnuplot refuses an empty range.
+double axisTop(double highest, double room = 1.06) {
+  return highest > 0.0 ? highest * room : 1.0;
+}
+
+std::string worldTitle(const FigureData& data, std::size_t world) {
+  return data.label(world) + " world";
+}
+
+bool budgetInRange(const FigureData& data, double highest) {
+  return data.options().budgetMs <= highest * 1.5;
+}
+
+Curve budgetLine(const FigureData& data, double highest) {
+  const double budget = data.options().budgetMs;
+  if (!budgetInRange(data, highest)) {
+    return {};
+  }
+  return {.plot = shortestNumber(budget),
+          .style = coloured("lines linewidth 1.4 dashtype (6,4)", color::kBlack),
+          .title = "budget " + readableNumber(budget) + " ms"};
+}
+
+std::string peakSentence(const FigureData& data, std::string_view column, const std::string& unit) {
+  std::string text;
+  for (std::size_t world = 0; world < data.worlds(); ++world) {
+    const FramePeak peak = data.peak(world, column);
+    text += (world == 0 ? "" : ", ") + data.label(world) + ' ' + readableNumber(peak.value) + unit +
+            " (frame " + fixedNumber(peak.frame, 0) + ")";
+  }
+  return text;
+}
+
+// A ring on the peak and its value beside it, on the side where there is room.
+std::vector<std::string> peakMark(const FigureData& data, std::size_t world) {
+  const FrameRange all = data.allFrames();
+  const FramePeak peak = data.peak(world, "physics_cpu_ms");
+  const bool left = peak.frame > (all.first + all.last) * 0.75;
+  const std::string label =
+      data.label(world) + " peak: " + readableNumber(peak.value) + " ms, frame " + fixedNumber(peak.frame, 0);
+  return {"set label " + std::to_string(10 + world) + ' ' + quoted(label) + " at " +
+          shortestNumber(peak.frame) + ',' + shortestNumber(peak.value) +
+          (left ? " right offset -1,0.5" : " left offset 1,0.5") +
+          " point pointtype 6 pointsize 1.2 linewidth 1.6 linecolor rgb " + quoted(worldColor(world)) +
+          " textcolor rgb " + quoted(worldColor(world)) + " font ',12' front"};
+}
+
+FigureScript overview(const FigureData& data) {
+  const double highest = data.highest("physics_cpu_ms", data.allFrames());
+  Panel panel{.title = "Processor time of the physics, frame by frame: lower is better",
+              .yLabel = "physics CPU time (ms)"};
+  panel.yMax =
+      axisTop(budgetInRange(data, highest) ? std::max(highest, data.options().budgetMs) : highest, 1.12);
+  for (std::size_t world = 0; world < data.worlds(); ++world) {
+    panel.curves.push_back(curveOf(world, "physics_cpu_ms",
+                                   coloured("lines linewidth 1.5", worldColor(world)),
+                                   worldTitle(data, world)));
+    const auto mark = peakMark(data, world);
+    panel.extra.insert(panel.extra.end(), mark.begin(), mark.end());
+  }
+  if (Curve budget = budgetLine(data, highest); !budget.plot.empty()) {
+    panel.curves.push_back(std::move(budget));
+  }
+  return {
+      .name = "overview",
+      .title = "Scene " + data.options().scene + ": what each frame's physics costs",
+      .caption =
+          "How long the processor worked on the physics of each frame. A frame that takes longer than the "
+          "budget (dashed, where it is in range) cannot be shown in time. Peaks: " +
+          peakSentence(data, "physics_cpu_ms", " ms") + ".",
+      .frames = data.allFrames(),
+      .panels = {std::move(panel)},
+      .panelHeight = 360.0};
+}
+
+FigureScript manifoldsAndPairs(const FigureData& data, bool aroundPeak) {
+  const FrameRange frames = aroundPeak ? data.peakFrames() : data.allFrames();
+  FigureScript figure{.name = aroundPeak ? "manifolds_pairs_peak" : "manifolds_pairs",
+                      .title = "Scene " + data.options().scene + ": manifolds and narrowphase pairs" +
+                               (aroundPeak ? " around the peak" : ""),
+                      .caption = {},
+                      .frames = frames,
+                      .panels = {}};
+  for (std::size_t world = 0; world < data.worlds(); ++world) {
+    Panel panel{.title = worldTitle(data, world), .yLabel = "manifolds", .yColor = color::kVermillion};
+    panel.yMax = axisTop(data.highest("manifolds", frames));
+    panel.y2Label = "narrowphase pairs";
+    panel.y2Color = color::kBlue;
+    panel.y2Max = axisTop(data.highest("narrowphase_pairs", frames));
+    panel.curves = {curveOf(world, "narrowphase_pairs", coloured("lines linewidth 1.4", color::kBlue),
+                            "narrowphase pairs\n(right axis)", "x1y2"),
+                    curveOf(world, "manifolds", coloured("lines linewidth 1.6", color::kVermillion),
+                            "manifolds\n(left axis)", "x1y1")};
+    figure.panels.push_back(std::move(panel));
+  }
+  figure.caption =
+      aroundPeak ? "The same counts around the most expensive frame of the " + data.label(0) +
+                       " world (frame " + fixedNumber(data.peak(0, "physics_cpu_ms").frame, 0) +
+                       "). A world that has switched to coarser shapes by then has fewer manifolds for as "
+                       "many pairs."
+                 : "A narrowphase pair is two objects close enough to be tested in detail; a manifold is "
+                   "the record of one tested pair of their parts. Detailed objects make many manifolds from "
+                   "few pairs: that is the overload. Peak manifolds: " +
+                       peakSentence(data, "manifolds", "") + ". The panels have the same axes.";
+  return figure;
+}
+
+FigureScript hybridPairs(const FigureData& data) {
+  const FrameRange frames = data.allFrames();
+  FigureScript figure{.name = "hybrid_pairs",
+                      .title = "Scene " + data.options().scene + ": pairs with and without a hybrid",
+                      .caption =
+                          "Of the pairs tested in detail, those in which at least one object is a hybrid (an "
+                          "object with several levels of detail) and those in which none is. Only the first "
+                          "kind can be made cheaper by switching levels.",
+                      .frames = frames,
+                      .panels = {}};
+  const double highest =
+      std::max(data.highest("pairs_with_hybrid", frames), data.highest("pairs_without_hybrid", frames));
+  for (std::size_t world = 0; world < data.worlds(); ++world) {
+    Panel panel{.title = worldTitle(data, world), .yLabel = "narrowphase pairs"};
+    panel.yMax = axisTop(highest);
+    panel.curves = {
+        curveOf(world, "pairs_with_hybrid", coloured("lines linewidth 1.5", color::kBlue), "with a hybrid"),
+        curveOf(world, "pairs_without_hybrid", coloured("lines linewidth 1.5", color::kOrange),
+                "without a hybrid")};
+    figure.panels.push_back(std::move(panel));
+  }
+  return figure;
+}
+
+// One panel with a curve for each world; the first is drawn wider, so that equal ones can be seen.
+Panel worldsPanel(const FigureData& data, std::string_view column, std::string title, std::string yLabel) {
+  Panel panel{.title = std::move(title), .yLabel = std::move(yLabel)};
+  panel.yMax = axisTop(data.highest(column, data.allFrames()), 1.1);
+  for (std::size_t world = 0; world < data.worlds(); ++world) {
+    const double width = world == 0 ? 2.6 : 1.3;
+    panel.curves.push_back(curveOf(world, column,
+                                   coloured("lines linewidth " + fixedNumber(width, 1), worldColor(world)),
+                                   worldTitle(data, world)));
+  }
+  return panel;
+}
+
+FigureScript objectsAndContacts(const FigureData& data) {
+  return {.name = "objects_contacts",
+          .title = "Scene " + data.options().scene + ": contact points and objects",
+          .caption =
+              "Top: the points at which objects touch; a sharp rise is a collision of many objects at once. "
+              "Bottom: the objects in each world. Switching adds none, so the lines should coincide. Peak "
+              "contacts: " +
+              peakSentence(data, "contacts", "") + ".",
+          .frames = data.allFrames(),
+          .panels = {worldsPanel(data, "contacts", "Contact points", "contact points"),
+                     worldsPanel(data, "objects", "Objects", "objects")},
+          .panelHeight = 200.0};
+}
+
+Panel switchesPanel(const FigureData& data) {
+  const FrameRange all = data.allFrames();
+  Panel panel{.title = "Switches in each frame: up to a coarser level, down to a finer one",
+              .yLabel = "switches (- finer, + coarser)"};
+  panel.yMax = axisTop(data.highest("switches_coarser", all), 1.1);
+  panel.yMin = -axisTop(data.highest("switches_finer", all), 1.1);
+  for (std::size_t world = 0; world < data.worlds(); ++world) {
+    const std::string look = coloured("impulses linewidth 1.2", worldColor(world));
+    panel.curves.push_back(curveOf(world, "switches_coarser", look, worldTitle(data, world)));
+    Curve finer = curveOf(world, "switches_finer", look, {});
+    finer.plot = quoted(FigureData::fileOf(world)) + " using 1:(-$" +
+                 std::to_string(FigureData::columnOf("switches_finer")) + ")";
+    panel.curves.push_back(std::move(finer));
+  }
+  panel.curves.push_back({.plot = "0", .style = coloured("lines linewidth 0.8", color::kGrey), .title = {}});
+  return panel;
+}
+
+FigureScript switching(const FigureData& data) {
+  return {.name = "switching",
+          .title = "Scene " + data.options().scene + ": levels of detail, requests and switches",
+          .caption =
+              "Top: pairs tested with both objects in full detail, the expensive kind. Middle: requests to "
+              "change a level that could not be met yet, because something was in the way. Bottom: the "
+              "changes made. A standard world has no requests and no switches.",
+          .frames = data.allFrames(),
+          .panels = {worldsPanel(data, "finest_pairs", "Pairs tested at the finest level", "pairs"),
+                     worldsPanel(data, "requests", "Standing requests", "requests"), switchesPanel(data)},
+          .panelHeight = 170.0};
+}
+
+Panel stagesPanel(const FigureData& data, std::size_t world, double highest) {
+  Panel panel{.title = worldTitle(data, world), .yLabel = "wall time (ms)"};
+  panel.yMax = axisTop(budgetInRange(data, highest) ? std::max(highest, data.options().budgetMs) : highest);
+  // From the top of the stack down: each area hides the lower part of the one before it.
+  for (std::size_t stage = kStageCount; stage-- > 0;) {
+    panel.curves.push_back({.plot = quoted(FigureData::fileOf(world)) +
+                                    " using 1:" + std::to_string(FigureData::stackColumn(stage + 1)),
+                            .style = "filledcurves y1=0 fillstyle solid noborder fillcolor rgb " +
+                                     quoted(kStageLooks[stage].color),
+                            .title = kStageLooks[stage].name});
+  }
+  panel.curves.push_back(
+      curveOf(world, "physics_ms", coloured("lines linewidth 1", color::kBlack), "total physics"));
+  if (Curve budget = budgetLine(data, highest); !budget.plot.empty()) {
+    panel.curves.push_back(std::move(budget));
+  }
+  return panel;
+}
+
+FigureScript stages(const FigureData& data, bool aroundPeak) {
+  const FrameRange frames = aroundPeak ? data.peakFrames() : data.allFrames();
+  FigureScript figure{
+      .name = aroundPeak ? "stages_peak" : "stages",
+      .title = "Scene " + data.options().scene + ": where the physics spends its time" +
+               (aroundPeak ? ", around the peak" : ""),
+      .caption = aroundPeak ? "The same profile around the most expensive frame of the " + data.label(0) +
+                                  " world. The stage whose area grows is the one that is overloaded."
+                            : "The stages of each physics step, stacked: the height of a colour is the time "
+                              "its stage took in that frame, the black line is the whole step. The panels "
+                              "have the same axes, so that areas can be compared.",
+      .frames = frames,
+      .panels = {},
+      .panelHeight = 270.0};
+  const double highest = data.highest("physics_ms", frames);
+  for (std::size_t world = 0; world < data.worlds(); ++world) {
+    figure.panels.push_back(stagesPanel(data, world, highest));
+  }
+  return figure;
+}
+
+}  // namespace
+
+std::vector<FigureScript> figureList(const FigureData& data) {
+  return {overview(data),
+          manifoldsAndPairs(data, false),
+          manifoldsAndPairs(data, true),
+          hybridPairs(data),
+          objectsAndContacts(data),
+          switching(data),
+          stages(data, false),
+          stages(data, true)};
+}
+
+}  // namespace scatter::lab

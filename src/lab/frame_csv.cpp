@@ -1,0 +1,76 @@
+#include <scatter/lab/frame_csv.h>
+
+#include "lab/atomic_file.h"
+#include "lab/text.h"
+
+#include <cassert>
+#include <string>
+#include <utility>
+
+namespace scatter {
+
+namespace {
+
+std::string headerOf(const std::vector<Channel>& channels) {
+  std::string line;
+  for (const Channel& channel : channels) {
+    line += (line.empty() ? "" : ",") + channel.name;
+  }
+  return line + '\n';
+}
+
+}  // namespace
+
+Result<FrameCsv> FrameCsv::create(const std::filesystem::path& file, const FrameData& data) {
+  auto output = lab::AtomicFile::create(file);
+  if (!output) {
+    return tl::unexpected(output.error());
+  }
+  if (auto written = (*output)->write(headerOf(data.channels())); !written) {
+    return tl::unexpected(written.error());
+  }
+  return FrameCsv(std::move(*output), data.channels().size());
+}
+
+FrameCsv::FrameCsv(std::unique_ptr<lab::AtomicFile> file, std::size_t channels)
+    : file_(std::move(file)), channels_(channels) {}
+
+FrameCsv::FrameCsv(FrameCsv&&) noexcept = default;
+FrameCsv& FrameCsv::operator=(FrameCsv&&) noexcept = default;
+FrameCsv::~FrameCsv() = default;
+
+Result<void> FrameCsv::write(const FrameData& data) {
+  assert(file_ && data.channels().size() >= channels_);
+  std::string line;
+  for (std::size_t i = 0; i < channels_; ++i) {
+    const auto id = static_cast<ChannelId>(i);
+    line += i == 0 ? "" : ",";
+    line += data.channel(id).kind == ChannelKind::kHash ? lab::hexNumber(data.hash(id))
+                                                        : lab::shortestNumber(data.value(id));
+  }
+  return file_->write(line + '\n');
+}
+
+Result<void> FrameCsv::finish() {
+  assert(file_);
+  return std::exchange(file_, nullptr)->commit();
+}
+
+Result<void> writeFrameCsv(const std::filesystem::path& file, const FrameTable& table) {
+  std::vector<Channel> channels;
+  for (const FrameColumn& column : table.columns()) {
+    channels.push_back(column.channel);
+  }
+  std::string text = headerOf(channels);
+  for (std::size_t frame = 0; frame < table.frames(); ++frame) {
+    for (const FrameColumn& column : table.columns()) {
+      text += &column == &table.columns().front() ? "" : ",";
+      text += column.channel.kind == ChannelKind::kHash ? lab::hexNumber(column.hashes[frame])
+                                                        : lab::shortestNumber(column.values[frame]);
+    }
+    text += '\n';
+  }
+  return lab::writeFile(file, text);
+}
+
+}  // namespace scatter

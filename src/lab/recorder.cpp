@@ -1,0 +1,101 @@
+#include <scatter/lab/recorder.h>
+
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace scatter {
+
+namespace {
+
+struct CounterColumn {
+  std::string_view name;
+  std::uint32_t StepCounters::*member;
+};
+
+constexpr std::array kCounters{
+    CounterColumn{"objects", &StepCounters::objects},
+    CounterColumn{"hybrids", &StepCounters::hybrids},
+    CounterColumn{"overlapping_pairs", &StepCounters::overlappingPairs},
+    CounterColumn{"narrowphase_pairs", &StepCounters::narrowphasePairs},
+    CounterColumn{"pairs_with_hybrid", &StepCounters::pairsWithHybrid},
+    CounterColumn{"pairs_without_hybrid", &StepCounters::pairsWithoutHybrid},
+    CounterColumn{"manifolds", &StepCounters::manifolds},
+    CounterColumn{"contacts", &StepCounters::contacts},
+    CounterColumn{"new_contacts", &StepCounters::newContacts},
+    CounterColumn{"requests", &StepCounters::requests},
+    CounterColumn{"switches_coarser", &StepCounters::switchesCoarser},
+    CounterColumn{"switches_finer", &StepCounters::switchesFiner},
+    CounterColumn{"retractions", &StepCounters::retractions},
+    CounterColumn{"credited_pairs", &StepCounters::creditedPairs},
+    CounterColumn{"finest_pairs", &StepCounters::finestPairs},
+};
+
+}  // namespace
+
+FrameRecorder::FrameRecorder(World& world, FrameData& data, double budgetMs)
+    : world_(world), data_(data), budgetMs_(budgetMs) {
+  addChannels();
+}
+
+void FrameRecorder::addChannels() {
+  const auto real = [this](std::string_view name, const char* unit) {
+    return data_.addChannel({std::string(name), unit, ChannelKind::kReal});
+  };
+  frame_ = data_.addChannel({"frame", "", ChannelKind::kInteger});
+  time_ = real("time_s", "s");
+  measured_[kWall] = real("physics_ms", "ms");
+  measured_[kCpu] = real("physics_cpu_ms", "ms");
+  for (std::size_t i = 0; i < kStageCount; ++i) {
+    stages_[i] = real(stageColumn(static_cast<Stage>(i)), "ms");
+  }
+  measured_[kLoad] = real("cpu_load", "cores");
+  for (const CounterColumn& counter : kCounters) {
+    counters_.push_back(data_.addChannel({std::string(counter.name), "", ChannelKind::kInteger}));
+  }
+  measured_[kBudget] = real("budget_ms", "ms");
+  measured_[kEnergy] = real("kinetic_energy", "J");
+  measured_[kPenetration] = real("max_penetration", "m");
+  hash_ = data_.addChannel({"state_hash", "", ChannelKind::kHash});
+}
+
+Result<void> FrameRecorder::step() {
+  const double wallBefore = wallSeconds();
+  const double cpuBefore = threadCpuSeconds();
+  world_.step(static_cast<float>(kStepSeconds));
+  const double cpuAfter = threadCpuSeconds();
+  const double wallAfter = wallSeconds();
+
+  const Physics& physics = world_.physics();
+  data_.beginFrame();
+  data_.set(frame_, static_cast<double>(world_.frame()));
+  data_.set(time_, world_.time());
+  data_.set(measured_[kWall], (wallAfter - wallBefore) * 1000.0);
+  data_.set(measured_[kCpu], (cpuAfter - cpuBefore) * 1000.0);
+  for (std::size_t i = 0; i < kStageCount; ++i) {
+    data_.set(stages_[i], physics.stageTimes()[i]);
+  }
+  recordCounters();
+  data_.set(measured_[kBudget], budgetMs_);
+  data_.set(measured_[kEnergy], physics.kineticEnergy());
+  data_.set(measured_[kPenetration], physics.maxPenetration());
+  data_.setHash(hash_, physics.stateHash());
+  data_.set(measured_[kLoad], load_.sample());
+
+  if (const auto broken = physics.findInvalidState()) {
+    const WorldObject* object = world_.find(*broken);
+    return fail("frame " + std::to_string(world_.frame()) + ": the position or velocity of object '" +
+                (object != nullptr ? object->name() : std::string("?")) +
+                "' is no longer a finite number; make its forces, speeds or mass ratios smaller");
+  }
+  return {};
+}
+
+void FrameRecorder::recordCounters() {
+  const StepCounters& counters = world_.physics().counters();
+  for (std::size_t i = 0; i < kCounters.size(); ++i) {
+    data_.set(counters_[i], counters.*kCounters[i].member);
+  }
+}
+
+}  // namespace scatter

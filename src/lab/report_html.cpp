@@ -1,0 +1,202 @@
+#include "lab/report_html.h"
+
+#include "lab/atomic_file.h"
+#include "lab/comparison_table.h"
+#include "lab/names.h"
+#include "lab/text.h"
+
+#include <string>
+
+namespace scatter::lab {
+
+namespace {
+
+constexpr const char* kStyle =
+    "body{font:16px/1.5 system-ui,'DejaVu Sans',Arial,sans-serif;color:#222;max-width:1040px;margin:2em auto;"
+    "padding:0 1em}h1{margin-bottom:.2em}h2{margin-top:2em}table{border-collapse:collapse;margin:1em 0}"
+    "td,th{padding:.25em .9em;border-bottom:1px solid "
+    "#ddd;text-align:right;font-variant-numeric:tabular-nums}"
+    "td:first-child,th:first-child{text-align:left}figure{margin:2em 0}figure svg{width:100%;height:auto}"
+    "figcaption{color:#444;max-width:60em}dt{font-weight:600;margin-top:.5em}dd{margin-left:1.5em;"
+    "overflow-wrap:anywhere}code{background:#f3f3f3;padding:.1em .3em;overflow-wrap:anywhere}";
+
+std::string escaped(std::string text) {
+  text = replaceAll(std::move(text), "&", "&amp;");
+  text = replaceAll(std::move(text), "<", "&lt;");
+  text = replaceAll(std::move(text), ">", "&gt;");
+  return replaceAll(std::move(text), "\"", "&quot;");
+}
+
+std::string element(const std::string& tag, const std::string& text) {
+  return '<' + tag + '>' + escaped(text) + "</" + tag + ">\n";
+}
+
+std::string describe(const PhysicsDef& physics) {
+  if (physics.world == WorldKind::kStandard) {
+    return "the plain physics engine. Every object always collides in its full detail.";
+  }
+  const std::string same =
+      "the same engine with switching. A detailed object has several nested collision shapes, a coarse one "
+      "around "
+      "finer ones, and may use a coarser one to save time. ";
+  switch (physics.switching.policy) {
+    case Policy::kProximity:
+      return same +
+             "It asks for a coarser shape when others come near and for its full detail when it is alone "
+             "again; it "
+             "switches only when that moves nothing.";
+    case Policy::kFinest:
+      return same + "Here everything is asked to stay at its finest level.";
+    case Policy::kCoarsest:
+      return same + "Here everything is asked to be at its coarsest level: the lowest cost there is.";
+    case Policy::kNone:
+      return same + "Here only the scene itself asks for levels.";
+  }
+  return same;
+}
+
+std::string introduction(const Comparison& comparison) {
+  const RunOptions& first = comparison.options.runs.front();
+  std::string text =
+      "<p>" + escaped(first.summary.empty() ? "Scene '" + first.scene + "'." : first.summary) +
+      "</p>\n<p>When many detailed objects meet at once, a physics engine has to test so many of their "
+      "parts against each other that it cannot finish in time for the next picture: a collision "
+      "overload. This page runs one scene in " +
+      std::to_string(comparison.worlds.size()) + (comparison.worlds.size() == 1 ? " world" : " worlds") +
+      ", from the same start and in the same fixed steps of 1/60 second, and compares what the physics "
+      "cost.</p>\n<dl>\n";
+  for (const RunOptions& run : comparison.options.runs) {
+    text += element("dt", run.label) + element("dd", describe(run.physics));
+  }
+  return text + "</dl>\n";
+}
+
+std::string tableHtml(const Comparison& comparison) {
+  std::string text = "<table>\n<tr><th></th>";
+  for (const ComparedWorld& world : comparison.worlds) {
+    text += "<th>" + escaped(world.label()) + "</th>";
+  }
+  for (std::size_t i = 1; i < comparison.worlds.size(); ++i) {
+    text +=
+        "<th>" + escaped(comparison.worlds[i].label() + " / " + comparison.worlds.front().label()) + "</th>";
+  }
+  text += "</tr>\n";
+  for (const ComparisonRow& row : comparisonRows(comparison)) {
+    text += "<tr><td>" + escaped(row.name) + "</td>";
+    for (const auto* cells : {&row.values, &row.ratios}) {
+      for (const std::string& cell : *cells) {
+        text += "<td>" + escaped(cell) + "</td>";
+      }
+    }
+    text += "</tr>\n";
+  }
+  return text + "</table>\n<p>" + escaped(comparisonNote(comparison)) +
+         " CPU time is the processor time of the physics thread; wall time also holds what other programs on "
+         "the "
+         "machine took from it. p99: 99 % of the frames took no longer.</p>\n";
+}
+
+// Inlined pictures share one name space: every id gets the figure's name in front.
+Result<std::string> inlineSvg(const std::filesystem::path& file, const std::string& name) {
+  auto svg = readFile(file);
+  if (!svg) {
+    return svg;
+  }
+  const std::size_t begin = svg->find("<svg");
+  if (begin == std::string::npos) {
+    return fail("the figure " + file.string() + " is no SVG picture; see that gnuplot works");
+  }
+  std::string text = svg->substr(begin);
+  for (const char* quote : {"'", "\""}) {
+    text = replaceAll(std::move(text), std::string("id=") + quote, std::string("id=") + quote + name + '-');
+    text = replaceAll(std::move(text), std::string("href=") + quote + '#',
+                      std::string("href=") + quote + '#' + name + '-');
+  }
+  return replaceAll(std::move(text), "url(#", "url(#" + name + '-');
+}
+
+Result<std::string> figuresHtml(const std::vector<Figure>& figures, const std::filesystem::path& folder) {
+  std::string text;
+  for (const Figure& figure : figures) {
+    auto svg = inlineSvg(folder / (figure.name + ".svg"), figure.name);
+    if (!svg) {
+      return svg;
+    }
+    text += "<figure id=\"" + escaped(figure.name) + "\">\n" + *svg + "<figcaption>" +
+            escaped(figure.caption) + " <a href=\"figures/" + figure.name +
+            ".svg\">SVG</a> <a href=\"figures/" + figure.name + ".png\">PNG</a></figcaption>\n</figure>\n";
+  }
+  return text;
+}
+
+std::string fact(const std::string& name, const std::string& value) {
+  return element("dt", name) + "<dd>" + escaped(value) + "</dd>\n";
+}
+
+std::string optionsOf(const RunOptions& run) {
+  std::string text = nameOf(run.physics.world) + " world";
+  if (run.physics.world == WorldKind::kHybrid) {
+    text += ", policy " + nameOf(run.physics.switching.policy);
+    text += run.physics.switching.safetyConditions ? "" : ", safety conditions off";
+  }
+  return text + ", " + std::to_string(run.frames) + " frames, seed " + std::to_string(run.seed) +
+         ", budget " + readableNumber(run.budgetMs) + " ms, " + std::to_string(run.physics.solverIterations) +
+         " solver iterations, profiling " + (run.physics.profiling ? "on" : "off");
+}
+
+std::string conditions(const Comparison& comparison) {
+  const Summary& summary = comparison.worlds.front().run().summary;
+  const BuildInfo& build = summary.build;
+  const MachineInfo& machine = summary.machine;
+  std::string text = "<h2>How it was measured</h2>\n<dl>\n";
+  if (!comparison.options.commandLine.empty()) {
+    text += "<dt>Command</dt>\n<dd><code>" + escaped(comparison.options.commandLine) + "</code></dd>\n";
+  }
+  for (const RunOptions& run : comparison.options.runs) {
+    text += fact("Options of the " + run.label + " world", optionsOf(run));
+  }
+  text += fact("Engine", summary.engine);
+  text += fact("Build", "Scatter " + build.version + ", " + build.compiler + ", " + build.buildType +
+                            ", flags: " + build.flags);
+  text += fact("Machine", machine.cpu + ", " + std::to_string(machine.cores) + " cores, " +
+                              fixedNumber(static_cast<double>(machine.memoryBytes) / 1073741824.0, 1) +
+                              " GiB of memory, " + machine.os);
+  text += fact("Repeats",
+               std::to_string(comparison.options.repeat) +
+                   (comparison.options.repeat == 1
+                        ? " of each world."
+                        : " of each world, in alternating order; the state of every object was the same, "
+                          "bit for bit, in every frame of every repeat. Times in the figures are the median "
+                          "of the repeats in each frame."));
+  return text + "</dl>\n";
+}
+
+std::string dataLinks(const Comparison& comparison) {
+  std::string text =
+      "<h2>The data</h2>\n<p>Of each world's repeat with the median total CPU time:</p>\n<ul>\n";
+  for (const ComparedWorld& world : comparison.worlds) {
+    const std::string label = escaped(world.label());
+    text += "<li>" + label + ": <a href=\"" + label + "/frames.csv\">frames.csv</a>, <a href=\"" + label +
+            "/summary.json\">summary.json</a></li>\n";
+  }
+  return text + "<li>all ratios: <a href=\"comparison.json\">comparison.json</a></li>\n</ul>\n";
+}
+
+}  // namespace
+
+Result<std::string> reportHtml(const Comparison& comparison, const std::vector<Figure>& figures,
+                               const std::filesystem::path& figureFolder) {
+  const auto pictures = figuresHtml(figures, figureFolder);
+  if (!pictures) {
+    return pictures;
+  }
+  const std::string title = "Scatter: scene " + comparison.options.runs.front().scene;
+  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+         "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n" +
+         element("title", title) + "<style>" + kStyle + "</style>\n</head>\n<body>\n" + element("h1", title) +
+         introduction(comparison) + "<h2>In numbers</h2>\n" + tableHtml(comparison) +
+         "<h2>Frame by frame</h2>\n" + *pictures + conditions(comparison) + dataLinks(comparison) +
+         "</body>\n</html>\n";
+}
+
+}  // namespace scatter::lab

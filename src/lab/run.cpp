@@ -1,0 +1,186 @@
+#include <scatter/lab/run.h>
+
+#include <scatter/lab/cpu_time.h>
+#include <scatter/lab/frame_csv.h>
+#include <scatter/lab/output_folder.h>
+#include <scatter/lab/recorder.h>
+
+#include "lab/names.h"
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+namespace scatter {
+
+namespace {
+
+// Components read this many frames back while a run goes on.
+constexpr std::size_t kReadBackFrames = 600;
+
+bool isLabel(const std::string& label) {
+  constexpr const char* kAllowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_.";
+  return !label.empty() && label.front() != '.' && label.find_first_not_of(kAllowed) == std::string::npos;
+}
+
+Result<std::unique_ptr<World>> buildWorld(const RunOptions& options, Scene& scene) {
+  auto physics = options.engine(options.physics);
+  if (!physics) {
+    return tl::unexpected(physics.error());
+  }
+  auto world = std::make_unique<World>(std::move(*physics));
+  if (auto built = scene.build(*world, {.seed = options.seed}); !built) {
+    return fail("scene '" + options.scene + "': " + built.error().message);
+  }
+  return world;
+}
+
+Result<std::optional<FrameCsv>> openCsv(const RunOptions& options, const FrameData& data) {
+  if (!options.out) {
+    return std::nullopt;
+  }
+  if (auto prepared = prepareOutputFolder(*options.out); !prepared) {
+    return tl::unexpected(prepared.error());
+  }
+  std::error_code error;
+  std::filesystem::create_directories(*options.out, error);
+  auto csv = FrameCsv::create(*options.out / "frames.csv", data);
+  if (!csv) {
+    return tl::unexpected(csv.error());
+  }
+  return std::optional<FrameCsv>(std::move(*csv));
+}
+
+void countEvents(const Physics& physics, LevelEventCounts& counts) {
+  for (const LevelEvent& event : physics.levelEvents()) {
+    ++counts[static_cast<std::size_t>(event.kind)];
+  }
+}
+
+// One run under way: what every frame touches.
+class Runner {
+ public:
+  Runner(const RunOptions& options, Scene& scene, World& world)
+      : options_(options),
+        scene_(scene),
+        world_(world),
+        data_(kReadBackFrames),
+        recorder_(world, data_, options.budgetMs) {}
+
+  Result<Run> run(const Progress& progress) {
+    auto csv = openCsv(options_, data_);
+    if (!csv) {
+      return tl::unexpected(csv.error());
+    }
+    Run run{.options = options_, .table = FrameTable(data_.channels()), .summary = {}};
+    if (auto recorded = record(run, *csv, progress); !recorded) {
+      return tl::unexpected(recorded.error());
+    }
+    describe(run);
+    if (auto finished = finish(run, *csv); !finished) {
+      return tl::unexpected(finished.error());
+    }
+    if (!run.summary.stopped.empty()) {
+      return fail(run.summary.stopped);
+    }
+    return run;
+  }
+
+ private:
+  // A state that is no longer finite ends the loop without an error, so that what there is can be kept.
+  Result<void> record(Run& run, std::optional<FrameCsv>& csv, const Progress& progress) {
+    const double start = wallSeconds();
+    for (int frame = 1; frame <= options_.frames && run.summary.stopped.empty(); ++frame) {
+      scene_.update(world_);
+      if (auto stepped = recorder_.step(); !stepped) {
+        run.summary.stopped =
+            "scene '" + options_.scene + "', " + options_.label + " world, " + stepped.error().message;
+      }
+      countEvents(world_.physics(), run.summary.levelEvents);
+      run.table.append(data_);
+      if (csv) {
+        if (auto written = csv->write(data_); !written) {
+          return written;
+        }
+      }
+      if (progress) {
+        progress({.frame = frame, .frames = options_.frames, .seconds = wallSeconds() - start});
+      }
+    }
+    return {};
+  }
+
+  void describe(Run& run) const {
+    Summary& summary = run.summary;
+    summary.scene = options_.scene;
+    summary.label = options_.label;
+    summary.engine = world_.physics().engine();
+    summary.physics = options_.physics;
+    summary.seed = options_.seed;
+    summary.budgetMs = options_.budgetMs;
+    summarise(run.table, summary);
+  }
+
+  Result<void> finish(const Run& run, std::optional<FrameCsv>& csv) const {
+    if (!csv) {
+      return {};
+    }
+    if (auto finished = csv->finish(); !finished) {
+      return finished;
+    }
+    return writeSummary(*options_.out / "summary.json", run.summary);
+  }
+
+  const RunOptions& options_;
+  Scene& scene_;
+  World& world_;
+  FrameData data_;
+  FrameRecorder recorder_;
+};
+
+}  // namespace
+
+Result<RunOptions> resolveRun(RunOptions options) {
+  if (!options.engine) {
+    return fail("no physics engine was given for scene '" + options.scene + "'; name one");
+  }
+  if (!options.makeScene) {
+    const auto info = SceneRegistry::instance().find(options.scene);
+    if (!info) {
+      return tl::unexpected(info.error());
+    }
+    options.makeScene = (*info)->make;
+    options.frames = options.frames == 0 ? (*info)->frames : options.frames;
+    options.summary = options.summary.empty() ? (*info)->summary : options.summary;
+  }
+  if (options.frames < 1) {
+    return fail("a run of scene '" + options.scene + "' needs at least one frame, not " +
+                std::to_string(options.frames) + "; give a larger number of frames");
+  }
+  if (!(options.budgetMs > 0.0)) {
+    return fail("the budget of scene '" + options.scene + "' must be more than 0 ms; give a larger one");
+  }
+  if (options.label.empty()) {
+    options.label = lab::nameOf(options.physics.world);
+  }
+  if (!isLabel(options.label)) {
+    return fail("the world's label '" + options.label +
+                "' cannot name a folder; use letters, digits, '-', '_' and '.'");
+  }
+  return options;
+}
+
+Result<Run> runScene(const RunOptions& options, const Progress& progress) {
+  const auto resolved = resolveRun(options);
+  if (!resolved) {
+    return tl::unexpected(resolved.error());
+  }
+  const auto scene = resolved->makeScene();
+  const auto world = buildWorld(*resolved, *scene);
+  if (!world) {
+    return tl::unexpected(world.error());
+  }
+  return Runner(*resolved, *scene, **world).run(progress);
+}
+
+}  // namespace scatter

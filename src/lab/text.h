@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace scatter::lab {
+
+/// The shortest decimal form that reads back to the same bits; "nan", "inf" and "-inf" as they are.
+[[nodiscard]] std::string shortestNumber(double value);
+
+/// With this many decimals, whatever the locale.
+[[nodiscard]] std::string fixedNumber(double value, int decimals);
+
+/// With three significant digits at least, and no more decimals than a reader can use.
+[[nodiscard]] std::string readableNumber(double value);
+
+/// 16 hexadecimal digits.
+[[nodiscard]] std::string hexNumber(std::uint64_t value);
+
+[[nodiscard]] std::string replaceAll(std::string text, const std::string& from, const std::string& to);
+
+}  // namespace scatter::lab

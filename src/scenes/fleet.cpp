@@ -1,0 +1,49 @@
+#include <scatter/world/scene.h>
+
+#include "scenes/ships.h"
+
+namespace scatter {
+namespace {
+
+constexpr float kAcceleration = 4.0F;  // m/s²: the first ships meet after about six seconds
+
+/// The report's Scene 2 at today's size: detailed ships and asteroids drawn to one point.
+class Fleet final : public Scene {
+ public:
+  explicit Fleet(const SwarmDef& swarm) : swarm_(swarm) {}
+
+  Result<void> build(World& world, const SceneOptions& options) override {
+    auto models = loadShips("_hulls");
+    if (!models) return fail(models.error().message);
+    Random random(options.seed);
+    if (auto added = addSwarm(world, *models, swarm_, random); !added) return added;
+    // Twice the shell: only what is thrown out at great speed escapes.
+    world.addField(std::make_unique<PointField>(Vec3(0.0F), kAcceleration, 2.0F * swarm_.outerRadius));
+    return {};
+  }
+
+ private:
+  SwarmDef swarm_;
+};
+
+const SwarmDef kFleet{
+    .hunters = 100, .fighters = 100, .asteroids = 100, .innerRadius = 60.0F, .outerRadius = 110.0F};
+const SwarmDef kArmada{
+    .hunters = 500, .fighters = 500, .asteroids = 500, .innerRadius = 90.0F, .outerRadius = 160.0F};
+
+const SceneRegistration kRegisterFleet({
+    "fleet",
+    "200 ships of about 64 convex hulls each and 100 asteroids, drawn to one point",
+    1600,
+    [] { return std::make_unique<Fleet>(kFleet); },
+});
+
+const SceneRegistration kRegisterArmada({
+    "armada",
+    "1000 ships of about 64 convex hulls each and 500 asteroids, drawn to one point",
+    1200,
+    [] { return std::make_unique<Fleet>(kArmada); },
+});
+
+}  // namespace
+}  // namespace scatter

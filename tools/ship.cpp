@@ -1,0 +1,236 @@
+#include "ship.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <utility>
+
+namespace scatter::tools {
+namespace {
+
+constexpr int kRingVertices = 16;
+constexpr float kHullMargin = 0.02F;
+
+/// Boxes are this much larger than what they hold, so that rounding cannot make anything stick out.
+constexpr double kSlack = 0.001;
+
+/// Tenths of a millimetre hide the last bits, in which maths libraries differ.
+double snap(double value) {
+  return std::round(value * 1e4) / 1e4;
+}
+
+Vec3 snapped(const glm::dvec3& v) {
+  return {static_cast<float>(snap(v.x)), static_cast<float>(snap(v.y)), static_cast<float>(snap(v.z))};
+}
+
+glm::dmat3 axesAlong(const glm::dvec3& direction, const glm::dvec3& up) {
+  const glm::dvec3 x = glm::normalize(direction);
+  const glm::dvec3 y = glm::normalize(up - glm::dot(up, x) * x);
+  return {x, y, glm::cross(x, y)};
+}
+
+double superellipse(double cosine, double exponent) {
+  // The sine of a half turn is not quite zero, and a root would magnify it.
+  return std::abs(cosine) < 1e-12 ? 0.0 : std::copysign(std::pow(std::abs(cosine), 2.0 / exponent), cosine);
+}
+
+/// Counter-clockwise seen from ahead, in the loft's frame.
+std::vector<glm::dvec3> ringPoints(const Section& section, double exponent) {
+  std::vector<glm::dvec3> points;
+  for (int i = 0; i < kRingVertices; ++i) {
+    const double angle = 2.0 * glm::pi<double>() * i / kRingVertices;
+    const double y = superellipse(std::cos(angle), exponent);
+    const double z = superellipse(std::sin(angle), exponent);
+    points.emplace_back(section.x, section.y + y * (y > 0.0 ? section.top : section.bottom),
+                        section.z + z * section.halfWidth);
+  }
+  return points;
+}
+
+glm::dvec3 centerOf(const std::vector<Vec3>& ring) {
+  glm::dvec3 sum(0.0);
+  for (const Vec3& point : ring) {
+    sum += glm::dvec3(point);
+  }
+  return sum / static_cast<double>(ring.size());
+}
+
+Vec3 mirroredPoint(const Vec3& v) {
+  return {v.x, v.y, -v.z};
+}
+
+/// The smallest box along `axes` around the points, widened by `extra` and rounded up.
+ConvexPart boxAround(const std::vector<Vec3>& points, const glm::dmat3& axes, double extra) {
+  const glm::dquat exact = glm::normalize(glm::quat_cast(axes));
+  const Quat rotation(exact.w < 0.0 ? -exact : exact);
+  const glm::dmat3 toLocal = glm::transpose(glm::mat3_cast(glm::normalize(glm::dquat(rotation))));
+  glm::dvec3 low(1e9);
+  glm::dvec3 high(-1e9);
+  for (const Vec3& point : points) {
+    low = glm::min(low, toLocal * glm::dvec3(point));
+    high = glm::max(high, toLocal * glm::dvec3(point));
+  }
+  const Vec3 position = snapped(glm::transpose(toLocal) * ((low + high) * 0.5));
+  const glm::dvec3 middle = toLocal * glm::dvec3(position);
+  const glm::dvec3 needed = glm::max(high - middle, middle - low) + extra + kSlack;
+  const glm::dvec3 half = glm::ceil(needed * 1000.0) / 1000.0;
+  return {Box{Vec3(half)}, Transform{position, rotation}};
+}
+
+void addCorners(const ConvexPart& part, std::vector<Vec3>& points) {
+  const Vec3 half = std::get<Box>(part.shape).halfExtents;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 sign((corner & 1) != 0 ? 1.0F : -1.0F, (corner & 2) != 0 ? 1.0F : -1.0F,
+                    (corner & 4) != 0 ? 1.0F : -1.0F);
+    points.push_back(part.pose(sign * half));
+  }
+}
+
+template <class Ring>
+std::vector<Vec3> joined(const std::vector<Ring>& rings) {
+  std::vector<Vec3> points;
+  for (const Ring& ring : rings) {
+    points.insert(points.end(), ring.begin(), ring.end());
+  }
+  return points;
+}
+
+}  // namespace
+
+void Ship::add(const Loft& loft) {
+  const glm::dmat3 axes = axesAlong(loft.direction, loft.up);
+  std::vector<Ring> rings;
+  for (const Section& section : loft.sections) {
+    Ring& ring = rings.emplace_back();
+    for (const glm::dvec3& point : ringPoints(section, loft.exponent)) {
+      ring.push_back(snapped(loft.origin + axes * point - center_));
+    }
+  }
+  addRings(loft, std::move(rings), false);
+}
+
+void Ship::addPair(const Loft& loft, const std::vector<std::string>& shared) {
+  const auto named = [&](const char* suffix) {
+    Loft copy = loft;
+    for (Cut& cut : copy.cuts) {
+      if (std::find(shared.begin(), shared.end(), cut.group) == shared.end()) {
+        cut.group += suffix;
+      }
+    }
+    return copy;
+  };
+  const std::size_t first = pieces_.size();
+  add(named("-right"));
+  std::vector<Ring> rings;
+  for (std::size_t i = first; i < pieces_.size(); ++i) {
+    // Neighbouring pieces share a ring.
+    const std::vector<Ring>& piece = pieces_[i].rings;
+    rings.insert(rings.end(), piece.begin() + (i == first ? 0 : 1), piece.end());
+  }
+  for (Ring& ring : rings) {
+    std::transform(ring.begin(), ring.end(), ring.begin(), mirroredPoint);
+  }
+  Loft left = named("-left");
+  left.direction.z = -left.direction.z;
+  left.up.z = -left.up.z;
+  addRings(left, std::move(rings), true);
+}
+
+void Ship::addRings(const Loft& loft, std::vector<Ring> rings, bool mirrored) {
+  addMesh(rings, mirrored);
+  auto begin = rings.begin();
+  for (const Cut& cut : loft.cuts) {
+    const auto end = begin + cut.segments;
+    Piece piece{{begin, end + 1}, axesAlong(centerOf(*end) - centerOf(*begin), loft.up), cut.group};
+    pieces_.push_back(std::move(piece));
+    if (std::find(groups_.begin(), groups_.end(), cut.group) == groups_.end()) {
+      groups_.push_back(cut.group);
+    }
+    begin = end;
+  }
+}
+
+void Ship::addMesh(const std::vector<Ring>& rings, bool mirrored) {
+  const auto addTriangle = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    mesh_.triangles.push_back(mirrored ? std::array{a, c, b} : std::array{a, b, c});
+  };
+  auto base = static_cast<std::uint32_t>(mesh_.vertices.size());
+  const auto last = base + static_cast<std::uint32_t>((rings.size() - 1) * kRingVertices);
+  for (const Vec3& point : joined(rings)) {
+    mesh_.vertices.push_back(point);
+  }
+  for (std::uint32_t i = 1; i + 1 < kRingVertices; ++i) {
+    addTriangle(base, base + i + 1, base + i);
+    addTriangle(last, last + i, last + i + 1);
+  }
+  for (; base < last; base += kRingVertices) {
+    for (std::uint32_t i = 0; i < kRingVertices; ++i) {
+      const std::uint32_t next = (i + 1) % kRingVertices;
+      addTriangle(base + i, base + next, base + kRingVertices + i);
+      addTriangle(base + next, base + kRingVertices + next, base + kRingVertices + i);
+    }
+  }
+}
+
+void Ship::alignGroup(const std::string& group, const glm::dvec3& direction) {
+  groupAxes_[group + "-right"] = axesAlong(direction, {0.0, 1.0, 0.0});
+  groupAxes_[group + "-left"] = axesAlong({direction.x, direction.y, -direction.z}, {0.0, 1.0, 0.0});
+}
+
+Level Ship::finestLevel(FinestLevel kind) const {
+  Level level;
+  for (const Piece& piece : pieces_) {
+    if (kind == FinestLevel::kBoxes) {
+      level.parts.push_back(boxAround(joined(piece.rings), piece.axes, 0.0));
+      continue;
+    }
+    for (std::size_t i = 1; i < piece.rings.size(); ++i) {
+      level.parts.push_back({ConvexHull{joined(std::vector<Ring>{piece.rings[i - 1], piece.rings[i]})}, {}});
+    }
+  }
+  return level;
+}
+
+Level Ship::middleLevel(FinestLevel kind, float hullMargin) const {
+  Level level;
+  for (const std::string& group : groups_) {
+    std::vector<Vec3> points;
+    for (const Piece& piece : pieces_) {
+      if (piece.group != group) {
+        continue;
+      }
+      const std::vector<Vec3> rings = joined(piece.rings);
+      if (kind == FinestLevel::kBoxes) {
+        addCorners(boxAround(rings, piece.axes, 0.0), points);
+      } else {
+        points.insert(points.end(), rings.begin(), rings.end());
+      }
+    }
+    const auto axes = groupAxes_.find(group);
+    const double margin = kind == FinestLevel::kHulls ? static_cast<double>(hullMargin) : 0.0;
+    level.parts.push_back(
+        boxAround(points, axes == groupAxes_.end() ? glm::dmat3(1.0) : axes->second, margin));
+  }
+  return level;
+}
+
+Result<Model> Ship::build(FinestLevel finest) const {
+  Level middle = middleLevel(finest, kHullMargin);
+  std::vector<Vec3> corners;
+  for (const ConvexPart& part : middle.parts) {
+    addCorners(part, corners);
+  }
+  Level coarsest{{boxAround(corners, glm::dmat3(1.0), 0.0)}};
+  LevelSetDef def;
+  def.name = name_;
+  def.levels = {std::move(coarsest), std::move(middle), finestLevel(finest)};
+  def.hullMargin = kHullMargin;
+  return LevelSet::create(std::move(def)).map([&](std::shared_ptr<const LevelSet> levels) {
+    return Model{name_, mesh_, std::move(levels), mass_, 0.5F, 0.1F};
+  });
+}
+
+}  // namespace scatter::tools
