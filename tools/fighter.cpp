@@ -110,7 +110,7 @@ Loft fin() {
 }  // namespace
 
 Ship makeFighter() {
-  Ship ship("fighter", 600.0F, {-0.3, 0.03, 0.0});
+  Ship ship("fighter", 600.0F, {-0.355, 0.04, 0.0});
   ship.add(fuselage());
   ship.add(needle());
   ship.add(canopy());

@@ -108,7 +108,7 @@ Loft fin() {
 }  // namespace
 
 Ship makeHunter() {
-  Ship ship("hunter", 1000.0F, {-0.55, 0.03, 0.0});
+  Ship ship("hunter", 1000.0F, {-0.73, 0.055, 0.0});
   ship.add(hull());
   ship.add(keel());
   ship.add(bridge());

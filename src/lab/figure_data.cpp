@@ -44,6 +44,8 @@ FrameRange FigureData::allFrames() const {
     range.first = std::min(range.first, world.table->values("frame").front());
     range.last = std::max(range.last, world.table->values("frame").back());
   }
+  // A run's first frame is 1; an axis that starts at 0 has rounder numbers.
+  range.first = range.first == 1.0 ? 0.0 : range.first;
   // gnuplot refuses an empty range.
   range.last = std::max(range.last, range.first + 1.0);
   return range;

@@ -83,18 +83,14 @@ std::string peakSentence(const FigureData& data, std::string_view column, const 
   return text;
 }
 
-// A ring on the peak and its value beside it, on the side where there is room.
-std::vector<std::string> peakMark(const FigureData& data, std::size_t world) {
-  const FrameRange all = data.allFrames();
+// A ring on the peak, with its value above.
+std::string peakMark(const FigureData& data, std::size_t world) {
   const FramePeak peak = data.peak(world, "physics_cpu_ms");
-  const bool left = peak.frame > (all.first + all.last) * 0.75;
-  const std::string label =
-      data.label(world) + " peak: " + readableNumber(peak.value) + " ms, frame " + fixedNumber(peak.frame, 0);
-  return {"set label " + std::to_string(10 + world) + ' ' + quoted(label) + " at " +
-          shortestNumber(peak.frame) + ',' + shortestNumber(peak.value) +
-          (left ? " right offset -1,0.5" : " left offset 1,0.5") +
-          " point pointtype 6 pointsize 1.2 linewidth 1.6 linecolor rgb " + quoted(worldColor(world)) +
-          " textcolor rgb " + quoted(worldColor(world)) + " font ',12' front"};
+  const std::string rgb = quoted(worldColor(world));
+  return "set label " + std::to_string(10 + world) + ' ' + quoted(readableNumber(peak.value) + " ms") +
+         " at " + shortestNumber(peak.frame) + ',' + shortestNumber(peak.value) +
+         " center offset 0,0.9 point pointtype 6 pointsize 1.2 linewidth 1.6 linecolor rgb " + rgb +
+         " textcolor rgb " + rgb + " front";
 }
 
 FigureScript overview(const FigureData& data) {
@@ -107,8 +103,7 @@ FigureScript overview(const FigureData& data) {
     panel.curves.push_back(curveOf(world, "physics_cpu_ms",
                                    coloured("lines linewidth 1.5", worldColor(world)),
                                    worldTitle(data, world)));
-    const auto mark = peakMark(data, world);
-    panel.extra.insert(panel.extra.end(), mark.begin(), mark.end());
+    panel.extra.push_back(peakMark(data, world));
   }
   if (Curve budget = budgetLine(data, highest); !budget.plot.empty()) {
     panel.curves.push_back(std::move(budget));
@@ -139,10 +134,10 @@ FigureScript manifoldsAndPairs(const FigureData& data, bool aroundPeak) {
     panel.y2Label = "narrowphase pairs";
     panel.y2Color = color::kBlue;
     panel.y2Max = axisTop(data.highest("narrowphase_pairs", frames));
-    panel.curves = {curveOf(world, "narrowphase_pairs", coloured("lines linewidth 1.4", color::kBlue),
-                            "narrowphase pairs\n(right axis)", "x1y2"),
-                    curveOf(world, "manifolds", coloured("lines linewidth 1.6", color::kVermillion),
-                            "manifolds\n(left axis)", "x1y1")};
+    panel.curves = {curveOf(world, "narrowphase_pairs", coloured("lines linewidth 3", color::kSkyBlue),
+                            "narrowphase pairs", "x1y2"),
+                    curveOf(world, "manifolds", coloured("lines linewidth 1.2", color::kVermillion),
+                            "manifolds", "x1y1")};
     figure.panels.push_back(std::move(panel));
   }
   figure.caption =
@@ -211,7 +206,7 @@ FigureScript objectsAndContacts(const FigureData& data) {
 Panel switchesPanel(const FigureData& data) {
   const FrameRange all = data.allFrames();
   Panel panel{.title = "Switches in each frame: up to a coarser level, down to a finer one",
-              .yLabel = "switches (- finer, + coarser)"};
+              .yLabel = "switches"};
   panel.yMax = axisTop(data.highest("switches_coarser", all), 1.1);
   panel.yMin = -axisTop(data.highest("switches_finer", all), 1.1);
   for (std::size_t world = 0; world < data.worlds(); ++world) {
@@ -246,7 +241,7 @@ Panel stagesPanel(const FigureData& data, std::size_t world, double highest) {
   for (std::size_t stage = kStageCount; stage-- > 0;) {
     panel.curves.push_back({.plot = quoted(FigureData::fileOf(world)) +
                                     " using 1:" + std::to_string(FigureData::stackColumn(stage + 1)),
-                            .style = "filledcurves y1=0 fillstyle solid noborder fillcolor rgb " +
+                            .style = "filledcurves x1 fillstyle solid noborder fillcolor rgb " +
                                      quoted(kStageLooks[stage].color),
                             .title = kStageLooks[stage].name});
   }

@@ -9,9 +9,9 @@ namespace scatter::lab {
 namespace {
 
 constexpr double kWidth = 1000.0;
-constexpr double kLeft = 85.0;
-constexpr double kRight = 215.0;
-constexpr double kSecondAxis = 65.0;
+constexpr double kLeft = 90.0;
+constexpr double kRight = 225.0;
+constexpr double kSecondAxis = 80.0;
 constexpr double kTop = 78.0;
 constexpr double kBetween = 62.0;
 constexpr double kBottom = 62.0;
@@ -34,49 +34,57 @@ std::string terminals(const FigureScript& figure, bool vector) {
   const std::string size = fixedNumber(kWidth * scale, 0) + "," + fixedNumber(heightOf(figure) * scale, 0);
   if (vector) {
     return "set terminal svg size " + size + " noenhanced name " + quoted(figure.name) +
-           " background '#ffffff' font 'DejaVu Sans,Arial,sans-serif,14'\nset output " +
+           " background '#ffffff' font 'DejaVu Sans,Arial,sans-serif,14'\ntitleFont = ',18'\nset output " +
            quoted(figure.name + ".svg") + '\n';
   }
   const std::string times = fixedNumber(scale, 1);
   return "set terminal pngcairo size " + size +
          " noenhanced background '#ffffff' font 'DejaVu Sans,11' fontscale " + times + " linewidth " + times +
-         " pointscale " + times + "\nset output " + quoted(figure.name + ".png") + '\n';
+         " pointscale " + times + "\ntitleFont = ',14'\nset output " + quoted(figure.name + ".png") + '\n';
+}
+
+double rightOf(const FigureScript& figure) {
+  return kWidth - kRight - (hasSecondAxis(figure) ? kSecondAxis : 0.0);
+}
+
+// At a fixed place, however wide the numbers beside the axis are.
+std::string axisTitle(int tag, const std::string& text, double x, const std::string& color) {
+  return "set label " + std::to_string(tag) + ' ' + quoted(text) + " at screen " +
+         shortestNumber(x / kWidth) + ", graph 0.5 rotate by 90 center textcolor rgb " + quoted(color) + '\n';
 }
 
 std::string axisCommands(const FigureScript& figure, const Panel& panel, bool last) {
   std::string text =
       "set xrange [" + shortestNumber(figure.frames.first) + ":" + shortestNumber(figure.frames.last) + "]\n";
   text += "set yrange [" + shortestNumber(panel.yMin) + ":" + shortestNumber(panel.yMax) + "]\n";
-  text += "set ylabel " + quoted(panel.yLabel) + " textcolor rgb " + quoted(panel.yColor) + "\n";
-  text += "set ytics nomirror textcolor rgb " + quoted(panel.yColor) + "\n";
+  text += "set ytics nomirror textcolor rgb " + quoted(panel.yColor) + '\n';
+  text += axisTitle(3, panel.yLabel, 20.0, panel.yColor);
   text += last ? "set xlabel 'frame (1/60 second of simulated time each)' offset 0,0.3\n" : "unset xlabel\n";
   if (panel.y2Label.empty()) {
-    return text + "unset y2label\nunset y2tics\n";
+    return text + "unset y2tics\n";
   }
   text += "set y2range [0:" + shortestNumber(panel.y2Max) + "]\n";
-  text += "set y2label " + quoted(panel.y2Label) + " textcolor rgb " + quoted(panel.y2Color) + "\n";
-  return text + "set y2tics nomirror textcolor rgb " + quoted(panel.y2Color) + "\n";
+  text += "set y2tics nomirror textcolor rgb " + quoted(panel.y2Color) + '\n';
+  return text + axisTitle(4, panel.y2Label, rightOf(figure) + kSecondAxis - 8.0, panel.y2Color);
 }
 
 std::string panelCommands(const FigureScript& figure, std::size_t index) {
   const Panel& panel = figure.panels[index];
   const double height = heightOf(figure);
   const double top = kTop + static_cast<double>(index) * (figure.panelHeight + kBetween);
-  const double right = kWidth - kRight - (hasSecondAxis(figure) ? kSecondAxis : 0.0);
   const std::string topAt = shortestNumber(1.0 - top / height);
   std::string text = "set lmargin at screen " + shortestNumber(kLeft / kWidth) + "\nset rmargin at screen " +
-                     shortestNumber(right / kWidth) + "\nset tmargin at screen " + topAt +
+                     shortestNumber(rightOf(figure) / kWidth) + "\nset tmargin at screen " + topAt +
                      "\nset bmargin at screen " + shortestNumber(1.0 - (top + figure.panelHeight) / height) +
                      '\n';
-  text += axisCommands(figure, panel, index + 1 == figure.panels.size());
-  text += "set key at screen " + shortestNumber((kWidth - kRight + 12.0) / kWidth) + ", screen " + topAt +
-          " left top Left reverse vertical samplen 1.6 spacing 1.25 font ',11'\n";
-  text += "unset label\n";
+  text += "set key at screen " + shortestNumber((kWidth - kRight + 18.0) / kWidth) + ", screen " + topAt +
+          " left top Left reverse vertical samplen 1.6 spacing 1.25\n";
+  text += "unset label\n" + axisCommands(figure, panel, index + 1 == figure.panels.size());
   if (index == 0) {
     text += "set label 1 " + quoted(figure.title) + " at screen " + shortestNumber(kLeft / kWidth) +
-            ", screen " + shortestNumber(1.0 - 24.0 / height) + " left font ',16'\n";
+            ", screen " + shortestNumber(1.0 - 24.0 / height) + " left font titleFont\n";
   }
-  text += "set label 2 " + quoted(panel.title) + " at graph 0, graph 1 offset 0,0.8 left font ',12'\n";
+  text += "set label 2 " + quoted(panel.title) + " at graph 0, graph 1 offset 0,0.8 left\n";
   for (const std::string& command : panel.extra) {
     text += command + '\n';
   }
@@ -101,7 +109,7 @@ std::string gnuplotScript(const FigureScript& figure) {
     text += "reset\nset encoding utf8\n" + terminals(figure, vector);
     text += std::string("set border ") + (hasSecondAxis(figure) ? "11" : "3") +
             " linecolor rgb '#555555'\nset tics out scale 0.6\nset xtics nomirror\n";
-    text += "set grid ytics linecolor rgb '#dddddd' linewidth 0.7 dashtype solid\nset grid noxtics\n";
+    text += "set grid ytics linetype 1 linecolor rgb '#e2e2e2' linewidth 0.8\nset grid noxtics\n";
     text += "set multiplot\n";
     for (std::size_t i = 0; i < figure.panels.size(); ++i) {
       text += panelCommands(figure, i);

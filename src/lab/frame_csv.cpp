@@ -11,6 +11,10 @@ namespace scatter {
 
 namespace {
 
+std::string cellOf(ChannelKind kind, double value) {
+  return kind == ChannelKind::kInteger ? lab::fixedNumber(value, 0) : lab::shortestNumber(value);
+}
+
 std::string headerOf(const std::vector<Channel>& channels) {
   std::string line;
   for (const Channel& channel : channels) {
@@ -45,8 +49,8 @@ Result<void> FrameCsv::write(const FrameData& data) {
   for (std::size_t i = 0; i < channels_; ++i) {
     const auto id = static_cast<ChannelId>(i);
     line += i == 0 ? "" : ",";
-    line += data.channel(id).kind == ChannelKind::kHash ? lab::hexNumber(data.hash(id))
-                                                        : lab::shortestNumber(data.value(id));
+    const ChannelKind kind = data.channel(id).kind;
+    line += kind == ChannelKind::kHash ? lab::hexNumber(data.hash(id)) : cellOf(kind, data.value(id));
   }
   return file_->write(line + '\n');
 }
@@ -65,8 +69,9 @@ Result<void> writeFrameCsv(const std::filesystem::path& file, const FrameTable& 
   for (std::size_t frame = 0; frame < table.frames(); ++frame) {
     for (const FrameColumn& column : table.columns()) {
       text += &column == &table.columns().front() ? "" : ",";
-      text += column.channel.kind == ChannelKind::kHash ? lab::hexNumber(column.hashes[frame])
-                                                        : lab::shortestNumber(column.values[frame]);
+      const ChannelKind kind = column.channel.kind;
+      text += kind == ChannelKind::kHash ? lab::hexNumber(column.hashes[frame])
+                                         : cellOf(kind, column.values[frame]);
     }
     text += '\n';
   }

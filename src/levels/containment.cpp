@@ -58,6 +58,17 @@ struct HoldsIn {
   }
 };
 
+DoubleBounds boundsOf(const ConvexPart& part, double hullMargin) {
+  DoubleBounds bounds;
+  for (int axis = 0; axis < 3; ++axis) {
+    glm::dvec3 direction{0.0};
+    direction[axis] = 1.0;
+    bounds.max[axis] = support(part, hullMargin, direction);
+    bounds.min[axis] = -support(part, hullMargin, -direction);
+  }
+  return bounds;
+}
+
 /// A part of the coarser level, ready to be asked what it holds.
 struct CoarsePart {
   const ConvexPart* part = nullptr;
@@ -121,7 +132,9 @@ class NestingCheck {
   [[nodiscard]] std::vector<glm::dvec3> tangents(const FinePart& fine) const {
     std::vector<glm::dvec3> normals;
     for (const Polytope::Face& face : fine.core.faces()) normals.push_back(face.plane.normal);
+    const DoubleBounds bounds = boundsOf(*fine.part, hullMargin_);
     for (const CoarsePart& coarse : coarser_) {
+      if (coarse.core && !coarse.core->bounds().overlaps(bounds, tolerance_ + coarse.margin)) continue;
       if (coarse.core) {
         for (const HalfSpace& plane : coarse.core->planes()) normals.push_back(plane.normal);
       } else if (std::holds_alternative<Cylinder>(coarse.part->shape)) {
@@ -180,12 +193,9 @@ double marginOf(const ConvexPart& part, double hullMargin) {
 double largestCoordinate(const Level& level) {
   double largest = 0.0;
   for (const ConvexPart& part : level.parts) {
-    for (int axis = 0; axis < 3; ++axis) {
-      glm::dvec3 direction{0.0};
-      direction[axis] = 1.0;
-      largest = std::max(
-          {largest, std::abs(support(part, 0.0, direction)), std::abs(support(part, 0.0, -direction))});
-    }
+    const DoubleBounds bounds = boundsOf(part, 0.0);
+    const glm::dvec3 reach = glm::max(glm::abs(bounds.min), glm::abs(bounds.max));
+    largest = std::max({largest, reach.x, reach.y, reach.z});
   }
   return largest;
 }

@@ -3,7 +3,6 @@
 #include <stdio.h>  // open_memstream is POSIX, not in <cstdio>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <glm/geometric.hpp>
@@ -19,7 +18,7 @@ extern "C" {
 namespace scatter::levels {
 namespace {
 
-/// Thinner sets than this share of their length cannot be told from flat ones in single precision.
+/// Sets no thicker than this share of their extent count as flat.
 constexpr double kFlatness = 1e-6;
 
 /// Takes qhull's messages, which would otherwise go to stderr.
@@ -110,14 +109,11 @@ glm::dvec3 extreme(std::span<const glm::dvec3> points, const Measure& measure) {
       [&measure](const glm::dvec3& a, const glm::dvec3& b) { return measure(a) < measure(b); });
 }
 
-bool isFlat(std::span<const glm::dvec3> points) {
+bool isFlat(std::span<const glm::dvec3> points, double rounding) {
   const glm::dvec3 a = points.front();
   const glm::dvec3 b = extreme(points, [&a](const glm::dvec3& p) { return glm::length(p - a); });
   const double length = glm::length(b - a);
-  double largest = 0.0;
-  for (const glm::dvec3& p : points)
-    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  const double least = kFlatness * length + 4.0 * std::numeric_limits<float>::epsilon() * largest;
+  const double least = kFlatness * length + rounding;
   if (length <= least) return true;
 
   const glm::dvec3 along = (b - a) / length;
@@ -134,10 +130,10 @@ bool isFlat(std::span<const glm::dvec3> points) {
 
 }  // namespace
 
-Result<Polytope> convexHull(std::span<const glm::dvec3> points) {
+Result<Polytope> convexHull(std::span<const glm::dvec3> points, double rounding) {
   const std::string count = "its " + std::to_string(points.size()) + " vertices ";
   if (points.size() < 4) return fail(count + "are fewer than 4");
-  if (isFlat(points)) return fail(count + "lie in one plane");
+  if (isFlat(points, rounding)) return fail(count + "lie in one plane");
 
   std::vector<double> coordinates;
   coordinates.reserve(3 * points.size());

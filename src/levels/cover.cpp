@@ -118,7 +118,7 @@ double distanceToUnion(const glm::dvec3& point, std::span<const Cover* const> co
 }
 
 Uncovered furthestVertex(const std::vector<Polytope>& pieces, std::span<const Cover* const> covers) {
-  Uncovered furthest;
+  Uncovered furthest{glm::dvec3(0.0), -1.0};
   for (const Polytope& piece : pieces) {
     for (const glm::dvec3& vertex : piece.vertices()) {
       const double distance = distanceToUnion(vertex, covers);

@@ -9,7 +9,6 @@
 #include <string>
 #include <variant>
 
-#include "levels/convex_hull.h"
 #include "levels/part_check.h"
 #include "levels/part_geometry.h"
 
@@ -61,8 +60,8 @@ Result<SolidMoments> momentsOf(const Cylinder& cylinder, const Transform& pose) 
 }
 
 Result<SolidMoments> momentsOf(const ConvexHull& hull, const Transform& pose) {
-  const Result<Polytope> polytope = convexHull(placedVertices(hull, pose));
-  if (!polytope) return fail("convex hull: " + polytope.error().message);
+  const Result<Polytope> polytope = placedHull(hull, pose);
+  if (!polytope) return fail(polytope.error().message);
   return polytope->moments();
 }
 

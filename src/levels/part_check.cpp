@@ -1,5 +1,6 @@
 #include "levels/part_check.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <glm/geometric.hpp>
@@ -11,6 +12,9 @@ namespace {
 
 /// How far a rotation's length may be from 1: more than rounding, less than a mistake.
 constexpr float kUnitTolerance = 1e-3F;
+
+/// Least ratio of a round part's radius and half height.
+constexpr float kThinnest = 1e-5F;
 
 bool isPositive(float value) {
   return std::isfinite(value) && value > 0.0F;
@@ -31,18 +35,28 @@ std::optional<std::string> findShapeDefect(const Sphere& sphere) {
   return badValue("sphere: radius", sphere.radius);
 }
 
+/// Round parts so thin that the polytopes that stand for them would drown in rounding.
+std::optional<std::string> findThinness(const std::string& shape, float radius, float halfHeight) {
+  if (radius >= kThinnest * halfHeight && halfHeight >= kThinnest * radius) return std::nullopt;
+  return shape + ": radius " + toText(static_cast<double>(radius)) + " and half height " +
+         toText(static_cast<double>(halfHeight)) +
+         " differ by more than a factor of 100000; use a box or a hull";
+}
+
 std::optional<std::string> findShapeDefect(const Capsule& capsule) {
   if (!isPositive(capsule.radius)) return badValue("capsule: radius", capsule.radius);
   // A capsule of no height is a sphere.
-  if (std::isfinite(capsule.halfHeight) && capsule.halfHeight >= 0.0F) return std::nullopt;
-  return "capsule: half height " + toText(static_cast<double>(capsule.halfHeight)) +
-         " must be finite and not negative";
+  if (!std::isfinite(capsule.halfHeight) || capsule.halfHeight < 0.0F) {
+    return "capsule: half height " + toText(static_cast<double>(capsule.halfHeight)) +
+           " must be finite and not negative";
+  }
+  return findThinness("capsule", capsule.radius, std::max(capsule.radius, capsule.halfHeight));
 }
 
 std::optional<std::string> findShapeDefect(const Cylinder& cylinder) {
   if (!isPositive(cylinder.radius)) return badValue("cylinder: radius", cylinder.radius);
   if (!isPositive(cylinder.halfHeight)) return badValue("cylinder: half height", cylinder.halfHeight);
-  return std::nullopt;
+  return findThinness("cylinder", cylinder.radius, cylinder.halfHeight);
 }
 
 std::optional<std::string> findShapeDefect(const ConvexHull& hull) {

@@ -1,7 +1,6 @@
 #include "levels/part_geometry.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -134,6 +133,20 @@ struct SupportOf {
   }
 };
 
+/// Along the part's own axes.
+Polytope boundingBox(const ConvexPart& part, double hullMargin) {
+  const glm::dmat3 axes = DoublePose(part.pose).rotation;
+  glm::dvec3 center{0.0};
+  glm::dvec3 half{0.0};
+  for (int axis = 0; axis < 3; ++axis) {
+    const double up = support(part, hullMargin, axes[axis]);
+    const double down = -support(part, hullMargin, -axes[axis]);
+    center += 0.5 * (up + down) * axes[axis];
+    half[axis] = 0.5 * (up - down);
+  }
+  return Polytope::box(center, axes, half);
+}
+
 struct InnerPolytopeOf {
   const ConvexPart& part;
   const DoublePose& pose;
@@ -154,8 +167,11 @@ struct InnerPolytopeOf {
     return hullOrNothing(prismPoints(radius, halfHeight, pose));
   }
   Polytope operator()(const ConvexHull& hull) const {
-    Polytope core = hullOrNothing(placedVertices(hull, part.pose));
-    return inset < hullMargin ? withFlatMargin(core, hullMargin) : core;
+    Result<Polytope> core = placedHull(hull, part.pose);
+    if (!core) return {};
+    if (!(inset < hullMargin)) return std::move(*core);
+    Polytope widened = withFlatMargin(*core, hullMargin);
+    return widened.isEmpty() ? std::move(*core) : std::move(widened);
   }
 
  private:
@@ -171,8 +187,14 @@ struct InnerPolytopeOf {
 DoublePose::DoublePose(const Transform& pose)
     : position(pose.position), rotation(glm::mat3_cast(glm::normalize(glm::dquat(pose.rotation)))) {}
 
-std::vector<glm::dvec3> placedVertices(const ConvexHull& hull, const Transform& pose) {
-  return RoundedHullOf{DoublePose(pose), 0.0}(hull).points;
+Result<Polytope> placedHull(const ConvexHull& hull, const Transform& pose) {
+  float largest = 0.0F;
+  for (const Vec3& v : hull.vertices)
+    largest = std::max({largest, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  const double rounding = 4.0 * toDouble(std::numeric_limits<float>::epsilon() * largest);
+  Result<Polytope> polytope = convexHull(RoundedHullOf{DoublePose(pose), 0.0}(hull).points, rounding);
+  if (!polytope) return fail("convex hull: " + polytope.error().message);
+  return polytope;
 }
 
 RoundedHull roundedHull(const ConvexPart& part, double hullMargin) {
@@ -193,15 +215,15 @@ Result<std::optional<Polytope>> flatSidedCore(const ConvexPart& part) {
   }
   const ConvexHull* hull = std::get_if<ConvexHull>(&part.shape);
   if (hull == nullptr) return std::optional<Polytope>{};
-  Result<Polytope> polytope = convexHull(placedVertices(*hull, part.pose));
-  if (!polytope) return fail("convex hull: " + polytope.error().message);
+  Result<Polytope> polytope = placedHull(*hull, part.pose);
+  if (!polytope) return fail(polytope.error().message);
   return std::move(*polytope);
 }
 
 Polytope outerPolytope(const ConvexPart& part, double hullMargin, std::span<const glm::dvec3> tangents,
                        double epsilon) {
-  const bool isBox = std::holds_alternative<Box>(part.shape);
   const bool isHull = std::holds_alternative<ConvexHull>(part.shape);
+  const bool isFlatSided = isHull || std::holds_alternative<Box>(part.shape);
   const RoundedHull exact = roundedHull(part, hullMargin);
   Polytope outer;
   if (exact.radius > 0.0) {
@@ -210,9 +232,10 @@ Polytope outerPolytope(const ConvexPart& part, double hullMargin, std::span<cons
                         DoublePose(part.pose).rotation);
   } else {
     outer = hullOrNothing(exact.points);
+    if (isFlatSided && !outer.isEmpty()) return outer;
   }
-  assert(!outer.isEmpty());
-  if (isBox || exact.points.empty()) return outer;
+  // Rounding could only defeat the hull of an extremely thin part: the box around it will do.
+  if (outer.isEmpty()) outer = boundingBox(part, hullMargin);
   for (const glm::dvec3& normal : tangents) {
     outer = outer.clipped({normal, support(part, hullMargin, normal)}, epsilon);
   }

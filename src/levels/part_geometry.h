@@ -35,7 +35,8 @@ struct RoundedHull {
 /// How far the part, hull margin included, reaches along a unit direction.
 [[nodiscard]] double support(const ConvexPart& part, double hullMargin, const glm::dvec3& direction);
 
-/// A box, or a hull without its margin; nothing for round shapes. Fails on a hull without volume.
+/// A box, or a hull without its margin; nothing for round shapes. Fails on a hull
+/// without volume.
 [[nodiscard]] Result<std::optional<Polytope>> flatSidedCore(const ConvexPart& part);
 
 /// A polytope that holds the part, hull margin included, and touches it in the directions `tangents`.
@@ -49,7 +50,7 @@ struct RoundedHull {
 /// lost; of a hull's margin, with inset 0, what rounds its edges and corners.
 [[nodiscard]] Polytope innerPolytope(const ConvexPart& part, double hullMargin, double inset);
 
-/// The hull's vertices in the model's frame.
-[[nodiscard]] std::vector<glm::dvec3> placedVertices(const ConvexHull& hull, const Transform& pose);
+/// A hull without its margin, in the model's frame. Fails if it has no volume.
+[[nodiscard]] Result<Polytope> placedHull(const ConvexHull& hull, const Transform& pose);
 
 }  // namespace scatter::levels

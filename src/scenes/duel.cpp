@@ -9,8 +9,8 @@ namespace {
 
 constexpr float kStart = 14.0F;        // metres from the centre
 constexpr float kAcceleration = 2.0F;  // m/s²
-constexpr float kMiss = 0.6F;          // metres by which the ships pass each other's centre line
-constexpr float kBounce = 0.5F;        // enough for their bounds to part after the first collision
+constexpr float kMiss = 0.2F;          // metres by which the ships pass each other's centre line
+constexpr float kBounce = 0.8F;        // enough for their bounds to part after the first collision
 
 /// The report's Scene 1 (section 5.1.2.1): a Hunter and a Fighter are drawn together, collide, part, meet
 /// again and settle into a slow rotation about the centre.
@@ -36,8 +36,8 @@ class Duel final : public Scene {
   static Result<void> addShip(World& world, const Model& model, const char* name, const Transform& pose) {
     BodyDef def = shipBody(model, name, pose);
     def.material.restitution = kBounce;
-    def.material.angularDamping = 0.05F;
-    def.material.linearDamping = 0.05F;
+    def.material.angularDamping = 0.3F;
+    def.material.linearDamping = 0.2F;
     auto added = world.add(std::move(def));
     if (!added) return fail(added.error().message);
     return {};

@@ -5,7 +5,7 @@
 namespace scatter {
 namespace {
 
-constexpr float kAcceleration = 4.0F;  // m/s²: the first ships meet after about six seconds
+constexpr float kAcceleration = 2.0F;  // m/s²: the first ships meet after about ten seconds
 
 /// The report's Scene 2 at today's size: detailed ships and asteroids drawn to one point.
 class Fleet final : public Scene {
@@ -27,9 +27,9 @@ class Fleet final : public Scene {
 };
 
 const SwarmDef kFleet{
-    .hunters = 100, .fighters = 100, .asteroids = 100, .innerRadius = 60.0F, .outerRadius = 110.0F};
+    .hunters = 100, .fighters = 100, .asteroids = 100, .innerRadius = 100.0F, .outerRadius = 200.0F};
 const SwarmDef kArmada{
-    .hunters = 500, .fighters = 500, .asteroids = 500, .innerRadius = 90.0F, .outerRadius = 160.0F};
+    .hunters = 500, .fighters = 500, .asteroids = 500, .innerRadius = 120.0F, .outerRadius = 220.0F};
 
 const SceneRegistration kRegisterFleet({
     "fleet",
@@ -41,7 +41,7 @@ const SceneRegistration kRegisterFleet({
 const SceneRegistration kRegisterArmada({
     "armada",
     "1000 ships of about 64 convex hulls each and 500 asteroids, drawn to one point",
-    1200,
+    1600,
     [] { return std::make_unique<Fleet>(kArmada); },
 });
 

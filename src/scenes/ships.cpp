@@ -35,12 +35,14 @@ Vec3 randomSpin(Random& random) {
   return random.insideUnitBall() * kLargestSpin;
 }
 
-Result<void> addShips(World& world, const Model& model, int count, ShellPlacement& shell, Random& random) {
+Result<void> addShips(World& world, const Model& model, int count, const SwarmDef& swarm,
+                      ShellPlacement& shell, Random& random) {
   const float radius = boundingRadius(model);
   for (int i = 0; i < count; ++i) {
     const Transform pose{shell.place(radius), random.orientation()};
     BodyDef def = shipBody(model, model.name + "-" + std::to_string(i + 1), pose);
     def.angularVelocity = randomSpin(random);
+    def.material.restitution = swarm.restitution;
     if (auto added = world.add(std::move(def)); !added) return fail(added.error().message);
   }
   return {};
@@ -55,7 +57,7 @@ Result<void> addAsteroids(World& world, const SwarmDef& swarm, ShellPlacement& s
     def.mass = kAsteroidDensity * 4.0F / 3.0F * kPi * radius * radius * radius;
     def.pose.position = shell.place(radius);
     def.angularVelocity = randomSpin(random);
-    def.material.restitution = 0.3F;
+    def.material.restitution = swarm.restitution;
     def.mayRest = false;
     if (auto added = world.add(std::move(def)); !added) return fail(added.error().message);
   }
@@ -95,8 +97,8 @@ BodyDef shipBody(const Model& model, std::string name, const Transform& pose) {
 
 Result<void> addSwarm(World& world, const ShipModels& models, const SwarmDef& def, Random& random) {
   ShellPlacement shell(random, Vec3(0.0F), def.innerRadius, def.outerRadius);
-  if (auto added = addShips(world, *models.hunter, def.hunters, shell, random); !added) return added;
-  if (auto added = addShips(world, *models.fighter, def.fighters, shell, random); !added) return added;
+  if (auto added = addShips(world, *models.hunter, def.hunters, def, shell, random); !added) return added;
+  if (auto added = addShips(world, *models.fighter, def.fighters, def, shell, random); !added) return added;
   return addAsteroids(world, def, shell, random);
 }
 

@@ -35,6 +35,7 @@ struct SwarmDef {
   float outerRadius = 110.0F;
   float asteroidMinRadius = 0.8F;
   float asteroidMaxRadius = 1.6F;
+  float restitution = 0.6F;  ///< Enough for the first to arrive to be thrown back.
 };
 
 /// Places the swarm at random on a shell around the origin, at rest but slowly turning, clear of one

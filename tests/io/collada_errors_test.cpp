@@ -198,7 +198,7 @@ std::string messageFor(const std::string& text) {
 }
 
 TEST(ColladaErrors, RefusesTextThatIsNotXml) {
-  EXPECT_THAT(messageFor("solid cube\n"), testing::StartsWith("bad.dae:1: not a well-formed XML file"));
+  EXPECT_THAT(messageFor("solid cube"), testing::StartsWith("bad.dae:1: not a well-formed XML file"));
   EXPECT_THAT(messageFor(""), testing::StartsWith("bad.dae:1: not a well-formed XML file"));
   EXPECT_THAT(messageFor("<COLLADA>\n<asset>\n</COLLADA>"),
               testing::StartsWith("bad.dae:3: not a well-formed"));

@@ -29,7 +29,8 @@ struct SliderJoint {
 struct FixedJoint {};
 
 /// Each axis: locked if lower == upper, limited if lower < upper, free if lower > upper. Of body B
-/// relative to body A; angles are Euler angles about x, y, z in that order, y within -pi/2 to pi/2.
+/// relative to body A: metres along the frame's axes, and radians of turns about the frame's x, then its y,
+/// then its z axis, y from -pi/2 to pi/2.
 struct SixDofJoint {
   Vec3 linearLower{0.0F};
   Vec3 linearUpper{0.0F};

@@ -3,6 +3,7 @@
 #include <BulletCollision/CollisionDispatch/btCollisionObject.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace scatter {
 
@@ -60,6 +61,7 @@ BulletBroadphase::BulletBroadphase() {
 }
 
 void BulletBroadphase::calculateOverlappingPairs(btDispatcher* dispatcher) {
+  if (getenv("PLAIN")) { btDbvtBroadphase::calculateOverlappingPairs(dispatcher); return; }
   // The rates of btDbvtBroadphase's defaults.
   reinsertLeaves(m_sets[0], 1);
   if (m_fixedleft > 0) {

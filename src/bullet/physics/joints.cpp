@@ -49,8 +49,9 @@ std::unique_ptr<btTypedConstraint> make(const SixDofJoint& def, const Ends& ends
   auto joint = std::make_unique<btGeneric6DofSpring2Constraint>(ends.a, ends.b, ends.inA, ends.inB, RO_XYZ);
   joint->setLinearLowerLimit(toBullet(def.linearLower));
   joint->setLinearUpperLimit(toBullet(def.linearUpper));
-  joint->setAngularLowerLimit(toBullet(def.angularLower));
-  joint->setAngularUpperLimit(toBullet(def.angularUpper));
+  // Bullet measures the angles of A relative to B.
+  joint->setAngularLowerLimit(toBullet(-def.angularUpper));
+  joint->setAngularUpperLimit(toBullet(-def.angularLower));
   return joint;
 }
 

@@ -67,6 +67,12 @@ ConvexPart withPoseApplied(const ConvexPart& part) {
   return {std::move(placed), Transform{}};
 }
 
+/// The message about the only part of a shape that the caller does not know as parts.
+std::string withoutPart(const std::string& message) {
+  const std::string part = "part 1: ";
+  return message.rfind(part, 0) == 0 ? message.substr(part.size()) : message;
+}
+
 }  // namespace
 
 void BulletShapeBuilder::setMass(BulletShape& shape, const MassProperties& mass) {
@@ -104,7 +110,7 @@ BulletShapeBuilder::Made BulletShapeBuilder::build(const Shape& shape) {
 BulletShapeBuilder::Made BulletShapeBuilder::make(const ConvexShape& convex) {
   const std::vector<ConvexPart> parts{{convex, Transform{}}};
   const Result<MassProperties> mass = massProperties(parts);
-  if (!mass) return tl::unexpected(mass.error());
+  if (!mass) return fail(withoutPart(mass.error().message));
   auto shape = std::make_shared<BulletShape>();
   if (std::holds_alternative<ConvexHull>(convex)) {
     setMass(*shape, *mass);

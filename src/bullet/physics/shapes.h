@@ -51,7 +51,8 @@ class BulletShape {
 /// Makes BulletShapes; the same one for the same LevelSet or TriangleMesh as long as a body uses it.
 class BulletShapeBuilder {
  public:
-  /// `shape` has passed validateShape(). Fails if it has no volume, naming the part.
+  /// `shape` is that of a body that has passed validateBody(). Fails if a part is not finite or has no
+  /// volume, naming the part.
   [[nodiscard]] Result<std::shared_ptr<const BulletShape>> build(const Shape& shape);
 
  private:

@@ -21,38 +21,13 @@ Problem checkLength(const char* what, float value) {
   return std::string(what) + " must be a positive number of metres, not " + numberText(value);
 }
 
-Problem check(const Box& box) {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (auto problem = checkLength("half extents", box.halfExtents[axis])) return problem;
-  }
+// Convex parts are checked where their mass is found.
+template <class Convex>
+Problem findProblem(const Convex&) {
   return std::nullopt;
 }
 
-Problem check(const Sphere& sphere) {
-  return checkLength("radius", sphere.radius);
-}
-
-Problem check(const Capsule& capsule) {
-  if (auto problem = checkLength("radius", capsule.radius)) return problem;
-  return checkLength("half height", capsule.halfHeight);
-}
-
-Problem check(const Cylinder& cylinder) {
-  if (auto problem = checkLength("radius", cylinder.radius)) return problem;
-  return checkLength("half height", cylinder.halfHeight);
-}
-
-Problem check(const ConvexHull& hull) {
-  if (hull.vertices.size() < 4) {
-    return "a convex hull needs at least 4 vertices, not " + std::to_string(hull.vertices.size());
-  }
-  for (std::size_t i = 0; i < hull.vertices.size(); ++i) {
-    if (!isFinite(hull.vertices[i])) return "vertex " + std::to_string(i) + " is not finite";
-  }
-  return std::nullopt;
-}
-
-Problem check(const Plane& plane) {
+Problem findProblem(const Plane& plane) {
   if (!isFinite(plane.normal) || !isFinite(plane.offset)) return "the plane is not finite";
   if (!(glm::length(plane.normal) > 1e-6F)) return "the plane's normal must not be zero";
   return std::nullopt;
@@ -67,27 +42,16 @@ Problem checkPose(const Transform& pose) {
   return std::nullopt;
 }
 
-Problem check(const Compound& compound) {
-  if (compound.parts.empty()) return "a compound needs at least one part";
-  for (std::size_t i = 0; i < compound.parts.size(); ++i) {
-    const ConvexPart& part = compound.parts[i];
-    Problem problem = std::visit([](const auto& shape) { return check(shape); }, part.shape);
-    if (!problem) problem = checkPose(part.pose);
-    if (problem) return "part " + std::to_string(i) + ": " + *problem;
-  }
-  return std::nullopt;
-}
-
-Problem check(const std::shared_ptr<const TriangleMesh>& mesh) {
+Problem findProblem(const std::shared_ptr<const TriangleMesh>& mesh) {
   if (!mesh || mesh->triangles.empty()) return "the mesh has no triangles";
   for (std::size_t i = 0; i < mesh->vertices.size(); ++i) {
-    if (!isFinite(mesh->vertices[i])) return "vertex " + std::to_string(i) + " is not finite";
+    if (!isFinite(mesh->vertices[i])) return "vertex " + std::to_string(i + 1) + " is not finite";
   }
   for (std::size_t i = 0; i < mesh->triangles.size(); ++i) {
     for (const std::uint32_t index : mesh->triangles[i]) {
       if (index >= mesh->vertices.size()) {
-        return "triangle " + std::to_string(i) + " names vertex " + std::to_string(index) + " of only " +
-               std::to_string(mesh->vertices.size());
+        return "triangle " + std::to_string(i + 1) + " has the vertex index " + std::to_string(index) +
+               ", but there are only " + std::to_string(mesh->vertices.size()) + " vertices";
       }
     }
   }
@@ -95,7 +59,7 @@ Problem check(const std::shared_ptr<const TriangleMesh>& mesh) {
 }
 
 // A LevelSet checks itself when it is made.
-Problem check(const std::shared_ptr<const LevelSet>& levels) {
+Problem findProblem(const std::shared_ptr<const LevelSet>& levels) {
   if (!levels) return "there is no level set";
   return std::nullopt;
 }
@@ -106,7 +70,7 @@ struct Limited {
   float most;
 };
 
-Problem check(const Material& material) {
+Problem findProblem(const Material& material) {
   constexpr float kAny = std::numeric_limits<float>::max();
   const std::array<Limited, 6> values{{{"friction", material.friction, kAny},
                                        {"rolling friction", material.rollingFriction, kAny},
@@ -141,10 +105,10 @@ Problem checkVelocity(const BodyDef& def) {
   return std::nullopt;
 }
 
-Problem check(const PointJoint&) {
+Problem findProblem(const PointJoint&) {
   return std::nullopt;
 }
-Problem check(const FixedJoint&) {
+Problem findProblem(const FixedJoint&) {
   return std::nullopt;
 }
 
@@ -153,7 +117,7 @@ Problem checkLimits(float lower, float upper) {
   return "the limits are not finite; give a lower one above the upper one for no limits";
 }
 
-Problem check(const HingeJoint& hinge) {
+Problem findProblem(const HingeJoint& hinge) {
   if (auto problem = checkLimits(hinge.lower, hinge.upper)) return problem;
   constexpr float kPi = glm::pi<float>();
   if (hinge.lower <= hinge.upper && (hinge.lower < -kPi || hinge.upper > kPi)) {
@@ -163,11 +127,11 @@ Problem check(const HingeJoint& hinge) {
   return std::nullopt;
 }
 
-Problem check(const SliderJoint& slider) {
+Problem findProblem(const SliderJoint& slider) {
   return checkLimits(slider.lower, slider.upper);
 }
 
-Problem check(const SixDofJoint& joint) {
+Problem findProblem(const SixDofJoint& joint) {
   for (int axis = 0; axis < 3; ++axis) {
     if (auto problem = checkLimits(joint.linearLower[axis], joint.linearUpper[axis])) return problem;
     if (auto problem = checkLimits(joint.angularLower[axis], joint.angularUpper[axis])) return problem;
@@ -175,7 +139,7 @@ Problem check(const SixDofJoint& joint) {
   return std::nullopt;
 }
 
-Problem check(const WheelDef& wheel) {
+Problem findProblem(const WheelDef& wheel) {
   if (auto problem = checkLength("radius", wheel.radius)) return problem;
   if (auto problem = checkLength("suspension rest length", wheel.suspensionRest)) return problem;
   if (!isFinite(wheel.connection)) return "the connection is not finite";
@@ -196,17 +160,17 @@ std::string numberText(float value) {
 
 Result<void> validateBody(const BodyDef& def) {
   Problem problem = checkMotion(def);
-  if (!problem) problem = std::visit([](const auto& shape) { return check(shape); }, def.shape);
+  if (!problem) problem = std::visit([](const auto& shape) { return findProblem(shape); }, def.shape);
   if (!problem) problem = checkPose(def.pose);
   if (!problem) problem = checkVelocity(def);
-  if (!problem) problem = check(def.material);
+  if (!problem) problem = findProblem(def.material);
   if (problem) return fail("body \"" + def.name + "\": " + *problem);
   return {};
 }
 
 Result<void> validateJoint(const JointDef& def, const std::string& joint) {
   Problem problem = checkPose(def.frame);
-  if (!problem) problem = std::visit([](const auto& kind) { return check(kind); }, def.kind);
+  if (!problem) problem = std::visit([](const auto& kind) { return findProblem(kind); }, def.kind);
   if (problem) return fail(joint + ": " + *problem);
   return {};
 }
@@ -214,8 +178,8 @@ Result<void> validateJoint(const JointDef& def, const std::string& joint) {
 Result<void> validateVehicle(const VehicleDef& def, const std::string& vehicle) {
   if (def.wheels.empty()) return fail(vehicle + ": a vehicle needs at least one wheel");
   for (std::size_t i = 0; i < def.wheels.size(); ++i) {
-    if (const Problem problem = check(def.wheels[i])) {
-      return fail(vehicle + ": wheel " + std::to_string(i) + ": " + *problem);
+    if (const Problem problem = findProblem(def.wheels[i])) {
+      return fail(vehicle + ": wheel " + std::to_string(i + 1) + ": " + *problem);
     }
   }
   if (!(isFinite(def.suspensionStiffness) && def.suspensionStiffness > 0.0F)) {

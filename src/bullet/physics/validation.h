@@ -9,7 +9,7 @@ namespace scatter {
 /// The shortest text that reads back as `value`, such as "-1" or "nan".
 [[nodiscard]] std::string numberText(float value);
 
-/// Everything about `def` that needs no geometry; the message names the body.
+/// All of `def` but its convex parts, which massProperties() checks. The message names the body.
 [[nodiscard]] Result<void> validateBody(const BodyDef& def);
 
 /// The joint's kind and frame, not its bodies; the message begins with `joint`.

@@ -55,13 +55,16 @@ std::shared_ptr<const LevelSet> cubeLevels() {
   LevelSetDef def;
   def.name = "cube";
   def.levels.push_back({{{Box{Vec3(0.55F)}, {}}}});
-  def.levels.push_back({{{half, {{-0.25F, 0.0F, 0.0F}, kNoRotation}}, {half, {{0.25F, 0.0F, 0.0F}, kNoRotation}}}});
+  def.levels.push_back(
+      {{{half, {{-0.25F, 0.0F, 0.0F}, kNoRotation}}, {half, {{0.25F, 0.0F, 0.0F}, kNoRotation}}}});
   auto levels = LevelSet::create(std::move(def));
   EXPECT_TRUE(levels) << levels.error().message;
   return levels.value();
 }
 
-Quat turn(float angle, const Vec3& axis) { return glm::angleAxis(angle, glm::normalize(axis)); }
+Quat turn(float angle, const Vec3& axis) {
+  return glm::angleAxis(angle, glm::normalize(axis));
+}
 
 void expectNear(const Vec3& actual, const Vec3& expected, float tolerance) {
   EXPECT_NEAR(actual.x, expected.x, tolerance);

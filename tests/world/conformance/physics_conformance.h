@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <memory>
+#include <ostream>
 #include <string>
 
 namespace scatter::test {
@@ -15,6 +16,11 @@ struct PhysicsFactory {
   WorldKind world = WorldKind::kStandard;
   std::function<std::unique_ptr<Physics>(const PhysicsDef&)> make;
 };
+
+/// For failure messages.
+inline void PrintTo(const PhysicsFactory& factory, std::ostream* out) {
+  *out << factory.name;
+}
 
 inline constexpr float kStep = 1.0F / 60.0F;
 inline constexpr Vec3 kEarth{0.0F, -10.0F, 0.0F};

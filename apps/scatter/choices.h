@@ -1,0 +1,60 @@
+#pragma once
+
+#include <scatter/lab/run.h>
+#include <scatter/result.h>
+#include <scatter/world/physics.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "unknown_name.h"
+
+namespace scatter::app {
+
+/// What the command line calls a world. A world may bring its policy with it.
+struct WorldChoice {
+  std::string name;
+  std::string summary;
+  WorldKind kind = WorldKind::kStandard;
+  std::optional<Policy> policy;
+};
+
+struct PolicyChoice {
+  std::string name;
+  std::string summary;
+  Policy policy = Policy::kProximity;
+};
+
+struct EngineChoice {
+  std::string name;
+  std::string summary;
+  EngineFactory make;
+};
+
+struct SwitchingChoice {
+  std::string name;
+  std::string summary;
+};
+
+/// The first of each is the default.
+[[nodiscard]] const std::vector<WorldChoice>& worldChoices();
+[[nodiscard]] const std::vector<PolicyChoice>& policyChoices();
+[[nodiscard]] const std::vector<EngineChoice>& engineChoices();
+[[nodiscard]] const std::vector<SwitchingChoice>& switchingChoices();
+
+/// The choice of that name. Fails with a line that lists the known ones and the nearest.
+template <class Choice>
+[[nodiscard]] Result<Choice> choose(const std::vector<Choice>& choices, const std::string& kind,
+                                    const std::string& name) {
+  std::vector<std::string> known;
+  for (const Choice& choice : choices) {
+    if (choice.name == name) {
+      return choice;
+    }
+    known.push_back(choice.name);
+  }
+  return fail(unknownName(kind, name, known));
+}
+
+}  // namespace scatter::app

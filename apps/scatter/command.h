@@ -1,0 +1,31 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace scatter::app {
+
+enum class ExitStatus : int {
+  kOk = 0,
+  kFailedCheck = 1,  ///< Something went wrong while running, such as two runs that should be the same.
+  kBadInput = 2,     ///< Wrong usage, a file that cannot be read, a folder that cannot be written.
+  kInterrupted = 130,
+};
+
+/// A subcommand of the program.
+struct Command {
+  CLI::App* arguments = nullptr;  ///< Owned by the program's CLI::App.
+  std::function<ExitStatus()> execute;
+};
+
+Command addListCommand(CLI::App& program);
+Command addRunCommand(CLI::App& program);
+
+/// `commandLine` is for the report.
+Command addCompareCommand(CLI::App& program, std::string commandLine);
+
+}  // namespace scatter::app

@@ -1,0 +1,102 @@
+#include <scatter/lab/comparison.h>
+#include <scatter/lab/figures.h>
+#include <scatter/lab/output_folder.h>
+#include <spdlog/fmt/fmt.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+
+#include "command.h"
+#include "interrupt.h"
+#include "messages.h"
+#include "progress_line.h"
+#include "run_arguments.h"
+
+namespace scatter::app {
+
+namespace {
+
+struct Arguments {
+  RunArguments run;
+  std::vector<std::string> worlds{"standard", "hybrid"};
+  int repeat = 1;
+  std::optional<std::string> out;
+  std::string commandLine;
+};
+
+ExitStatus refuse(const Error& error) {
+  printError(error.message);
+  return ExitStatus::kBadInput;
+}
+
+Result<Comparison> compareWithProgress(const CompareOptions& options, bool quiet, bool& started) {
+  ProgressLine line(quiet);
+  return compareWorlds(options, [&](const CompareProgress& progress) {
+    started = true;
+    throwIfInterrupted();
+    line.update(fmt::format("{}, {} world, run {} of {}", options.runs.front().scene, progress.label,
+                            progress.run + 1, progress.runs),
+                progress.inside);
+  });
+}
+
+// What can be known before the long run is checked before it.
+Result<void> checkOutput(const std::filesystem::path& folder) {
+  return checkGnuplot().and_then([&folder] { return prepareOutputFolder(folder); });
+}
+
+ExitStatus compare(const Arguments& arguments) {
+  auto runs = makeRuns(arguments.run, arguments.worlds);
+  if (!runs) {
+    return refuse(runs.error());
+  }
+  const std::string out = arguments.out.value_or("out/" + arguments.run.scene);
+  if (auto writable = checkOutput(out); !writable) {
+    return refuse(writable.error());
+  }
+  bool started = false;
+  const auto comparison = compareWithProgress(
+      {.runs = std::move(*runs), .repeat = arguments.repeat, .commandLine = arguments.commandLine},
+      arguments.run.quiet, started);
+  if (!comparison) {
+    printError(comparison.error().message);
+    return started ? ExitStatus::kFailedCheck : ExitStatus::kBadInput;
+  }
+  if (auto written = writeComparison(*comparison, out); !written) {
+    return refuse(written.error());
+  }
+  fmt::print("{}\nthe report:  {}/report.html\nthe figures: {}/figures\n", formatTable(*comparison), out,
+             out);
+  for (const ComparedWorld& world : comparison->worlds) {
+    fmt::print("every frame: {}/{}/frames.csv\n", out, world.label());
+  }
+  return ExitStatus::kOk;
+}
+
+}  // namespace
+
+Command addCompareCommand(CLI::App& program, std::string commandLine) {
+  CLI::App* command = program.add_subcommand(
+      "compare", "Run a scene in several worlds and show what differs, in a table and figures");
+  auto arguments = std::make_shared<Arguments>();
+  arguments->commandLine = std::move(commandLine);
+  addRunArguments(*command, arguments->run);
+  command
+      ->add_option("--worlds", arguments->worlds,
+                   "What to compare, the first being what the others are compared to")
+      ->type_name("NAME,NAME…")
+      ->delimiter(',')
+      ->capture_default_str();
+  command
+      ->add_option("--repeat", arguments->repeat,
+                   "Runs of each world, interleaved; ratios are medians over them")
+      ->check(CLI::Range(1, 1000))
+      ->type_name("N")
+      ->capture_default_str();
+  command->add_option("--out", arguments->out, "The folder for data, figures and report [out/SCENE]")
+      ->type_name("DIR");
+  return {command, [arguments] { return compare(*arguments); }};
+}
+
+}  // namespace scatter::app

@@ -1,0 +1,43 @@
+#include "messages.h"
+
+#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <memory>
+
+namespace scatter::app {
+
+namespace {
+
+spdlog::logger& logger() {
+  static const std::shared_ptr<spdlog::logger> instance = [] {
+    auto made =
+        std::make_shared<spdlog::logger>("scatter", std::make_shared<spdlog::sinks::stderr_sink_mt>());
+    made->set_pattern("scatter: %v");
+    made->flush_on(spdlog::level::info);
+    return made;
+  }();
+  return *instance;
+}
+
+std::string onOneLine(std::string text) {
+  while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) {
+    text.pop_back();
+  }
+  for (char& c : text) {
+    c = c == '\n' || c == '\r' || c == '\t' ? ' ' : c;
+  }
+  return text;
+}
+
+}  // namespace
+
+void printError(const std::string& message) {
+  logger().error("{}", onOneLine(message));
+}
+
+void printNote(const std::string& message) {
+  logger().info("{}", onOneLine(message));
+}
+
+}  // namespace scatter::app

@@ -1,0 +1,146 @@
+#include "program.h"
+
+#include <scatter/lab/environment.h>
+#include <spdlog/fmt/fmt.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <optional>
+
+#include "command.h"
+#include "interrupt.h"
+#include "messages.h"
+#include "unknown_name.h"
+
+namespace scatter::app {
+
+namespace {
+
+constexpr const char* kFooter =
+    "\nscatter COMMAND --help shows what a command takes.\n"
+    "Exit status: 0 done, 1 a run or a check failed, 2 wrong usage or input.\n"
+    "Models are looked for in the folders of $SCATTER_MODEL_PATH first.";
+
+std::string version() {
+  const BuildInfo build = buildInfo();
+  return fmt::format("scatter {} ({}, {})", build.version, build.buildType, build.compiler);
+}
+
+bool isOption(std::string_view argument) {
+  return argument.size() > 1 && argument.front() == '-';
+}
+
+std::vector<std::string> commandNames(const CLI::App& program) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : program.get_subcommands({})) {
+    names.push_back(command->get_name());
+  }
+  return names;
+}
+
+std::vector<std::string> optionNames(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    if (!option->get_lnames().empty()) {
+      names.push_back("--" + option->get_lnames().front());
+    }
+  }
+  return names;
+}
+
+// What is left over, said better than by the parser.
+std::string describeLeftover(const CLI::App& program) {
+  const auto used = program.get_subcommands();
+  const CLI::App& command = used.empty() ? program : *used.front();
+  for (const std::string& argument : program.remaining(true)) {
+    if (isOption(argument)) {
+      return unknownName("option", argument, optionNames(command));
+    }
+  }
+  const std::string name = used.empty() ? "scatter" : "scatter " + command.get_name();
+  return "unexpected argument \"" + program.remaining(true).front() + "\"; see " + name + " --help";
+}
+
+// Nothing if there is a command to execute.
+std::optional<ExitStatus> parse(CLI::App& program, int argc, char** argv) {
+  const std::vector<std::string> commands = commandNames(program);
+  if (argc < 2) {
+    printError("a command is needed: " + fmt::format("{}", fmt::join(commands, ", ")) +
+               "; see scatter --help");
+    return ExitStatus::kBadInput;
+  }
+  if (!isOption(argv[1]) && std::find(commands.begin(), commands.end(), argv[1]) == commands.end()) {
+    printError(unknownName("command", argv[1], commands));
+    return ExitStatus::kBadInput;
+  }
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ExtrasError&) {
+    printError(describeLeftover(program));
+    return ExitStatus::kBadInput;
+  } catch (const CLI::Success& asked) {
+    program.exit(asked);
+    return ExitStatus::kOk;
+  } catch (const CLI::ParseError& error) {
+    printError(error.what());
+    return ExitStatus::kBadInput;
+  }
+  return std::nullopt;
+}
+
+ExitStatus execute(const std::vector<Command>& commands) {
+  const auto given = std::find_if(commands.begin(), commands.end(),
+                                  [](const Command& command) { return command.arguments->parsed(); });
+  if (given == commands.end()) {
+    printError("a command is needed; see scatter --help");
+    return ExitStatus::kBadInput;
+  }
+  try {
+    return given->execute();
+  } catch (const Interrupted&) {
+    printError("interrupted; no files were written");
+    return ExitStatus::kInterrupted;
+  } catch (const std::exception& error) {
+    printError(error.what());
+    return ExitStatus::kFailedCheck;
+  }
+}
+
+// A table that went to a full disk is not a success.
+ExitStatus checkStandardOutput(ExitStatus status) {
+  const bool failed = std::fflush(stdout) != 0 || std::ferror(stdout) != 0;
+  if (failed && status == ExitStatus::kOk) {
+    printError("cannot write to standard output; is the disk full?");
+    return ExitStatus::kBadInput;
+  }
+  return status;
+}
+
+// As a shell would take it again.
+std::string commandLineOf(int argc, char** argv) {
+  std::string line = "scatter";
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    const bool plain =
+        !argument.empty() && argument.find_first_of(" \t\n'\"\\$`*?&;|<>(){}[]#!~") == std::string::npos;
+    line += plain ? " " + argument : " '" + argument + "'";
+  }
+  return line;
+}
+
+}  // namespace
+
+int runProgram(int argc, char** argv) {
+  catchInterrupts();
+  CLI::App program{"Scatter: nested collision levels that switch safely at run time", "scatter"};
+  program.footer(kFooter);
+  program.set_version_flag("--version", version(), "Show the version, build and compiler");
+  const std::vector<Command> commands{addListCommand(program), addRunCommand(program),
+                                      addCompareCommand(program, commandLineOf(argc, argv))};
+  const std::optional<ExitStatus> parsed = parse(program, argc, argv);
+  return static_cast<int>(checkStandardOutput(parsed ? *parsed : execute(commands)));
+}
+
+}  // namespace scatter::app

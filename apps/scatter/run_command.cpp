@@ -1,0 +1,76 @@
+#include <scatter/lab/output_folder.h>
+#include <spdlog/fmt/fmt.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+
+#include "command.h"
+#include "interrupt.h"
+#include "messages.h"
+#include "progress_line.h"
+#include "run_arguments.h"
+#include "run_report.h"
+
+namespace scatter::app {
+
+namespace {
+
+struct Arguments {
+  RunArguments run;
+  std::string world = worldChoices().front().name;
+  std::optional<std::string> out;
+};
+
+ExitStatus refuse(const Error& error) {
+  printError(error.message);
+  return ExitStatus::kBadInput;
+}
+
+ExitStatus run(const Arguments& arguments) {
+  auto runs = makeRuns(arguments.run, {arguments.world});
+  if (!runs) {
+    return refuse(runs.error());
+  }
+  RunOptions& options = runs->front();
+  if (arguments.out) {
+    options.out = *arguments.out;
+    if (auto prepared = prepareOutputFolder(*options.out); !prepared) {
+      return refuse(prepared.error());
+    }
+  }
+  bool started = false;
+  auto result = [&] {
+    ProgressLine line(arguments.run.quiet);
+    return runScene(options, [&](const RunProgress& progress) {
+      started = true;
+      throwIfInterrupted();
+      line.update(fmt::format("{}, {} world", options.scene, options.label), progress);
+    });
+  }();
+  if (!result) {
+    printError(result.error().message);
+    return started ? ExitStatus::kFailedCheck : ExitStatus::kBadInput;
+  }
+  fmt::print("{}", formatSummary(result->summary));
+  if (arguments.out) {
+    fmt::print("\nevery frame: {0}/frames.csv\nthe summary: {0}/summary.json\n", *arguments.out);
+  }
+  return ExitStatus::kOk;
+}
+
+}  // namespace
+
+Command addRunCommand(CLI::App& program) {
+  CLI::App* command = program.add_subcommand("run", "Run a scene in one world");
+  auto arguments = std::make_shared<Arguments>();
+  addRunArguments(*command, arguments->run);
+  command->add_option("--world", arguments->world, "hybrid, standard, finest or coarsest; see `scatter list`")
+      ->type_name("NAME")
+      ->capture_default_str();
+  command->add_option("--out", arguments->out, "Write frames.csv and summary.json into this folder")
+      ->type_name("DIR");
+  return {command, [arguments] { return run(*arguments); }};
+}
+
+}  // namespace scatter::app

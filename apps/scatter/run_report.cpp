@@ -1,0 +1,52 @@
+#include "run_report.h"
+
+#include <spdlog/fmt/fmt.h>
+
+namespace scatter::app {
+
+namespace {
+
+std::string timeRow(const std::string& name, double cpu, double wall) {
+  return fmt::format("{:<24}{:>12.3f}{:>12.3f}\n", name, cpu, wall);
+}
+
+std::string times(const Summary& summary) {
+  const TimeStatistics& cpu = summary.physicsCpuMs;
+  const TimeStatistics& wall = summary.physicsMs;
+  return fmt::format("{:<24}{:>12}{:>12}\n", "physics, milliseconds", "processor", "wall") +
+         timeRow("  peak", cpu.peak, wall.peak) + timeRow("  p99.9", cpu.p999, wall.p999) +
+         timeRow("  p99", cpu.p99, wall.p99) + timeRow("  median", cpu.median, wall.median) +
+         timeRow("  total", cpu.total, wall.total) +
+         fmt::format("{:<24}{:>12}{:>12}\n", fmt::format("  frames over {:.4g} ms", summary.budgetMs),
+                     cpu.framesOverBudget, wall.framesOverBudget);
+}
+
+std::string countRow(const Summary& summary, const std::string& name, const std::string& column) {
+  const CounterStatistics& counter = summary.counter(column);
+  return fmt::format("  {:<22}{:>12.0f}{:>12.0f}\n", name, counter.peak, counter.total);
+}
+
+std::string counts(const Summary& summary) {
+  std::string text = fmt::format("{:<24}{:>12}{:>12}\n", "counts", "peak", "total") +
+                     countRow(summary, "manifolds", "manifolds") +
+                     countRow(summary, "narrowphase pairs", "narrowphase_pairs") +
+                     countRow(summary, "contacts", "contacts");
+  if (summary.physics.world == WorldKind::kHybrid) {
+    text += countRow(summary, "standing requests", "requests") +
+            countRow(summary, "switches to coarser", "switches_coarser") +
+            countRow(summary, "switches to finer", "switches_finer") +
+            countRow(summary, "retractions", "retractions");
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string formatSummary(const Summary& summary) {
+  return fmt::format("{}, {} world, {}: {} frames, seed {}\n\n", summary.scene, summary.label, summary.engine,
+                     summary.frames, summary.seed) +
+         times(summary) + "\n" + counts(summary) +
+         fmt::format("\nstate hash of the last frame: {:016x}\n", summary.stateHash);
+}
+
+}  // namespace scatter::app

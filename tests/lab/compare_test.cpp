@@ -1,0 +1,180 @@
+#include <scatter/lab/comparison.h>
+
+#include "lab/fake_physics.h"
+#include "lab/temporary_folder.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace scatter {
+namespace {
+
+namespace fs = std::filesystem;
+using test::contentOf;
+using test::fakeRun;
+using test::TemporaryFolder;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+CompareOptions twoWorlds(int repeat, int frames = 40) {
+  return {.runs = {fakeRun(WorldKind::kStandard, frames), fakeRun(WorldKind::kHybrid, frames)},
+          .repeat = repeat,
+          .commandLine = "scatter compare <fake> & more"};
+}
+
+TEST(CompareWorlds, InterleavesRunsInAlternatingOrder) {
+  std::vector<std::string> order;
+  int lastRun = -1;
+  const auto comparison = compareWorlds(twoWorlds(3), [&](const CompareProgress& progress) {
+    if (progress.run != lastRun) {
+      order.push_back(progress.label);
+      lastRun = progress.run;
+    }
+    EXPECT_EQ(progress.runs, 6);
+  });
+  ASSERT_TRUE(comparison);
+  EXPECT_THAT(order, ElementsAre("standard", "hybrid", "hybrid", "standard", "standard", "hybrid"));
+  EXPECT_EQ(comparison->worlds[0].repeats.size(), 3U);
+  EXPECT_EQ(lastRun, 5);
+}
+
+TEST(CompareWorlds, NamesTheWorldAndTheFirstFrameInWhichARepeatDiffers) {
+  CompareOptions options = twoWorlds(3);
+  auto made = std::make_shared<int>(0);
+  options.runs[1].engine = [made](const PhysicsDef& def) -> Result<std::unique_ptr<Physics>> {
+    // The second hybrid run is another one from step 17 on.
+    const bool second = ++*made == 2;
+    return std::make_unique<test::FakePhysics>(def, test::FakeBehaviour{.hashFlipStep = second ? 17U : 0U});
+  };
+  const auto comparison = compareWorlds(options);
+  ASSERT_FALSE(comparison);
+  EXPECT_THAT(comparison.error().message, HasSubstr("hybrid world"));
+  EXPECT_THAT(comparison.error().message, HasSubstr("from frame 17 on"));
+  EXPECT_THAT(comparison.error().message, Not(HasSubstr("\n")));
+}
+
+TEST(CompareWorlds, RatiosAreTakenWithinRepeats) {
+  const auto comparison = compareWorlds(twoWorlds(3));
+  ASSERT_TRUE(comparison);
+  const auto total = [&](std::size_t world, std::size_t repeat) {
+    return comparison->worlds[world].repeats[repeat].summary.physicsMs.total;
+  };
+  std::vector<double> ratios;
+  for (std::size_t repeat = 0; repeat < 3; ++repeat) {
+    ratios.push_back(total(1, repeat) / total(0, repeat));
+  }
+  std::sort(ratios.begin(), ratios.end());
+  const Spread& spread = comparison->worlds[1].physicsMs.total;
+  EXPECT_EQ(spread.min, ratios[0]);
+  EXPECT_EQ(spread.median, ratios[1]);
+  EXPECT_EQ(spread.max, ratios[2]);
+  EXPECT_EQ(comparison->worlds[0].physicsMs.total.median, 1.0);
+}
+
+TEST(CompareWorlds, FiguresHaveThePerFrameMedianAndTheTypicalRepeatTheMedianTotal) {
+  const auto comparison = compareWorlds(twoWorlds(3));
+  ASSERT_TRUE(comparison);
+  const ComparedWorld& world = comparison->worlds[1];
+  for (std::size_t frame = 0; frame < 40; ++frame) {
+    std::vector<double> times;
+    for (const scatter::Run& run : world.repeats) {
+      times.push_back(run.table.values("physics_ms")[frame]);
+    }
+    std::sort(times.begin(), times.end());
+    ASSERT_EQ(world.median.values("physics_ms")[frame], times[1]);
+  }
+  std::vector<double> totals;
+  for (const scatter::Run& run : world.repeats) {
+    totals.push_back(run.summary.physicsCpuMs.total);
+  }
+  std::sort(totals.begin(), totals.end());
+  EXPECT_EQ(world.run().summary.physicsCpuMs.total, totals[1]);
+}
+
+TEST(CompareWorlds, RefusesSameLabelsNoWorldsAndNoRepeats) {
+  CompareOptions same = twoWorlds(1);
+  same.runs[1].label = "standard";
+  EXPECT_THAT(compareWorlds(same).error().message, HasSubstr("'standard'"));
+  EXPECT_FALSE(compareWorlds({}));
+  EXPECT_FALSE(compareWorlds(twoWorlds(0)));
+}
+
+TEST(FormatTable, HasAColumnForEachWorldAndTheRatio) {
+  const auto comparison = compareWorlds(twoWorlds(2));
+  ASSERT_TRUE(comparison);
+  const std::string table = formatTable(*comparison);
+  EXPECT_THAT(table, HasSubstr("hybrid/standard"));
+  // 40 steps: 4 manifolds a step in the standard world, 1 in the hybrid one.
+  EXPECT_THAT(table, testing::ContainsRegex("manifolds, peak +160 +40 +0.25"));
+  EXPECT_THAT(table, testing::ContainsRegex("narrowphase pairs, peak +80 +80 +1.00"));
+  EXPECT_THAT(table, testing::ContainsRegex("switches to coarser +0 +1 +-"));
+  EXPECT_THAT(table, testing::ContainsRegex("requests made +0 +1 +-"));
+  for (const char* row :
+       {"CPU ms, peak", "CPU ms, p99", "CPU ms, median", "CPU ms, total", "wall ms, peak", "wall ms, total",
+        "frames over 16.7 ms", "contacts, peak", "switches to finer", "retracted"}) {
+    EXPECT_THAT(table, HasSubstr(row));
+  }
+  std::size_t longest = 0;
+  std::istringstream lines(table);
+  for (std::string line; std::getline(lines, line) && line.find("Medians") == std::string::npos;) {
+    longest = std::max(longest, line.size());
+  }
+  EXPECT_LE(longest, 100U);
+}
+
+TEST(WriteComparison, LeavesAFolderThatAStrangerUnderstands) {
+  TemporaryFolder folder;
+  const auto comparison = compareWorlds(twoWorlds(2));
+  ASSERT_TRUE(comparison);
+  const fs::path out = folder.path() / "out";
+  const auto written = writeComparison(*comparison, out);
+  ASSERT_TRUE(written) << written.error().message;
+  EXPECT_EQ(folder.entries(), 1U);
+  for (const char* label : {"standard", "hybrid"}) {
+    EXPECT_TRUE(fs::exists(out / label / "frames.csv"));
+    EXPECT_TRUE(fs::exists(out / label / "summary.json"));
+  }
+  const auto json = nlohmann::json::parse(contentOf(out / "comparison.json"));
+  EXPECT_EQ(json["worlds"].size(), 2U);
+  EXPECT_EQ(json["worlds"][1]["label"], "hybrid");
+  EXPECT_EQ(json["repeat"], 2);
+  EXPECT_TRUE(json["worlds"][1]["ratios_to_first_world"]["physics_cpu_ms"]["total"]["median"].is_number());
+  EXPECT_EQ(json["worlds"][1]["repeats"].size(), 2U);
+
+  const std::string html = contentOf(out / "report.html");
+  for (const char* part :
+       {"Two boxes pass each other.", "<svg", "<table>", "standard/frames.csv", "hybrid/summary.json", "gcc",
+        "fake 1.0", "scatter compare &lt;fake&gt; &amp; more", "collision overload", "plain physics engine",
+        "<figcaption>", "figures/stages_peak.png", "policy proximity", "</html>"}) {
+    EXPECT_THAT(html, HasSubstr(part));
+  }
+  EXPECT_THAT(html, Not(HasSubstr("<script")));
+  EXPECT_THAT(html, Not(HasSubstr("<?xml")));
+  EXPECT_THAT(html, Not(HasSubstr("<img")));
+}
+
+TEST(WriteComparison, AFailureLeavesNothing) {
+  TemporaryFolder folder;
+  TemporaryFolder empty;
+  const auto comparison = compareWorlds(twoWorlds(1));
+  ASSERT_TRUE(comparison);
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", empty.path().c_str(), 1);
+  const auto written = writeComparison(*comparison, folder.path() / "out");
+  setenv("PATH", path.c_str(), 1);
+  ASSERT_FALSE(written);
+  EXPECT_THAT(written.error().message, HasSubstr("gnuplot-nox"));
+  EXPECT_EQ(folder.entries(), 0U);
+}
+
+}  // namespace
+}  // namespace scatter

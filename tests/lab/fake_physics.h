@@ -1,0 +1,168 @@
+#pragma once
+
+#include <scatter/lab/run.h>
+#include <scatter/world/physics.h>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace scatter::test {
+
+/// What a FakePhysics does out of the ordinary.
+struct FakeBehaviour {
+  std::uint64_t hashFlipStep = 0;  ///< From this step on the state hash is another one; 0: never.
+  std::uint64_t invalidStep = 0;   ///< In this step the first body's position is lost; 0: never.
+};
+
+/// Moves bodies in straight lines and reports numbers that follow from the step count alone.
+class FakePhysics final : public Physics {
+ public:
+  explicit FakePhysics(const PhysicsDef& def, FakeBehaviour behaviour = {})
+      : def_(def), behaviour_(behaviour) {}
+
+  std::string engine() const override { return "fake 1.0"; }
+  WorldKind kind() const override { return def_.world; }
+
+  Result<BodyId> createBody(const BodyDef& def) override {
+    if (!(def.mass > 0.0F)) {
+      return fail("body '" + def.name + "' has no mass; give it one");
+    }
+    states_.push_back(
+        {.pose = def.pose, .linearVelocity = def.linearVelocity, .angularVelocity = def.angularVelocity});
+    return static_cast<BodyId>(states_.size() - 1);
+  }
+  void destroyBody(BodyId /*body*/) override {}
+  BodyState state(BodyId body) const override { return states_[static_cast<std::size_t>(body)]; }
+  void setPose(BodyId body, const Transform& pose) override {
+    states_[static_cast<std::size_t>(body)].pose = pose;
+  }
+  void setVelocity(BodyId body, const Vec3& linear, const Vec3& /*angular*/) override {
+    states_[static_cast<std::size_t>(body)].linearVelocity = linear;
+  }
+  void activate(BodyId /*body*/) override {}
+  void applyForce(BodyId /*body*/, const Vec3& /*force*/, const Vec3& /*point*/, bool /*wake*/) override {}
+  void applyCentralForce(BodyId /*body*/, const Vec3& /*force*/, bool /*wake*/) override {}
+  void applyTorque(BodyId /*body*/, const Vec3& /*torque*/) override {}
+  void applyImpulse(BodyId /*body*/, const Vec3& /*impulse*/, const Vec3& /*point*/) override {}
+  void setGravity(const Vec3& gravity) override { def_.gravity = gravity; }
+  Result<JointId> createJoint(const JointDef& /*def*/) override { return fail("no joints here"); }
+  void destroyJoint(JointId /*joint*/) override {}
+  Result<VehicleId> createVehicle(const VehicleDef& /*def*/) override { return fail("no vehicles here"); }
+  void control(VehicleId /*vehicle*/, const VehicleControl& /*control*/) override {}
+  void destroyVehicle(VehicleId /*vehicle*/) override {}
+  std::optional<RayHit> castRay(const Vec3& /*from*/, const Vec3& /*to*/) const override {
+    return std::nullopt;
+  }
+
+  void step(float seconds) override {
+    ++steps_;
+    for (BodyState& state : states_) {
+      state.pose.position += state.linearVelocity * seconds;
+    }
+    if (steps_ == behaviour_.invalidStep) {
+      states_.front().pose.position.x = std::numeric_limits<float>::quiet_NaN();
+    }
+    count();
+  }
+
+  int level(BodyId /*body*/) const override { return 1; }
+  int levelCount(BodyId /*body*/) const override { return 1; }
+  bool requestLevel(BodyId /*body*/, int /*level*/, Scope /*scope*/) override { return false; }
+  void retractRequest(BodyId /*body*/) override {}
+  void retractAllRequests() override {}
+  std::span<const LevelEvent> levelEvents() const override { return events_; }
+  const StepCounters& counters() const override { return counters_; }
+  const StageTimes& stageTimes() const override { return stageTimes_; }
+  void setProfiling(bool on) override { def_.profiling = on; }
+
+  std::uint64_t stateHash() const override {
+    const bool flipped = behaviour_.hashFlipStep != 0 && steps_ >= behaviour_.hashFlipStep;
+    return steps_ * 0x9E3779B97F4A7C15ULL + (flipped ? 1 : 0);
+  }
+  double kineticEnergy() const override { return static_cast<double>(steps_) / 3.0; }
+  double maxPenetration() const override { return 0.25; }
+  std::optional<BodyId> findInvalidState() const override {
+    for (std::size_t i = 0; i < states_.size(); ++i) {
+      if (!std::isfinite(states_[i].pose.position.x)) {
+        return static_cast<BodyId>(i);
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  void count() {
+    const auto step = static_cast<std::uint32_t>(steps_);
+    const bool hybrid = def_.world == WorldKind::kHybrid;
+    counters_ = {};
+    counters_.objects = static_cast<std::uint32_t>(states_.size());
+    counters_.manifolds = hybrid ? step : 4 * step;
+    counters_.narrowphasePairs = 2 * step;
+    counters_.contacts = 3 * step;
+    events_.clear();
+    if (hybrid && step == 2) {
+      counters_.switchesCoarser = 1;
+      events_ = {{.kind = LevelEventKind::kRequested}, {.kind = LevelEventKind::kSwitched}};
+    }
+    for (std::size_t stage = 0; stage < kStageCount; ++stage) {
+      stageTimes_[stage] = def_.profiling ? static_cast<double>(stage + 1) : 0.0;
+    }
+  }
+
+  PhysicsDef def_;
+  FakeBehaviour behaviour_;
+  std::uint64_t steps_ = 0;
+  std::vector<BodyState> states_;
+  StepCounters counters_;
+  StageTimes stageTimes_{};
+  std::vector<LevelEvent> events_;
+};
+
+/// Two bodies; counts its updates if told where.
+class FakeScene final : public Scene {
+ public:
+  explicit FakeScene(int* updates = nullptr) : updates_(updates) {}
+
+  Result<void> build(World& world, const SceneOptions& options) override {
+    for (const char* name : {"left", "right"}) {
+      BodyDef def;
+      def.name = name;
+      def.linearVelocity = Vec3(static_cast<float>(options.seed), 0.0F, 0.0F);
+      if (auto added = world.add(std::move(def)); !added) {
+        return tl::unexpected(added.error());
+      }
+    }
+    return {};
+  }
+
+  void update(World& /*world*/) override {
+    if (updates_ != nullptr) {
+      ++*updates_;
+    }
+  }
+
+ private:
+  int* updates_;
+};
+
+/// A run of the fake scene in a world of this kind.
+inline RunOptions fakeRun(WorldKind kind, int frames, FakeBehaviour behaviour = {}) {
+  RunOptions options;
+  options.scene = "fake";
+  options.summary = "Two boxes pass each other.";
+  options.makeScene = [] { return std::make_unique<FakeScene>(); };
+  options.engine = [behaviour](const PhysicsDef& def) -> Result<std::unique_ptr<Physics>> {
+    return std::make_unique<FakePhysics>(def, behaviour);
+  };
+  options.physics.world = kind;
+  options.frames = frames;
+  return options;
+}
+
+}  // namespace scatter::test

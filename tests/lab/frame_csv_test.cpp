@@ -1,0 +1,177 @@
+#include <scatter/lab/frame_csv.h>
+
+#include "lab/temporary_folder.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <bit>
+#include <charconv>
+#include <clocale>
+#include <csignal>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace scatter {
+namespace {
+
+using test::contentOf;
+using test::TemporaryFolder;
+using testing::HasSubstr;
+using testing::Not;
+
+// One real, one integer and one hash channel.
+class FrameCsvTest : public testing::Test {
+ protected:
+  void add(double value, double count, std::uint64_t hashBits) {
+    data.beginFrame();
+    data.set(real, value);
+    data.set(integer, count);
+    data.setHash(hash, hashBits);
+  }
+
+  TemporaryFolder folder;
+  std::filesystem::path file = folder.path() / "frames.csv";
+  FrameData data{4};
+  ChannelId real = data.addChannel({"time_s", "s", ChannelKind::kReal});
+  ChannelId integer = data.addChannel({"objects", "", ChannelKind::kInteger});
+  ChannelId hash = data.addChannel({"state_hash", "", ChannelKind::kHash});
+};
+
+TEST_F(FrameCsvTest, WritesOneHeaderLineAndOneRowAFrame) {
+  auto csv = FrameCsv::create(file, data);
+  ASSERT_TRUE(csv);
+  add(0.1, 1, 0xABC);
+  ASSERT_TRUE(csv->write(data));
+  add(-2.0, 3000000, 0xFEDCBA9876543210ULL);
+  ASSERT_TRUE(csv->write(data));
+  EXPECT_FALSE(std::filesystem::exists(file));
+  ASSERT_TRUE(csv->finish());
+  EXPECT_EQ(contentOf(file),
+            "time_s,objects,state_hash\n0.1,1,0000000000000abc\n-2,3000000,fedcba9876543210\n");
+  EXPECT_EQ(folder.entries(), 1U);
+}
+
+TEST_F(FrameCsvTest, EveryNumberReadsBackToTheSameBits) {
+  std::mt19937_64 random(11);
+  std::vector<double> values{0.0, -0.0, 1.0 / 3.0, 5e-324, std::numeric_limits<double>::max()};
+  while (values.size() < 3000) {
+    const double value = std::bit_cast<double>(random());
+    if (value - value == 0.0) {
+      values.push_back(value);
+    }
+  }
+  auto csv = FrameCsv::create(file, data);
+  ASSERT_TRUE(csv);
+  for (const double value : values) {
+    add(value, 0, 0);
+    ASSERT_TRUE(csv->write(data));
+  }
+  ASSERT_TRUE(csv->finish());
+  std::istringstream lines(contentOf(file));
+  std::string line;
+  std::getline(lines, line);
+  for (const double value : values) {
+    ASSERT_TRUE(std::getline(lines, line));
+    double read = 0.0;
+    std::from_chars(line.data(), line.data() + line.find(','), read);
+    ASSERT_EQ(std::bit_cast<std::uint64_t>(read), std::bit_cast<std::uint64_t>(value)) << line;
+  }
+  EXPECT_FALSE(std::getline(lines, line));
+}
+
+TEST_F(FrameCsvTest, AWholeTableGivesTheSameFile) {
+  FrameTable table(data.channels());
+  auto csv = FrameCsv::create(file, data);
+  ASSERT_TRUE(csv);
+  for (int frame = 0; frame < 5; ++frame) {
+    add(frame / 7.0, frame, static_cast<std::uint64_t>(frame) << 60U);
+    ASSERT_TRUE(csv->write(data));
+    table.append(data);
+  }
+  ASSERT_TRUE(csv->finish());
+  ASSERT_TRUE(writeFrameCsv(folder.path() / "table.csv", table));
+  EXPECT_EQ(contentOf(folder.path() / "table.csv"), contentOf(file));
+}
+
+TEST_F(FrameCsvTest, WhatIsNotFinishedLeavesNothing) {
+  {
+    auto csv = FrameCsv::create(file, data);
+    ASSERT_TRUE(csv);
+    add(1, 1, 1);
+    ASSERT_TRUE(csv->write(data));
+    EXPECT_EQ(folder.entries(), 1U);
+  }
+  EXPECT_EQ(folder.entries(), 0U);
+}
+
+TEST_F(FrameCsvTest, AFolderThatIsAFileIsOneClearLine) {
+  std::ofstream(folder.path() / "plain") << "x";
+  const auto csv = FrameCsv::create(folder.path() / "plain" / "frames.csv", data);
+  ASSERT_FALSE(csv);
+  EXPECT_THAT(csv.error().message, HasSubstr("cannot write"));
+  EXPECT_THAT(csv.error().message, HasSubstr("frames.csv"));
+  EXPECT_THAT(csv.error().message, Not(HasSubstr("\n")));
+}
+
+// Every write past this size fails as on a full disk, also for root.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    handler_ = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{.rlim_cur = bytes, .rlim_max = before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+  ~FileSizeLimit() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int) = nullptr;
+};
+
+TEST_F(FrameCsvTest, AFullDiskIsReportedAndTheTemporaryRemoved) {
+  std::ofstream(file) << "an earlier run";
+  auto csv = FrameCsv::create(file, data);
+  ASSERT_TRUE(csv);
+  Result<void> written;
+  {
+    const FileSizeLimit limit(100000);
+    for (int frame = 0; frame < 100000 && written; ++frame) {
+      add(1.0 / 3.0, 1, 1);
+      written = csv->write(data);
+    }
+  }
+  ASSERT_FALSE(written);
+  EXPECT_THAT(written.error().message, HasSubstr(file.string()));
+  EXPECT_THAT(written.error().message, Not(HasSubstr("\n")));
+  EXPECT_EQ(folder.entries(), 1U);
+  EXPECT_EQ(contentOf(file), "an earlier run");
+}
+
+TEST_F(FrameCsvTest, AFullDiskAtTheVeryEndIsReportedToo) {
+  auto csv = FrameCsv::create(file, data);
+  ASSERT_TRUE(csv);
+  add(1, 1, 1);
+  ASSERT_TRUE(csv->write(data));
+  Result<void> finished;
+  {
+    const FileSizeLimit limit(10);
+    finished = csv->finish();
+  }
+  EXPECT_FALSE(finished);
+  EXPECT_EQ(folder.entries(), 0U);
+}
+
+}  // namespace
+}  // namespace scatter

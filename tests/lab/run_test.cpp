@@ -1,0 +1,120 @@
+#include <scatter/lab/run.h>
+
+#include "lab/fake_physics.h"
+#include "lab/temporary_folder.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+
+namespace scatter {
+namespace {
+
+using test::contentOf;
+using test::fakeRun;
+using test::TemporaryFolder;
+using testing::HasSubstr;
+using testing::Not;
+
+TEST(RunScene, UpdatesTheSceneBeforeEachOfItsFrames) {
+  int updates = 0;
+  RunOptions options = fakeRun(WorldKind::kHybrid, 5);
+  options.makeScene = [&updates] { return std::make_unique<test::FakeScene>(&updates); };
+  int called = 0;
+  const auto run = runScene(options, [&](const RunProgress& progress) {
+    EXPECT_EQ(progress.frame, ++called);
+    EXPECT_EQ(progress.frames, 5);
+    EXPECT_EQ(updates, called);
+    EXPECT_GE(progress.seconds, 0.0);
+  });
+  ASSERT_TRUE(run);
+  EXPECT_EQ(called, 5);
+  EXPECT_EQ(run->table.frames(), 5U);
+  EXPECT_EQ(run->options.label, "hybrid");
+  EXPECT_EQ(run->summary.levelEvents[static_cast<std::size_t>(LevelEventKind::kSwitched)], 1U);
+  EXPECT_EQ(run->summary.counter("switches_coarser").total, 1.0);
+}
+
+TEST(RunScene, WritesItsFolder) {
+  TemporaryFolder folder;
+  RunOptions options = fakeRun(WorldKind::kStandard, 3);
+  options.out = folder.path() / "new" / "out";
+  ASSERT_TRUE(runScene(options));
+  const std::string csv = contentOf(*options.out / "frames.csv");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 4);
+  EXPECT_EQ(csv.rfind("frame,time_s,physics_ms,", 0), 0U);
+  EXPECT_THAT(contentOf(*options.out / "summary.json"), HasSubstr("\"frames\": 3"));
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(*options.out), {}), 2);
+}
+
+TEST(RunScene, ALostStateEndsTheRunAndKeepsWhatWasRecorded) {
+  TemporaryFolder folder;
+  RunOptions options = fakeRun(WorldKind::kStandard, 10, {.invalidStep = 4});
+  options.out = folder.path();
+  const auto run = runScene(options);
+  ASSERT_FALSE(run);
+  EXPECT_THAT(run.error().message, HasSubstr("'left'"));
+  EXPECT_THAT(run.error().message, HasSubstr("frame 4"));
+  EXPECT_THAT(run.error().message, Not(HasSubstr("\n")));
+  const std::string csv = contentOf(folder.path() / "frames.csv");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 5);
+  EXPECT_THAT(contentOf(folder.path() / "summary.json"), HasSubstr("\"stopped\""));
+}
+
+TEST(RunScene, RefusesWhatItCannotRunInOneLineAndWritesNothing) {
+  TemporaryFolder folder;
+  const RunOptions good = fakeRun(WorldKind::kStandard, 3);
+  const auto expectRefused = [&](RunOptions options, const char* words) {
+    options.out = folder.path() / "out";
+    const auto run = runScene(options);
+    ASSERT_FALSE(run) << words;
+    EXPECT_THAT(run.error().message, HasSubstr(words));
+    EXPECT_THAT(run.error().message, Not(HasSubstr("\n")));
+    EXPECT_EQ(folder.entries(), 0U);
+  };
+  RunOptions unknown = good;
+  unknown.makeScene = nullptr;
+  unknown.scene = "no-such-scene";
+  expectRefused(unknown, "no-such-scene");
+  RunOptions frames = good;
+  frames.frames = -1;
+  expectRefused(frames, "at least one frame");
+  RunOptions label = good;
+  label.label = "../up";
+  expectRefused(label, "'../up'");
+  RunOptions budget = good;
+  budget.budgetMs = 0.0;
+  expectRefused(budget, "budget");
+  RunOptions engine = good;
+  engine.engine = nullptr;
+  expectRefused(engine, "engine");
+  RunOptions broken = good;
+  broken.engine = [](const PhysicsDef&) -> Result<std::unique_ptr<Physics>> {
+    return fail("engine is out of order");
+  };
+  expectRefused(broken, "out of order");
+}
+
+TEST(RunScene, RefusesAFolderThatCannotBeWrittenBeforeTheFirstFrame) {
+  TemporaryFolder folder;
+  std::ofstream(folder.path() / "plain") << "x";
+  RunOptions options = fakeRun(WorldKind::kStandard, 3);
+  options.out = folder.path() / "plain" / "out";
+  int frames = 0;
+  const auto run = runScene(options, [&](const RunProgress&) { ++frames; });
+  ASSERT_FALSE(run);
+  EXPECT_THAT(run.error().message, HasSubstr("not a folder"));
+  EXPECT_EQ(frames, 0);
+}
+
+TEST(RunScene, SameSeedSameHashes) {
+  const auto a = runScene(fakeRun(WorldKind::kHybrid, 20));
+  const auto b = runScene(fakeRun(WorldKind::kHybrid, 20));
+  ASSERT_TRUE(a && b);
+  EXPECT_EQ(a->table.hashes("state_hash"), b->table.hashes("state_hash"));
+}
+
+}  // namespace
+}  // namespace scatter

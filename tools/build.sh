@@ -1,0 +1,68 @@
+#!/usr/bin/env bash
+# build.sh PRESET [TARGET…]: configures and builds in build/PRESET. Says nothing if nothing is to be done, a line now
+# and then while it works, and everything if it fails.
+set -euo pipefail
+
+root=$(cd "$(dirname "$0")/.." && pwd)
+preset=$1
+shift
+targets=("${@:-all}")
+folder=$root/build/$preset
+log=$folder/build.log
+
+fail() {
+  echo "scatter: $1" >&2
+  exit 1
+}
+
+# Two builds in one folder would spoil each other.
+mkdir -p "$folder"
+exec 9> "$folder/build.lock"
+flock 9
+
+configure() {
+  local version
+  version=$(cmake --version | sed -n '1s/[^0-9]*//p')
+  if [[ $(printf '%s\n' 3.25 "$version" | sort -V | head -n 1) != 3.25 ]]; then
+    fail "CMake 3.25 or newer is needed, this is $version; use Debian 12, Ubuntu 24.04 or newer"
+  fi
+  local options=(-DCMAKE_EXPORT_COMPILE_COMMANDS=ON)
+  if command -v ccache > /dev/null; then
+    options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+  fi
+  cd "$root"
+  if ! cmake --preset "$preset" "${options[@]}" > "$log" 2>&1; then
+    cat "$log" >&2
+    fail "CMake could not configure the $preset build; what it said is above and in $log"
+  fi
+}
+
+# Reads ninja's output: a line that is rewritten on a terminal, else one for every tenth of the work.
+show_progress() {
+  local line steps total next=0 shown=no
+  while IFS= read -r line; do
+    printf '%s\n' "$line" >> "$log"
+    if [[ $line =~ ^\[([0-9]+)/([0-9]+)\] ]]; then
+      steps=${BASH_REMATCH[1]} total=${BASH_REMATCH[2]}
+      if [[ -t 2 ]]; then
+        printf '\rscatter: building %s, %d of %d steps ' "$preset" "$steps" "$total" >&2
+        shown=yes
+      elif ((steps * 10 >= next * total && total > 1)); then
+        echo "scatter: building $preset, $steps of $total steps" >&2
+        next=$((steps * 10 / total + 1))
+      fi
+    fi
+  done
+  [[ $shown == no ]] || echo >&2
+}
+
+if [[ ! -f $folder/build.ninja || ! -f $folder/compile_commands.json || $root/CMakePresets.json -nt $folder/build.ninja ]]; then
+  configure
+fi
+: > "$log"
+jobs=${SCATTER_JOBS:-$(nproc)}
+if ! ninja -C "$folder" -j "$jobs" "${targets[@]}" 2>&1 | show_progress; then
+  # From the first failed step on.
+  sed -n '/^FAILED:/,$p' "$log" >&2
+  fail "the $preset build failed; its whole output is in $log"
+fi
