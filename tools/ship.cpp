@@ -32,6 +32,12 @@ glm::dmat3 axesAlong(const glm::dvec3& direction, const glm::dvec3& up) {
   return {x, y, glm::cross(x, y)};
 }
 
+/// From the first ring's centre to the last one's, but along the loft's axis if it hardly differs.
+glm::dvec3 pieceDirection(const glm::dvec3& chord, const glm::dvec3& axis) {
+  constexpr double kCosine = 0.9985;
+  return glm::dot(glm::normalize(chord), glm::normalize(axis)) > kCosine ? axis : chord;
+}
+
 double superellipse(double cosine, double exponent) {
   // The sine of a half turn is not quite zero, and a root would magnify it.
   return std::abs(cosine) < 1e-12 ? 0.0 : std::copysign(std::pow(std::abs(cosine), 2.0 / exponent), cosine);
@@ -144,7 +150,9 @@ void Ship::addRings(const Loft& loft, std::vector<Ring> rings, bool mirrored) {
   auto begin = rings.begin();
   for (const Cut& cut : loft.cuts) {
     const auto end = begin + cut.segments;
-    Piece piece{{begin, end + 1}, axesAlong(centerOf(*end) - centerOf(*begin), loft.up), cut.group};
+    Piece piece{{begin, end + 1},
+                axesAlong(pieceDirection(centerOf(*end) - centerOf(*begin), loft.direction), loft.up),
+                cut.group};
     pieces_.push_back(std::move(piece));
     if (std::find(groups_.begin(), groups_.end(), cut.group) == groups_.end()) {
       groups_.push_back(cut.group);

@@ -83,6 +83,9 @@ std::optional<ExitStatus> parse(CLI::App& program, int argc, char** argv) {
   } catch (const CLI::Success& asked) {
     program.exit(asked);
     return ExitStatus::kOk;
+  } catch (const CLI::RequiredError& error) {
+    printError(std::string(error.what()) + "; see scatter " + std::string(argv[1]) + " --help");
+    return ExitStatus::kBadInput;
   } catch (const CLI::ParseError& error) {
     printError(error.what());
     return ExitStatus::kBadInput;

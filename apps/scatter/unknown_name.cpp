@@ -1,7 +1,6 @@
 #include "unknown_name.h"
 
 #include <algorithm>
-#include <cassert>
 #include <numeric>
 
 namespace scatter::app {
@@ -26,12 +25,12 @@ std::size_t editDistance(std::string_view from, std::string_view to) {
 }  // namespace
 
 std::string unknownName(std::string_view kind, std::string_view name, const std::vector<std::string>& known) {
-  assert(!known.empty());
+  std::string message = "unknown " + std::string(kind) + " \"" + std::string(name) + "\"; ";
   const auto nearest = std::min_element(known.begin(), known.end(), [name](const auto& a, const auto& b) {
     return editDistance(name, a) < editDistance(name, b);
   });
-  std::string message = "unknown " + std::string(kind) + " \"" + std::string(name) + "\"; ";
-  if (known.size() > 1) {
+  // More than half of it wrong is another word.
+  if (nearest != known.end() && 2 * editDistance(name, *nearest) <= name.size()) {
     message += "did you mean \"" + *nearest + "\"? ";
   }
   message += "Known: ";

@@ -6,7 +6,7 @@
 
 namespace scatter::app {
 
-/// "unknown KIND "NAME"; did you mean "…"? Known are …"; `known` is not empty.
+/// `unknown KIND "NAME"; did you mean "…"? Known: …`, with the question only if a known name is near.
 [[nodiscard]] std::string unknownName(std::string_view kind, std::string_view name,
                                       const std::vector<std::string>& known);
 

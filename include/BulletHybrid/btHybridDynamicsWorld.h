@@ -5,10 +5,10 @@
 
 #include "BulletHybrid/btHybridRigidBody.h"
 
-///Counts of one step.
+/// Counts of one step.
 struct btHybridStepInfo
 {
-	int m_standingRequests;  ///after the step
+	int m_standingRequests;  ///< after the step
 	int m_switchesCoarser;
 	int m_switchesFiner;
 	int m_retractions;
@@ -16,52 +16,52 @@ struct btHybridStepInfo
 	int m_separationQueries;
 
 	btHybridStepInfo()
-		: m_standingRequests(0), m_switchesCoarser(0), m_switchesFiner(0), m_retractions(0), m_blockedTries(0), m_separationQueries(0)
+	    : m_standingRequests(0), m_switchesCoarser(0), m_switchesFiner(0), m_retractions(0), m_blockedTries(0), m_separationQueries(0)
 	{
 	}
 };
 
-///When and how bodies switch.
+/// When and how bodies switch.
 struct btHybridSwitchingInfo
 {
-	///The world asks for level 1 when another moving body is near, and for the finest level when none is.
-	///Static bodies count for safety, but do not ask for anything: a floor is always near.
+	/// The world asks for level 1 when another moving body is near, and for the finest level when none is.
+	/// Static bodies count for safety, but do not ask for anything: a floor is always near.
 	bool m_proximity;
 
-	///A request comes at least this many steps before the level-1 bounds of two bodies can touch at their
-	///present velocities; more than 1.
+	/// A request comes at least this many steps before the level-1 bounds of two bodies can touch at their
+	/// present velocities; more than 1.
 	btScalar m_proximitySteps;
 
-	int m_retryInterval;      ///steps between tries of a blocked request; at least 1
-	int m_quietSteps;         ///steps without a neighbour before the finest level is asked for
-	btScalar m_safetyGap;     ///distance that must separate shapes for a switch to be safe
-	bool m_safetyConditions;  ///off only to show what they prevent
+	int m_retryInterval;      ///< steps between tries of a blocked request; at least 1
+	int m_quietSteps;         ///< steps without a neighbour before the finest level is asked for
+	btScalar m_safetyGap;     ///< distance that must separate shapes for a switch to be safe
+	bool m_safetyConditions;  ///< off only to show what they prevent
 
 	btHybridSwitchingInfo()
-		: m_proximity(true), m_proximitySteps(3), m_retryInterval(10), m_quietSteps(30), m_safetyGap(btScalar(0.01)), m_safetyConditions(true)
+	    : m_proximity(true), m_proximitySteps(3), m_retryInterval(10), m_quietSteps(30), m_safetyGap(btScalar(0.01)), m_safetyConditions(true)
 	{
 	}
 };
 
-///A btDiscreteDynamicsWorld that switches the encapsulation levels of btHybridRigidBody objects, between
-///the broadphase and the narrowphase, on request and only when it is safe:
-///a finer level needs the body to be free of contact, a coarser one needs the coarser shape to be free of
-///collision. Without hybrid bodies its results are bit-identical to btDiscreteDynamicsWorld.
+/// A btDiscreteDynamicsWorld that switches the encapsulation levels of btHybridRigidBody objects, between
+/// the broadphase and the narrowphase, on request and only when it is safe:
+/// a finer level needs the body to be free of contact, a coarser one needs the coarser shape to be free of
+/// collision. Without hybrid bodies its results are bit-identical to btDiscreteDynamicsWorld.
 class btHybridDynamicsWorld : public btDiscreteDynamicsWorld
 {
 	btAlignedObjectArray<btHybridRigidBody*> m_hybrids;
 	btHybridSwitchingInfo m_switching;
 	btHybridStepInfo m_stepInfo;
-	btHybridStepInfo m_counting;  ///of the step under way, and of calls since the last one
+	btHybridStepInfo m_counting;  ///< of the step under way, and of calls since the last one
 	btHybridListener* m_listener;
 	bool m_loadIsFine;
 	int m_step;
 
-	///The overlapping pairs of each hybrid, as of this step's broadphase: those of hybrid i are
-	///m_pairsOf[m_firstPairOf[i]] up to m_pairsOf[m_firstPairOf[i + 1]].
+	/// The overlapping pairs of each hybrid, as of this step's broadphase: those of hybrid i are
+	/// m_pairsOf[m_firstPairOf[i]] up to m_pairsOf[m_firstPairOf[i + 1]].
 	btAlignedObjectArray<int> m_firstPairOf;
 	btAlignedObjectArray<btBroadphasePair*> m_pairsOf;
-	btAlignedObjectArray<int> m_hybridIndexOfObject;  ///by world array index; -1 for other objects
+	btAlignedObjectArray<int> m_hybridIndexOfObject;  ///< by world array index; -1 for other objects
 
 	void indexHybrids();
 	int hybridIndex(const btBroadphaseProxy* proxy) const;
@@ -86,15 +86,15 @@ public:
 	btHybridDynamicsWorld(btDispatcher* dispatcher, btBroadphaseInterface* pairCache, btConstraintSolver* constraintSolver, btCollisionConfiguration* collisionConfiguration);
 	virtual ~btHybridDynamicsWorld();
 
-	///Asks for a level, 1 the coarsest. The request stands until the body has switched or the request is
-	///retracted; it replaces one that stands. False, and nothing happens, if the body is not in this world
-	///or has no such level. A request for the level in use retracts the one that stands.
+	/// Asks for a level, 1 the coarsest. The request stands until the body has switched or the request is
+	/// retracted; it replaces one that stands. False, and nothing happens, if the body is not in this world
+	/// or has no such level. A request for the level in use retracts the one that stands.
 	bool requestLevel(btHybridRigidBody* body, int level, btHybridScope scope = BT_HYBRID_LOCAL);
 	void retractRequest(btHybridRigidBody* body);
 	void retractAllRequests();
 
-	///The global policy's word. While the load is fine the proximity policy asks for nothing, and its
-	///requests that stand are retracted at the next step.
+	/// The global policy's word. While the load is fine the proximity policy asks for nothing, and its
+	/// requests that stand are retracted at the next step.
 	void setLoadIsFine(bool fine)
 	{
 		m_loadIsFine = fine;
@@ -104,7 +104,7 @@ public:
 		return m_loadIsFine;
 	}
 
-	///0 for none. Not owned.
+	/// 0 for none. Not owned.
 	void setListener(btHybridListener* listener)
 	{
 		m_listener = listener;
@@ -115,7 +115,7 @@ public:
 		return m_switching;
 	}
 
-	///Of the last step, and of the calls since the step before it.
+	/// Of the last step, and of the calls since the step before it.
 	const btHybridStepInfo& getStepInfo() const
 	{
 		return m_stepInfo;
@@ -134,10 +134,10 @@ public:
 	virtual void addRigidBody(btRigidBody* body, int group, int mask);
 	virtual void removeRigidBody(btRigidBody* body);
 
-	///Hybrids get the bounds of their coarsest level, widened by the proximity margin.
+	/// Hybrids get the bounds of their coarsest level, widened by the proximity margin.
 	virtual void updateAabbs();
 
 	virtual void performDiscreteCollisionDetection();
 };
 
-#endif  //BT_HYBRID_DYNAMICS_WORLD_H
+#endif  // BT_HYBRID_DYNAMICS_WORLD_H

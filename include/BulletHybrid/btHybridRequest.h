@@ -3,7 +3,7 @@
 
 class btHybridRigidBody;
 
-///Who asked for a level: one body, a cluster of bodies, or the whole world.
+/// Who asked for a level: one body, a cluster of bodies, or the whole world.
 enum btHybridScope
 {
 	BT_HYBRID_LOCAL,
@@ -11,29 +11,29 @@ enum btHybridScope
 	BT_HYBRID_GLOBAL
 };
 
-///Why a request was withdrawn before it was fulfilled.
+/// Why a request was withdrawn before it was fulfilled.
 enum btHybridRetraction
 {
-	BT_HYBRID_RETRACTED_BY_CALLER,      ///by retractRequest, or replaced by another request
-	BT_HYBRID_RETRACTED_BY_SEPARATION,  ///a coarser level is not needed any more: no neighbour is near
-	BT_HYBRID_RETRACTED_BY_APPROACH,    ///a finer level is not wanted any more: a neighbour is near
-	BT_HYBRID_RETRACTED_BY_LOAD,        ///a coarser level is not needed: the load is fine
-	BT_HYBRID_RETRACTED_BY_REMOVAL      ///the body left the world
+	BT_HYBRID_RETRACTED_BY_CALLER,      ///< by retractRequest, or replaced by another request
+	BT_HYBRID_RETRACTED_BY_SEPARATION,  ///< a coarser level is not needed any more: no neighbour is near
+	BT_HYBRID_RETRACTED_BY_APPROACH,    ///< a finer level is not wanted any more: a neighbour is near
+	BT_HYBRID_RETRACTED_BY_LOAD,        ///< a coarser level is not needed: the load is fine
+	BT_HYBRID_RETRACTED_BY_REMOVAL      ///< the body left the world
 };
 
-///A standing wish to change a body's level. It persists until the switch has happened or it is retracted.
+/// A standing wish to change a body's level. It persists until the switch has happened or it is retracted.
 struct btHybridRequest
 {
-	int m_targetLevel;  ///0: no request stands
+	int m_targetLevel;  ///< 0: no request stands
 	btHybridScope m_scope;
-	bool m_byProximity;     ///made by the world's own proximity policy
-	bool m_acknowledged;    ///the world has tried it at least once
-	int m_tries;            ///failed tries so far
-	int m_stepMade;         ///the world's step count when it was made
-	int m_nextTry;          ///the world's step count of the next try
+	bool m_byProximity;   ///< made by the world's own proximity policy
+	bool m_acknowledged;  ///< the world has tried it at least once
+	int m_tries;          ///< failed tries so far
+	int m_stepMade;       ///< the world's step count when it was made
+	int m_nextTry;        ///< the world's step count of the next try
 
 	btHybridRequest()
-		: m_targetLevel(0), m_scope(BT_HYBRID_LOCAL), m_byProximity(false), m_acknowledged(false), m_tries(0), m_stepMade(0), m_nextTry(0)
+	    : m_targetLevel(0), m_scope(BT_HYBRID_LOCAL), m_byProximity(false), m_acknowledged(false), m_tries(0), m_stepMade(0), m_nextTry(0)
 	{
 	}
 
@@ -43,22 +43,34 @@ struct btHybridRequest
 	}
 };
 
-///Hears what becomes of requests. Called inside stepSimulation (or inside the call that made or retracted
-///the request); must not add or remove bodies.
+/// Hears what becomes of requests. Called inside stepSimulation (or inside the call that made or retracted
+/// the request); must not add or remove bodies.
 class btHybridListener
 {
 public:
-	virtual ~btHybridListener() {}
+	virtual ~btHybridListener()
+	{
+	}
 
-	virtual void requested(btHybridRigidBody* /*body*/, const btHybridRequest& /*request*/) {}
-	virtual void acknowledged(btHybridRigidBody* /*body*/, const btHybridRequest& /*request*/) {}
+	virtual void requested(btHybridRigidBody* /*body*/, const btHybridRequest& /*request*/)
+	{
+	}
+	virtual void acknowledged(btHybridRigidBody* /*body*/, const btHybridRequest& /*request*/)
+	{
+	}
 
-	///A try failed its safety condition; it is repeated after the retry interval.
-	virtual void blocked(btHybridRigidBody* /*body*/, const btHybridRequest& /*request*/) {}
+	/// A try failed its safety condition; it is repeated after the retry interval.
+	virtual void blocked(btHybridRigidBody* /*body*/, const btHybridRequest& /*request*/)
+	{
+	}
 
-	///The body has switched. If request.m_targetLevel differs from toLevel, the request still stands.
-	virtual void switched(btHybridRigidBody* /*body*/, int /*fromLevel*/, int /*toLevel*/, const btHybridRequest& /*request*/) {}
-	virtual void retracted(btHybridRigidBody* /*body*/, const btHybridRequest& /*request*/, btHybridRetraction /*reason*/) {}
+	/// The body has switched. If request.m_targetLevel differs from toLevel, the request still stands.
+	virtual void switched(btHybridRigidBody* /*body*/, int /*fromLevel*/, int /*toLevel*/, const btHybridRequest& /*request*/)
+	{
+	}
+	virtual void retracted(btHybridRigidBody* /*body*/, const btHybridRequest& /*request*/, btHybridRetraction /*reason*/)
+	{
+	}
 };
 
-#endif  //BT_HYBRID_REQUEST_H
+#endif  // BT_HYBRID_REQUEST_H

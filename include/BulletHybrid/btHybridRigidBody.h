@@ -6,9 +6,9 @@
 #include "BulletHybrid/btHybridLevelSet.h"
 #include "BulletHybrid/btHybridRequest.h"
 
-///A rigid body with several encapsulation levels, of which one is its collision shape. In any other world
-///than btHybridDynamicsWorld it is an ordinary rigid body that stays at the level it has.
-///Mass and inertia are the caller's and do not change with the level.
+/// A rigid body with several encapsulation levels, of which one is its collision shape. In any other world
+/// than btHybridDynamicsWorld it is an ordinary rigid body that stays at the level it has.
+/// Mass and inertia are the caller's and do not change with the level.
 class btHybridRigidBody : public btRigidBody
 {
 	friend class btHybridDynamicsWorld;
@@ -22,8 +22,8 @@ class btHybridRigidBody : public btRigidBody
 public:
 	BT_DECLARE_ALIGNED_ALLOCATOR();
 
-	///constructionInfo.m_collisionShape is ignored: the body starts at startLevel, by default the finest.
-	///levels must outlive the body.
+	/// constructionInfo.m_collisionShape is ignored: the body starts at startLevel, by default the finest.
+	/// levels must outlive the body.
 	btHybridRigidBody(const btRigidBodyConstructionInfo& constructionInfo, const btHybridLevelSet* levels, int startLevel = 0);
 
 	const btHybridLevelSet& getLevels() const
@@ -31,7 +31,7 @@ public:
 		return *m_levels;
 	}
 
-	///The level in use, 1 the coarsest.
+	/// The level in use, 1 the coarsest.
 	int getLevel() const
 	{
 		return m_level;
@@ -47,7 +47,7 @@ public:
 		return m_request;
 	}
 
-	///The hybrid that this object is, or 0.
+	/// The hybrid that this object is, or 0.
 	static btHybridRigidBody* upcast(btCollisionObject* object)
 	{
 		return dynamic_cast<btHybridRigidBody*>(object);
@@ -58,4 +58,4 @@ public:
 	}
 };
 
-#endif  //BT_HYBRID_RIGID_BODY_H
+#endif  // BT_HYBRID_RIGID_BODY_H

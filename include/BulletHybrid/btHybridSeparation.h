@@ -4,11 +4,11 @@
 #include <BulletCollision/CollisionShapes/btCollisionShape.h>
 #include <LinearMath/btTransform.h>
 
-///A direct query whether two shapes are further than gap apart, collision margins included. Adds nothing
-///to any world, creates no manifold and changes neither shape. True only if a separating plane proves it
-///for every pair of convex pieces; touching, overlapping, unknown shape types and doubt all give false.
-///A closed triangle mesh is its surface, as everywhere in Bullet.
+/// A direct query whether two shapes are further than gap apart, collision margins included. Adds nothing
+/// to any world, creates no manifold and changes neither shape. True only if a separating plane proves it
+/// for every pair of convex pieces; touching, overlapping, unknown shape types and doubt all give false.
+/// A closed triangle mesh is its surface, as everywhere in Bullet.
 bool btHybridIsSeparated(const btCollisionShape* shapeA, const btTransform& transformA,
-						 const btCollisionShape* shapeB, const btTransform& transformB, btScalar gap);
+                         const btCollisionShape* shapeB, const btTransform& transformB, btScalar gap);
 
-#endif  //BT_HYBRID_SEPARATION_H
+#endif  // BT_HYBRID_SEPARATION_H

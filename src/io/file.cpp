@@ -80,20 +80,18 @@ std::filesystem::path resolve(const std::filesystem::path& path) {
   return ignored ? path : target;
 }
 
-Result<void> writeDirectly(const std::filesystem::path& path, std::string_view content) {
+/// 0 or an errno.
+int writeDirectly(const std::filesystem::path& path, std::string_view content) {
   Descriptor file(path, O_WRONLY);
-  const int code = file.isOpen() ? writeAndClose(file, content, false) : errno;
-  if (code != 0) {
-    return failWith(path, "written", code);
-  }
-  return {};
+  return file.isOpen() ? writeAndClose(file, content, false) : errno;
 }
 
-Result<void> writeAndRename(const std::filesystem::path& target, std::string_view content) {
+/// 0 or an errno.
+int writeAndRename(const std::filesystem::path& target, std::string_view content) {
   const std::filesystem::path temporary = temporaryBeside(target);
   Descriptor file(temporary, O_WRONLY | O_CREAT | O_EXCL);
   if (!file.isOpen()) {
-    return failWith(target, "written", errno);
+    return errno;
   }
   int code = writeAndClose(file, content, true);
   if (code == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) {
@@ -101,9 +99,19 @@ Result<void> writeAndRename(const std::filesystem::path& target, std::string_vie
   }
   if (code != 0) {
     ::unlink(temporary.c_str());
-    return failWith(target, "written", code);
   }
-  return {};
+  return code;
+}
+
+/// 0 or an errno.
+int write(const std::filesystem::path& target, std::string_view content) {
+  struct stat status {};
+  const bool exists = ::stat(target.c_str(), &status) == 0;
+  if (exists && S_ISDIR(status.st_mode)) {
+    return EISDIR;
+  }
+  return exists && !S_ISREG(status.st_mode) ? writeDirectly(target, content)
+                                            : writeAndRename(target, content);
 }
 
 }  // namespace
@@ -131,14 +139,10 @@ Result<std::string> readFile(const std::filesystem::path& path) {
 }
 
 Result<void> writeFile(const std::filesystem::path& path, std::string_view content) {
-  const std::filesystem::path target = resolve(path);
-  struct stat status {};
-  const bool exists = ::stat(target.c_str(), &status) == 0;
-  if (exists && S_ISDIR(status.st_mode)) {
-    return failWith(path, "written", EISDIR);
+  if (const int code = write(resolve(path), content); code != 0) {
+    return failWith(path, "written", code);
   }
-  return exists && !S_ISREG(status.st_mode) ? writeDirectly(target, content)
-                                            : writeAndRename(target, content);
+  return {};
 }
 
 }  // namespace scatter

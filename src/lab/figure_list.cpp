@@ -134,9 +134,9 @@ FigureScript manifoldsAndPairs(const FigureData& data, bool aroundPeak) {
     panel.y2Label = "narrowphase pairs";
     panel.y2Color = color::kBlue;
     panel.y2Max = axisTop(data.highest("narrowphase_pairs", frames));
-    panel.curves = {curveOf(world, "narrowphase_pairs", coloured("lines linewidth 3", color::kSkyBlue),
+    panel.curves = {curveOf(world, "narrowphase_pairs", coloured("lines linewidth 3.6", color::kBlue),
                             "narrowphase pairs", "x1y2"),
-                    curveOf(world, "manifolds", coloured("lines linewidth 1.2", color::kVermillion),
+                    curveOf(world, "manifolds", coloured("lines linewidth 1.5", color::kVermillion),
                             "manifolds", "x1y1")};
     figure.panels.push_back(std::move(panel));
   }
@@ -266,7 +266,7 @@ FigureScript stages(const FigureData& data, bool aroundPeak) {
                               "have the same axes, so that areas can be compared.",
       .frames = frames,
       .panels = {},
-      .panelHeight = 270.0};
+      .panelHeight = 290.0};
   const double highest = data.highest("physics_ms", frames);
   for (std::size_t world = 0; world < data.worlds(); ++world) {
     figure.panels.push_back(stagesPanel(data, world, highest));

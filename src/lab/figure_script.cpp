@@ -10,10 +10,10 @@ namespace {
 
 constexpr double kWidth = 1000.0;
 constexpr double kLeft = 90.0;
-constexpr double kRight = 225.0;
+constexpr double kRight = 242.0;
 constexpr double kSecondAxis = 80.0;
 constexpr double kTop = 78.0;
-constexpr double kBetween = 62.0;
+constexpr double kBetween = 72.0;
 constexpr double kBottom = 62.0;
 
 // Pictures of pixels are made larger, for screens with small ones.
@@ -78,7 +78,7 @@ std::string panelCommands(const FigureScript& figure, std::size_t index) {
                      "\nset bmargin at screen " + shortestNumber(1.0 - (top + figure.panelHeight) / height) +
                      '\n';
   text += "set key at screen " + shortestNumber((kWidth - kRight + 18.0) / kWidth) + ", screen " + topAt +
-          " left top Left reverse vertical samplen 1.6 spacing 1.25\n";
+          " left top Left reverse vertical maxcols 1 maxrows 20 samplen 1.6 spacing 1.05\n";
   text += "unset label\n" + axisCommands(figure, panel, index + 1 == figure.panels.size());
   if (index == 0) {
     text += "set label 1 " + quoted(figure.title) + " at screen " + shortestNumber(kLeft / kWidth) +

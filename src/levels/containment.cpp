@@ -101,7 +101,7 @@ class NestingCheck {
     const bool hasMargin = fine.rounded.radius > 0.0 && !fine.core.isEmpty();
     if (hasMargin && !shrunkCovers().empty()) {
       coreGap = findUncovered(fine.core, shrunkCovers(), tolerance_, epsilon_);
-      if (!coreGap) return std::nullopt;
+      if (!coreGap || meetsHullsOnly(fine)) return coreGap;
     }
     // It also does if a polytope around both does, which holds for touching boxes, too.
     const Polytope outer = outerPolytope(*fine.part, hullMargin_, tangents(fine), epsilon_);
@@ -125,6 +125,15 @@ class NestingCheck {
     return std::all_of(planes.begin(), planes.end(), [&](const HalfSpace& plane) {
       const double reach = support(*fine.part, hullMargin_, plane.normal) - radius;
       return reach <= plane.offset - inset + tolerance_;
+    });
+  }
+
+  /// Between hulls the margins cancel, and the first rule says all that there is to say.
+  [[nodiscard]] bool meetsHullsOnly(const FinePart& fine) const {
+    const DoubleBounds bounds = boundsOf(*fine.part, hullMargin_);
+    return std::all_of(coarser_.begin(), coarser_.end(), [&](const CoarsePart& coarse) {
+      return std::holds_alternative<ConvexHull>(coarse.part->shape) ||
+             !boundsOf(*coarse.part, 0.0).overlaps(bounds, tolerance_);
     });
   }
 

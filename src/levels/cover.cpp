@@ -16,22 +16,23 @@ namespace {
 constexpr double kSharp = 0.5;
 
 /// Bisection stops at this share of the distance.
-constexpr double kDistancePrecision = 1e-4;
+constexpr double kDistancePrecision = 1e-3;
 
-/// What is left of a solid when covers are taken away from it, as convex pieces.
+/// Takes covers away from a solid, cutting it into convex pieces, until one piece is left over or none.
 class Subtraction {
  public:
-  Subtraction(std::span<const Cover* const> covers, double widening, double epsilon, bool stopAtFirst)
-      : covers_(covers), widening_(widening), epsilon_(epsilon), stopAtFirst_(stopAtFirst) {}
+  Subtraction(std::span<const Cover* const> covers, double widening, double epsilon)
+      : covers_(covers), widening_(widening), epsilon_(epsilon) {}
 
-  std::vector<Polytope> rest(const Polytope& solid) {
+  /// A piece that no cover reaches.
+  std::optional<Polytope> firstOutside(const Polytope& solid) {
     subtract(solid, 0);
     return std::move(rest_);
   }
 
  private:
   void subtract(const Polytope& piece, std::size_t first) {
-    if (stopAtFirst_ && !rest_.empty()) return;
+    if (rest_) return;
     const DoubleBounds bounds = piece.bounds();
     for (std::size_t i = first; i < covers_.size(); ++i) {
       if (reaches(i, bounds) && covers_[i]->depthOutside(piece.vertices()) <= widening_ + epsilon_) return;
@@ -43,7 +44,7 @@ class Subtraction {
       for (const Polytope& part : *outside) subtract(part, i + 1);
       return;
     }
-    rest_.push_back(piece);
+    rest_ = piece;
   }
 
   [[nodiscard]] bool reaches(std::size_t cover, const DoubleBounds& bounds) const {
@@ -53,11 +54,19 @@ class Subtraction {
   /// The pieces outside the cover; nothing if all of the piece is.
   [[nodiscard]] std::optional<std::vector<Polytope>> cutAway(const Polytope& piece,
                                                              const Cover& cover) const {
-    if (isApart(piece, cover)) return std::nullopt;
-    std::vector<Polytope> outside;
-    Polytope inside = piece;
+    std::vector<std::pair<double, HalfSpace>> cuts;
     for (const HalfSpace& face : cover.planes()) {
       const HalfSpace plane = face.movedOut(widening_);
+      const auto [low, high] = rangeAlong(piece, plane);
+      if (low >= -epsilon_) return std::nullopt;
+      if (high > epsilon_) cuts.emplace_back(high, plane);
+    }
+    // The deepest cuts come first: what they leave needs few others.
+    std::stable_sort(cuts.begin(), cuts.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::vector<Polytope> outside;
+    Polytope inside = piece;
+    for (const auto& [depth, plane] : cuts) {
       const auto [low, high] = rangeAlong(inside, plane);
       if (low >= -epsilon_) return std::nullopt;
       if (high <= epsilon_) continue;
@@ -67,13 +76,6 @@ class Subtraction {
       if (inside.isEmpty()) return std::nullopt;
     }
     return outside;
-  }
-
-  [[nodiscard]] bool isApart(const Polytope& piece, const Cover& cover) const {
-    const auto& planes = cover.planes();
-    return std::any_of(planes.begin(), planes.end(), [&](const HalfSpace& face) {
-      return rangeAlong(piece, face.movedOut(widening_)).first >= -epsilon_;
-    });
   }
 
   static std::pair<double, double> rangeAlong(const Polytope& piece, const HalfSpace& plane) {
@@ -89,9 +91,13 @@ class Subtraction {
   std::span<const Cover* const> covers_;
   double widening_;
   double epsilon_;
-  bool stopAtFirst_;
-  std::vector<Polytope> rest_;
+  std::optional<Polytope> rest_;
 };
+
+std::optional<Polytope> firstOutside(const Polytope& solid, std::span<const Cover* const> covers,
+                                     double widening, double epsilon) {
+  return Subtraction(covers, widening, epsilon).firstOutside(solid);
+}
 
 double overlapVolume(const DoubleBounds& a, const DoubleBounds& b) {
   const glm::dvec3 size = glm::max(glm::min(a.max, b.max) - glm::max(a.min, b.min), glm::dvec3(0.0));
@@ -109,6 +115,13 @@ std::vector<const Cover*> inOrderOfOverlap(std::span<const Cover> covers, const 
   return ordered;
 }
 
+/// How far the nearest cover's planes must move out to hold all points.
+double depthOutside(std::span<const glm::dvec3> points, std::span<const Cover* const> covers) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Cover* cover : covers) least = std::min(least, cover->depthOutside(points));
+  return least;
+}
+
 double distanceToUnion(const glm::dvec3& point, std::span<const Cover* const> covers) {
   double nearest = std::numeric_limits<double>::infinity();
   for (const Cover* cover : covers) {
@@ -117,16 +130,44 @@ double distanceToUnion(const glm::dvec3& point, std::span<const Cover* const> co
   return nearest;
 }
 
-Uncovered furthestVertex(const std::vector<Polytope>& pieces, std::span<const Cover* const> covers) {
-  Uncovered furthest{glm::dvec3(0.0), -1.0};
-  for (const Polytope& piece : pieces) {
-    for (const glm::dvec3& vertex : piece.vertices()) {
-      const double distance = distanceToUnion(vertex, covers);
-      if (distance > furthest.distance) furthest = {vertex, distance};
+/// Searches for the point of a solid that is furthest from the union of the covers: the last to be covered
+/// when all of them are widened together.
+class FurthestPoint {
+ public:
+  FurthestPoint(std::span<const Cover* const> covers, double epsilon) : covers_(covers), epsilon_(epsilon) {}
+
+  /// `outside` is any piece of the solid outside the covers widened by `low`.
+  Uncovered find(const Polytope& solid, const Polytope& outside, double low) {
+    low = std::max(low, tryVertices(outside));
+    low = std::max(low, tryVertices(solid));
+    double high = depthOutside(solid.vertices(), covers_);
+    while (high - low > kDistancePrecision * high + epsilon_) {
+      const double middle = 0.5 * (low + high);
+      const std::optional<Polytope> piece = firstOutside(solid, covers_, middle, epsilon_);
+      if (piece)
+        low = std::max(middle, tryVertices(*piece));
+      else
+        high = middle;
     }
+    return furthest_;
   }
-  return furthest;
-}
+
+ private:
+  /// Their largest depth.
+  double tryVertices(const Polytope& piece) {
+    double depth = 0.0;
+    for (const glm::dvec3& vertex : piece.vertices()) {
+      depth = std::max(depth, depthOutside(std::span(&vertex, 1), covers_));
+      const double distance = distanceToUnion(vertex, covers_);
+      if (distance > furthest_.distance) furthest_ = {vertex, distance};
+    }
+    return depth;
+  }
+
+  std::span<const Cover* const> covers_;
+  double epsilon_;
+  Uncovered furthest_{glm::dvec3(0.0), -1.0};
+};
 
 }  // namespace
 
@@ -178,20 +219,9 @@ std::optional<Uncovered> findUncovered(const Polytope& solid, std::span<const Co
                                        double epsilon) {
   assert(!solid.isEmpty() && !covers.empty());
   const std::vector<const Cover*> ordered = inOrderOfOverlap(covers, solid.bounds());
-  const auto isCovered = [&](double widening) {
-    return Subtraction(ordered, widening, epsilon, true).rest(solid).empty();
-  };
-  if (isCovered(tolerance)) return std::nullopt;
-
-  // The furthest point is the last to be covered when all covers are widened together.
-  double low = tolerance;
-  double high = std::numeric_limits<double>::infinity();
-  for (const Cover& cover : covers) high = std::min(high, cover.depthOutside(solid.vertices()));
-  while (high - low > kDistancePrecision * high + epsilon) {
-    const double middle = 0.5 * (low + high);
-    (isCovered(middle) ? high : low) = middle;
-  }
-  return furthestVertex(Subtraction(ordered, low, epsilon, false).rest(solid), ordered);
+  const std::optional<Polytope> outside = firstOutside(solid, ordered, tolerance, epsilon);
+  if (!outside) return std::nullopt;
+  return FurthestPoint(ordered, epsilon).find(solid, *outside, tolerance);
 }
 
 }  // namespace scatter::levels

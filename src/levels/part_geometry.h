@@ -41,7 +41,7 @@ struct RoundedHull {
 
 /// A polytope that holds the part, hull margin included, and touches it in the directions `tangents`.
 /// Elsewhere a sphere or capsule is exceeded by at most 1 % of its radius, a cylinder by 0.5 %, and a hull
-/// by 7 % of its margin.
+/// by 8 % of its margin.
 [[nodiscard]] Polytope outerPolytope(const ConvexPart& part, double hullMargin,
                                      std::span<const glm::dvec3> tangents, double epsilon);
 

@@ -1,7 +1,5 @@
 #include <scatter/world/scene.h>
 
-#include <glm/gtc/constants.hpp>
-
 #include "scenes/ships.h"
 
 namespace scatter {
@@ -19,13 +17,14 @@ class Duel final : public Scene {
   Result<void> build(World& world, const SceneOptions& /*options*/) override {
     auto models = loadShips("");
     if (!models) return fail(models.error().message);
-    const Quat quarterTurn = glm::angleAxis(glm::half_pi<float>(), Vec3(0.0F, 1.0F, 0.0F));
-    if (auto added = addShip(world, *models->hunter, "hunter", {{-kStart, kMiss, 0.0F}, quarterTurn});
+    // A model looks along x, so the Fighter turns half round to face the Hunter.
+    const Quat halfTurn(0.0F, 0.0F, 1.0F, 0.0F);
+    if (auto added = addShip(world, *models->hunter, "hunter", {{-kStart, kMiss, 0.0F}, kNoRotation});
         !added) {
       return added;
     }
-    const Quat facing = glm::angleAxis(-glm::half_pi<float>(), Vec3(0.0F, 1.0F, 0.0F));
-    if (auto added = addShip(world, *models->fighter, "fighter", {{kStart, -kMiss, 0.0F}, facing}); !added) {
+    if (auto added = addShip(world, *models->fighter, "fighter", {{kStart, -kMiss, 0.0F}, halfTurn});
+        !added) {
       return added;
     }
     world.addField(std::make_unique<PointField>(Vec3(0.0F), kAcceleration, 4.0F * kStart));

@@ -73,10 +73,9 @@ TEST(ContainmentProperty, CutPartsAreHeldByTheirPieces) {
       const Vec3 end{(corner & 1) != 0 ? 1.0F : -1.0F, (corner & 2) != 0 ? 1.0F : -1.0F,
                      (corner & 4) != 0 ? 1.0F : -1.0F};
       const Vec3 cut{x, y, z};
-      const Transform pose{at + turn * (0.5F * (end + cut)), turn};
-      pieces.parts.push_back({Box{glm::abs(0.5F * (end - cut))}, pose});
+      pieces.parts.push_back(box(glm::abs(0.5F * (end - cut)), at + turn * (0.5F * (end + cut)), turn));
     }
-    const Level whole{{{Box{Vec3(1.0F)}, {at, turn}}}};
+    const Level whole{{box(Vec3(1.0F), at, turn)}};
     EXPECT_FALSE(gapOf(whole, pieces, 0.0F).has_value()) << "round " << round;
 
     // Without one of the pieces, the middle of that piece's outer corner is furthest from the rest.
@@ -160,11 +159,13 @@ TEST(ContainmentProperty, SamplingAgrees) {
     Level coarser;
     for (int i = 0; i < 6; ++i) {
       const Vec3 half{random.uniform(0.5F, 1.3F), random.uniform(0.5F, 1.3F), random.uniform(0.5F, 1.3F)};
-      coarser.parts.push_back({Box{half}, {random.inBox(Vec3(0.8F)), random.rotation()}});
+      const Vec3 position = random.inBox(Vec3(0.8F));
+      coarser.parts.push_back(box(half, position, random.rotation()));
     }
     if (round % 3 == 0) coarser.parts.push_back(sphere(random.uniform(0.5F, 1.5F), random.inBox(Vec3(0.8F))));
     const Vec3 half{random.uniform(0.1F, 0.8F), random.uniform(0.1F, 0.8F), random.uniform(0.1F, 0.8F)};
-    const ConvexPart part{Box{half}, {random.inBox(Vec3(0.8F)), random.rotation()}};
+    const Vec3 position = random.inBox(Vec3(0.8F));
+    const ConvexPart part = box(half, position, random.rotation());
     const auto gap = gapOf({{part}}, coarser, 0.0F);
     const float sampled = largestSampledDistance(random, part, coarser);
     if (!gap) {

@@ -11,8 +11,9 @@
 
 namespace scatter::testing {
 
-inline ConvexPart box(const Vec3& halfExtents, const Vec3& position = Vec3(0.0F)) {
-  return {Box{halfExtents}, {position, kNoRotation}};
+inline ConvexPart box(const Vec3& halfExtents, const Vec3& position = Vec3(0.0F),
+                      const Quat& rotation = kNoRotation) {
+  return {Box{halfExtents}, {position, rotation}};
 }
 
 inline ConvexPart sphere(float radius, const Vec3& position = Vec3(0.0F)) {

@@ -16,10 +16,15 @@ struct ContainmentGap {
 };
 
 /// Checks that the union of `coarser` holds every part of `finer`, collision margins included, by
-/// clipping each part against the half-spaces of the coarser parts: exact for polytopes up to
-/// rounding, conservative for round shapes (a finer one is replaced by a polytope around it, a coarser one by
-/// a polytope within). Returns nothing if nested to within `tolerance` metres, else the worst gap.
-[[nodiscard]] Result<std::optional<ContainmentGap>> findContainmentGap(const Level& finer, const Level& coarser,
-                                                                       float hullMargin, float tolerance = 1e-4F);
+/// clipping each part against the half-spaces of the coarser parts, moved out by `tolerance` metres.
+/// Returns nothing if nested, else the worst gap. Acceptance is a proof to within twice the tolerance (at
+/// sharp corners). Rejection is exact where one coarser part could do alone; across several, a finer
+/// round part is replaced by a polytope around it and a coarser one by a polytope within, each up to 1 %
+/// of the radius off; the margin of a coarser hull counts for a finer part without margin only over the
+/// hull's faces; and a crack between coarser hulls counts although their margins may fill it. Fails on a
+/// part that is no solid, or a margin or tolerance that is negative or not finite.
+[[nodiscard]] Result<std::optional<ContainmentGap>> findContainmentGap(const Level& finer,
+                                                                       const Level& coarser, float hullMargin,
+                                                                       float tolerance = 1e-4F);
 
 }  // namespace scatter

@@ -36,14 +36,17 @@ struct LevelSetDef {
 class LevelSet {
  public:
   /// Fails on an empty level, a part without volume, a value that is not finite, or levels that are
-  /// not nested; the message names the level, the part and by how many metres it sticks out.
+  /// not nested; the message names the level, the part and by how many metres it sticks out,
+  /// levels and parts counted from 1.
   [[nodiscard]] static Result<std::shared_ptr<const LevelSet>> create(LevelSetDef definition);
 
   [[nodiscard]] const std::string& name() const { return def_.name; }
   [[nodiscard]] int count() const { return static_cast<int>(def_.levels.size()); }
 
   /// `index` counts from 1, the coarsest, to count(), the finest.
-  [[nodiscard]] const Level& level(int index) const { return def_.levels[static_cast<std::size_t>(index) - 1]; }
+  [[nodiscard]] const Level& level(int index) const {
+    return def_.levels[static_cast<std::size_t>(index) - 1];
+  }
   [[nodiscard]] const Level& coarsest() const { return def_.levels.front(); }
   [[nodiscard]] const Level& finest() const { return def_.levels.back(); }
 

@@ -15,7 +15,7 @@ struct MassProperties {
 };
 
 /// Exact for each part (closed forms; hulls by tetrahedra), summed over the parts. Fails if a part
-/// has no volume or is not finite, naming the part.
+/// has no volume or is not finite, naming the part, counted from 1.
 [[nodiscard]] Result<MassProperties> massProperties(const std::vector<ConvexPart>& parts);
 
 }  // namespace scatter

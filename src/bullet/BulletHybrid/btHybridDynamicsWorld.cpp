@@ -9,10 +9,10 @@
 #include "BulletHybrid/btHybridSeparation.h"
 
 btHybridDynamicsWorld::btHybridDynamicsWorld(btDispatcher* dispatcher, btBroadphaseInterface* pairCache, btConstraintSolver* constraintSolver, btCollisionConfiguration* collisionConfiguration)
-	: btDiscreteDynamicsWorld(dispatcher, pairCache, constraintSolver, collisionConfiguration),
-	  m_listener(0),
-	  m_loadIsFine(false),
-	  m_step(0)
+    : btDiscreteDynamicsWorld(dispatcher, pairCache, constraintSolver, collisionConfiguration),
+      m_listener(0),
+      m_loadIsFine(false),
+      m_step(0)
 {
 }
 
@@ -125,7 +125,7 @@ int btHybridDynamicsWorld::hybridIndex(const btBroadphaseProxy* proxy) const
 	return m_hybridIndexOfObject[static_cast<const btCollisionObject*>(proxy->m_clientObject)->getWorldArrayIndex()];
 }
 
-//The speed of a body's fastest point.
+// The speed of a body's fastest point.
 static btScalar fastestPoint(const btRigidBody* body)
 {
 	return body->getLinearVelocity().length() + body->getAngularVelocity().length() * body->getCollisionShape()->getAngularMotionDisc();
@@ -165,8 +165,8 @@ void btHybridDynamicsWorld::updateAabbs()
 	}
 }
 
-//The pair's margins add up: a hybrid covers its own travel and that of the fastest body that has no
-//margin, so that m > v_max * dt holds for every pair (report, section 6.3.1).
+// The pair's margins add up: a hybrid covers its own travel and that of the fastest body that has no
+// margin, so that m > v_max * dt holds for every pair (report, section 6.3.1).
 void btHybridDynamicsWorld::updateHybridAabb(btHybridRigidBody* body, btScalar fastestOther)
 {
 	btVector3 aabbMin, aabbMax;
@@ -188,7 +188,7 @@ void btHybridDynamicsWorld::updateHybridAabb(btHybridRigidBody* body, btScalar f
 	if ((aabbMax - aabbMin).length2() < btScalar(1e12))
 		m_broadphasePairCache->setAabb(body->getBroadphaseHandle(), aabbMin, aabbMax, m_dispatcher1);
 	else
-		updateSingleAabb(body);  //Bullet's own refusal of an overflowing AABB
+		updateSingleAabb(body);  // Bullet's own refusal of an overflowing AABB
 }
 
 void btHybridDynamicsWorld::performDiscreteCollisionDetection()
@@ -250,7 +250,7 @@ void btHybridDynamicsWorld::collectPairs()
 	}
 	for (int i = 1; i < m_firstPairOf.size(); i++)
 		m_firstPairOf[i] += m_firstPairOf[i - 1];
-	//Filling from the back turns each count into the start of its run.
+	// Filling from the back turns each count into the start of its run.
 	m_pairsOf.resizeNoInitialize(m_firstPairOf[m_hybrids.size()]);
 	for (int i = pairs.size() - 1; i >= 0; i--)
 	{
@@ -277,7 +277,7 @@ bool btHybridDynamicsWorld::hasMovingNeighbour(const btHybridRigidBody* body) co
 	for (int i = m_firstPairOf[body->m_hybridIndex]; i < m_firstPairOf[body->m_hybridIndex + 1]; i++)
 	{
 		const btBroadphasePair* pair = m_pairsOf[i];
-		//A broadphase may keep a pair for a while after its bounds have parted.
+		// A broadphase may keep a pair for a while after its bounds have parted.
 		if (!partnerIn(pair, body)->isStaticObject() && TestAabbAgainstAabb2(pair->m_pProxy0->m_aabbMin, pair->m_pProxy0->m_aabbMax, pair->m_pProxy1->m_aabbMin, pair->m_pProxy1->m_aabbMax))
 			return true;
 	}
@@ -331,7 +331,7 @@ void btHybridDynamicsWorld::tryRequest(btHybridRigidBody* body)
 	}
 	else
 	{
-		//The coarsest that is safe: part of the way helps, and the request for the rest stands.
+		// The coarsest that is safe: part of the way helps, and the request for the rest stands.
 		for (int level = request.m_targetLevel; level < body->m_level; level++)
 		{
 			if (isSafe(body, level))
@@ -347,8 +347,8 @@ void btHybridDynamicsWorld::tryRequest(btHybridRigidBody* body)
 		m_listener->blocked(body, request);
 }
 
-//Report, section 3.4.3: finer only if there is no contact, coarser only if the coarser level is free of
-//collision. Free of contact is measured at the present level, which holds the finer one.
+// Report, section 3.4.3: finer only if there is no contact, coarser only if the coarser level is free of
+// collision. Free of contact is measured at the present level, which holds the finer one.
 bool btHybridDynamicsWorld::isSafe(const btHybridRigidBody* body, int level)
 {
 	return !m_switching.m_safetyConditions || isSeparatedFromPartners(body, btMin(level, body->m_level));
@@ -374,7 +374,7 @@ void btHybridDynamicsWorld::switchLevel(btHybridRigidBody* body, int level)
 	const int from = body->m_level;
 	body->m_level = level;
 	body->setCollisionShape(body->m_levels->getLevelShape(level));
-	//A cached algorithm was made for the old shape's type.
+	// A cached algorithm was made for the old shape's type.
 	for (int i = m_firstPairOf[body->m_hybridIndex]; i < m_firstPairOf[body->m_hybridIndex + 1]; i++)
 		m_broadphasePairCache->getOverlappingPairCache()->cleanOverlappingPair(*m_pairsOf[i], getDispatcher());
 	if (level < from)

@@ -14,10 +14,10 @@ static int startLevelOrFinest(const btHybridLevelSet* levels, int startLevel)
 }
 
 btHybridRigidBody::btHybridRigidBody(const btRigidBodyConstructionInfo& constructionInfo, const btHybridLevelSet* levels, int startLevel)
-	: btRigidBody(withShape(constructionInfo, levels->getLevelShape(startLevelOrFinest(levels, startLevel)))),
-	  m_levels(levels),
-	  m_level(startLevelOrFinest(levels, startLevel)),
-	  m_lonelySteps(0),
-	  m_hybridIndex(-1)
+    : btRigidBody(withShape(constructionInfo, levels->getLevelShape(startLevelOrFinest(levels, startLevel)))),
+      m_levels(levels),
+      m_level(startLevelOrFinest(levels, startLevel)),
+      m_lonelySteps(0),
+      m_hybridIndex(-1)
 {
 }

@@ -28,14 +28,14 @@ bool boundsAreSeparated(const Placed& a, const Placed& b, btScalar gap)
 	return !TestAabbAgainstAabb2(minA - wide, maxA + wide, minB, maxB);
 }
 
-//How far a convex shape, margin included, reaches along a world direction.
+// How far a convex shape, margin included, reaches along a world direction.
 btScalar reach(const btConvexShape* shape, const btTransform& transform, const btVector3& direction)
 {
 	const btVector3 local = shape->localGetSupportingVertex(direction * transform.getBasis());
 	return direction.dot(transform(local));
 }
 
-//GJK only proposes the plane; the supports prove it, so an inexact GJK can not call an overlap separated.
+// GJK only proposes the plane; the supports prove it, so an inexact GJK can not call an overlap separated.
 bool convexIsSeparated(const Placed& a, const Placed& b, btScalar gap)
 {
 	const btConvexShape* convexA = static_cast<const btConvexShape*>(a.m_shape);
@@ -71,7 +71,7 @@ struct TriangleQuery : public btTriangleCallback
 	bool m_separated;
 
 	TriangleQuery(const Placed& mesh, const Placed& convex, btScalar gap)
-		: m_mesh(mesh), m_convex(convex), m_gap(gap), m_separated(true)
+	    : m_mesh(mesh), m_convex(convex), m_gap(gap), m_separated(true)
 	{
 	}
 
@@ -105,7 +105,7 @@ struct ChildQuery : public btDbvt::ICollide
 	bool m_separated;
 
 	ChildQuery(const Placed& compound, const Placed& other, btScalar gap)
-		: m_compound(compound), m_other(other), m_gap(gap), m_separated(true)
+	    : m_compound(compound), m_other(other), m_gap(gap), m_separated(true)
 	{
 	}
 
@@ -142,7 +142,7 @@ bool compoundIsSeparated(const Placed& compound, const Placed& other, btScalar g
 	return query.m_separated;
 }
 
-//Shapes of these types hand out triangles; a distance field and its like do not.
+// Shapes of these types hand out triangles; a distance field and its like do not.
 bool isTriangleMesh(const btCollisionShape* shape)
 {
 	switch (shape->getShapeType())
@@ -185,7 +185,7 @@ bool isSeparated(const Placed& a, const Placed& b, btScalar gap)
 }  // namespace
 
 bool btHybridIsSeparated(const btCollisionShape* shapeA, const btTransform& transformA,
-						 const btCollisionShape* shapeB, const btTransform& transformB, btScalar gap)
+                         const btCollisionShape* shapeB, const btTransform& transformB, btScalar gap)
 {
 	const Placed a = {shapeA, transformA};
 	const Placed b = {shapeB, transformB};

@@ -22,6 +22,7 @@ btHybridSwitchingInfo switchingInfo(const SwitchingDef& def) {
 }  // namespace
 
 BulletEngine::BulletEngine(const PhysicsDef& def) : dispatcher_(&configuration_), solver_(timer_) {
+  broadphase_.getOverlappingPairCache()->setOverlapFilterCallback(&filter_);
   if (def.world == WorldKind::kHybrid) {
     auto hybrid =
         std::make_unique<btHybridDynamicsWorld>(&dispatcher_, &broadphase_, &solver_, &configuration_);

@@ -1,13 +1,14 @@
 #pragma once
 
+#include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
 #include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
 #include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
 #include <scatter/world/physics.h>
 
 #include <memory>
 
-#include "bullet/physics/broadphase.h"
 #include "bullet/physics/dispatcher.h"
+#include "bullet/physics/pair_filter.h"
 #include "bullet/physics/stage_timer.h"
 #include "bullet/physics/timed_solver.h"
 
@@ -38,7 +39,8 @@ class BulletEngine {
   BulletStageTimer timer_;
   btDefaultCollisionConfiguration configuration_;
   BulletDispatcher dispatcher_;
-  BulletBroadphase broadphase_;
+  BulletPairFilter filter_;
+  btDbvtBroadphase broadphase_;
   BulletTimedSolver solver_;
   std::unique_ptr<btDiscreteDynamicsWorld> world_;
   btHybridDynamicsWorld* switching_ = nullptr;

@@ -49,7 +49,9 @@ class BulletTestWorld {
     return result;
   }
 
-  btRigidBody* addGround() { return add(0, shape<btStaticPlaneShape>(btVector3(0, 1, 0), btScalar(0)), {0, 0, 0}); }
+  btRigidBody* addGround() {
+    return add(0, shape<btStaticPlaneShape>(btVector3(0, 1, 0), btScalar(0)), {0, 0, 0});
+  }
 
   template <class Joint, class... Args>
   Joint* join(Args&&... args) {

@@ -75,10 +75,13 @@ class HybridTestWorld : public BulletTestWorld<btHybridDynamicsWorld> {
 
   ~HybridTestWorld() { world.setListener(nullptr); }
 
-  btHybridRigidBody* addCross(const btVector3& position, int level = 0) { return addHybrid(cross, position, level); }
+  btHybridRigidBody* addCross(const btVector3& position, int level = 0) {
+    return addHybrid(cross, position, level);
+  }
 
   btHybridRigidBody* addHybrid(const btHybridLevelSet& levels, const btVector3& position, int level = 0) {
-    auto body = std::make_unique<btHybridRigidBody>(info(1, levels.getLevelShape(1), position), &levels, level);
+    auto body =
+        std::make_unique<btHybridRigidBody>(info(1, levels.getLevelShape(1), position), &levels, level);
     btHybridRigidBody* raw = body.get();
     raw->setActivationState(DISABLE_DEACTIVATION);
     bodies.push_back(std::move(body));
@@ -96,8 +99,9 @@ class HybridTestWorld : public BulletTestWorld<btHybridDynamicsWorld> {
       if (body->isStaticObject()) continue;
       const btVector3 spin = body->getAngularVelocity() * body->getWorldTransform().getBasis();
       const btVector3 inverse = body->getInvInertiaDiagLocal();
-      sum += 0.5 * (body->getLinearVelocity().length2() / body->getInvMass() + spin.x() * spin.x() / inverse.x() +
-                    spin.y() * spin.y() / inverse.y() + spin.z() * spin.z() / inverse.z());
+      sum += 0.5 *
+             (body->getLinearVelocity().length2() / body->getInvMass() + spin.x() * spin.x() / inverse.x() +
+              spin.y() * spin.y() / inverse.y() + spin.z() * spin.z() / inverse.z());
     }
     return sum;
   }

@@ -30,7 +30,8 @@ void buildJoints(BulletTestWorld<World>& w) {
     if (i % 2 == 0) {
       w.template join<btPoint2PointConstraint>(*previous, *next, half, -half);
     } else {
-      w.template join<btHingeConstraint>(*previous, *next, half, -half, btVector3(0, 0, 1), btVector3(0, 0, 1));
+      w.template join<btHingeConstraint>(*previous, *next, half, -half, btVector3(0, 0, 1),
+                                         btVector3(0, 0, 1));
     }
     previous = next;
   }
@@ -56,8 +57,9 @@ void buildCompounds(BulletTestWorld<World>& w) {
     cross->addChildShape(btTransform::getIdentity(), w.template shape<btBoxShape>(half));
   }
   for (int i = 0; i < 27; ++i) {
-    w.add(1, cross, btVector3(static_cast<float>(i % 3) * 1.1F, 2 + static_cast<float>(i) * 0.6F,
-                              static_cast<float>(i / 3 % 3) * 1.2F));
+    w.add(1, cross,
+          btVector3(static_cast<float>(i % 3) * 1.1F, 2 + static_cast<float>(i) * 0.6F,
+                    static_cast<float>(i / 3 % 3) * 1.2F));
   }
 }
 
@@ -65,7 +67,8 @@ template <class World>
 void buildSpheresOnMesh(BulletTestWorld<World>& w) {
   auto mesh = std::make_unique<btTriangleMesh>();
   auto corner = [](int x, int z) {
-    return btVector3(static_cast<float>(x), std::sin(static_cast<float>(x * 3 + z * 5)), static_cast<float>(z));
+    return btVector3(static_cast<float>(x), std::sin(static_cast<float>(x * 3 + z * 5)),
+                     static_cast<float>(z));
   };
   for (int x = -8; x < 8; ++x) {
     for (int z = -8; z < 8; ++z) {
@@ -77,8 +80,9 @@ void buildSpheresOnMesh(BulletTestWorld<World>& w) {
   w.meshes.push_back(std::move(mesh));
   auto* sphere = w.template shape<btSphereShape>(btScalar(0.4));
   for (int i = 0; i < 40; ++i) {
-    w.add(1, sphere, btVector3(static_cast<float>(i % 7) - 3, 3 + static_cast<float>(i) * 0.3F,
-                               static_cast<float>(i % 5) - 2));
+    w.add(1, sphere,
+          btVector3(static_cast<float>(i % 7) - 3, 3 + static_cast<float>(i) * 0.3F,
+                    static_cast<float>(i % 5) - 2));
   }
 }
 
@@ -94,7 +98,8 @@ void buildMixedHulls(BulletTestWorld<World>& w) {
   auto* cone = w.template shape<btConeShape>(btScalar(0.5), btScalar(1));
   btCollisionShape* forms[] = {hull, cylinder, cone};
   for (int i = 0; i < 30; ++i) {
-    btRigidBody* body = w.add(1, forms[i % 3], btVector3(0.2F * static_cast<float>(i % 4), 1.5F + 1.1F * static_cast<float>(i), 0));
+    btRigidBody* body = w.add(
+        1, forms[i % 3], btVector3(0.2F * static_cast<float>(i % 4), 1.5F + 1.1F * static_cast<float>(i), 0));
     body->setAngularVelocity(btVector3(1, static_cast<float>(i % 5), 0));
     body->setRestitution(0.3F);
   }
@@ -161,7 +166,10 @@ TEST(BitIdentityScenes, SleepingSceneReallyFallsAsleep) {
   EXPECT_GT(asleep, 16);
 }
 
-#define SCATTER_CASE(name, removal) Case{#name, build##name<btDiscreteDynamicsWorld>, build##name<btHybridDynamicsWorld>, removal}
+#define SCATTER_CASE(name, removal)                                                              \
+  Case {                                                                                         \
+#name, build##name < btDiscreteDynamicsWorld>, build##name < btHybridDynamicsWorld>, removal \
+  }
 INSTANTIATE_TEST_SUITE_P(Scenes, BitIdentity,
                          testing::Values(SCATTER_CASE(Stacks, false), SCATTER_CASE(Joints, false),
                                          SCATTER_CASE(Compounds, false), SCATTER_CASE(SpheresOnMesh, false),

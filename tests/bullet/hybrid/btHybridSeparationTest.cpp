@@ -24,7 +24,8 @@ TEST(Separation, BoxesFaceToFaceAreMeasuredExactly) {
 TEST(Separation, MarginsOfHullsCount) {
   btConvexHullShape hull;
   for (int i = 0; i < 8; ++i) {
-    hull.addPoint(btVector3((i & 1) != 0 ? 0.5F : -0.5F, (i & 2) != 0 ? 0.5F : -0.5F, (i & 4) != 0 ? 0.5F : -0.5F));
+    hull.addPoint(
+        btVector3((i & 1) != 0 ? 0.5F : -0.5F, (i & 2) != 0 ? 0.5F : -0.5F, (i & 4) != 0 ? 0.5F : -0.5F));
   }
   hull.setMargin(0.1F);
   // Faces reach 0.6 m, so a distance of 1.25 m leaves 5 cm.
@@ -99,9 +100,12 @@ TEST(Separation, NeverClaimsMoreThanBulletsOwnDetectorFinds) {
   auto* compound = w.shape<btCompoundShape>();
   compound->addChildShape(at(1), w.shape<btBoxShape>(btVector3(0.5F, 0.2F, 0.7F)));
   compound->addChildShape(at(-1), hull);
-  btCollisionShape* forms[] = {w.shape<btBoxShape>(btVector3(0.4F, 0.9F, 0.6F)), w.shape<btSphereShape>(0.7F),
-                               w.shape<btCapsuleShape>(0.3F, 1.0F), w.shape<btCylinderShape>(btVector3(0.5F, 0.7F, 0.5F)),
-                               hull, compound};
+  btCollisionShape* forms[] = {w.shape<btBoxShape>(btVector3(0.4F, 0.9F, 0.6F)),
+                               w.shape<btSphereShape>(0.7F),
+                               w.shape<btCapsuleShape>(0.3F, 1.0F),
+                               w.shape<btCylinderShape>(btVector3(0.5F, 0.7F, 0.5F)),
+                               hull,
+                               compound};
   constexpr btScalar kGap = 0.05F;
   int separated = 0;
   int together = 0;
@@ -112,12 +116,13 @@ TEST(Separation, NeverClaimsMoreThanBulletsOwnDetectorFinds) {
     b.setCollisionShape(forms[random() % 6]);
     auto pose = [&] {
       btQuaternion q(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1), uniform(0.1F, 1));
-      return btTransform(q.normalized(), btVector3(uniform(-1.5F, 1.5F), uniform(-1.5F, 1.5F), uniform(-1.5F, 1.5F)));
+      return btTransform(q.normalized(),
+                         btVector3(uniform(-1.5F, 1.5F), uniform(-1.5F, 1.5F), uniform(-1.5F, 1.5F)));
     };
     a.setWorldTransform(pose());
     b.setWorldTransform(pose());
-    const bool claim = btHybridIsSeparated(a.getCollisionShape(), a.getWorldTransform(), b.getCollisionShape(),
-                                           b.getWorldTransform(), kGap);
+    const bool claim = btHybridIsSeparated(a.getCollisionShape(), a.getWorldTransform(),
+                                           b.getCollisionShape(), b.getWorldTransform(), kGap);
     Nearest nearest;
     w.world.contactPairTest(&a, &b, nearest);
     separated += claim;

@@ -33,7 +33,8 @@ TEST(Request, PersistsAndIsRetriedAtTheIntervalUntilItSucceeds) {
   w.steps(11);
   EXPECT_EQ(body->getLevel(), 3);
   EXPECT_TRUE(body->getRequest().isStanding());
-  EXPECT_THAT(w.log.story(body), ElementsAre("requested 1", "acknowledged 1", "blocked 1", "blocked 1", "blocked 1"));
+  EXPECT_THAT(w.log.story(body),
+              ElementsAre("requested 1", "acknowledged 1", "blocked 1", "blocked 1", "blocked 1"));
   w.world.removeRigidBody(ball);
   w.steps(5);
   EXPECT_EQ(body->getLevel(), 1);
@@ -165,7 +166,8 @@ void pullToCentre(HybridTestWorld& w) {
 
 double energyInThePull(const HybridTestWorld& w) {
   double sum = w.kineticEnergy();
-  for (const auto& body : w.bodies) sum += static_cast<double>(kPull * body->getWorldTransform().getOrigin().length());
+  for (const auto& body : w.bodies)
+    sum += static_cast<double>(kPull * body->getWorldTransform().getOrigin().length());
   return sum;
 }
 
@@ -174,8 +176,10 @@ ClumpOutcome coarsenAClump(bool safetyConditions, int settle) {
   HybridTestWorld w;
   w.world.getSwitchingInfo().m_safetyConditions = safetyConditions;
   for (int i = 0; i < 27; ++i) {
-    btHybridRigidBody* body = w.addCross(btVector3(static_cast<float>(i % 3), static_cast<float>(i / 3 % 3),
-                                                   static_cast<float>(i / 9)) * 3.0F - btVector3(3, 3, 3));
+    btHybridRigidBody* body = w.addCross(
+        btVector3(static_cast<float>(i % 3), static_cast<float>(i / 3 % 3), static_cast<float>(i / 9)) *
+            3.0F -
+        btVector3(3, 3, 3));
     const float turn = static_cast<float>(i);
     body->getWorldTransform().setRotation(btQuaternion(btVector3(1, turn, 2 * turn - 9).normalized(), turn));
     body->setDamping(0.5F, 0.5F);
@@ -222,9 +226,12 @@ TEST(CoarserLevel, IsBlockedByEveryKindOfPartner) {
   triangles.addTriangle(btVector3(-5, 0, -5), btVector3(-5, 0, 5), btVector3(5, 0, 0));
   HybridTestWorld w;
   auto* pair = w.shape<btCompoundShape>();
-  pair->addChildShape(btTransform(btQuaternion::getIdentity(), btVector3(0, 0, 0)), w.shape<btSphereShape>(btScalar(0.1)));
-  pair->addChildShape(btTransform(btQuaternion::getIdentity(), btVector3(0.1F, 0, 0)), w.shape<btSphereShape>(btScalar(0.1)));
-  btCollisionShape* partners[] = {w.shape<btBoxShape>(btVector3(0.1F, 0.1F, 0.1F)), w.shape<btSphereShape>(btScalar(0.1)),
+  pair->addChildShape(btTransform(btQuaternion::getIdentity(), btVector3(0, 0, 0)),
+                      w.shape<btSphereShape>(btScalar(0.1)));
+  pair->addChildShape(btTransform(btQuaternion::getIdentity(), btVector3(0.1F, 0, 0)),
+                      w.shape<btSphereShape>(btScalar(0.1)));
+  btCollisionShape* partners[] = {w.shape<btBoxShape>(btVector3(0.1F, 0.1F, 0.1F)),
+                                  w.shape<btSphereShape>(btScalar(0.1)),
                                   w.shape<btCapsuleShape>(btScalar(0.1), btScalar(0.1)), pair};
   for (btCollisionShape* partner : partners) {
     btHybridRigidBody* body = w.addCross({0, 0, 0});
@@ -396,13 +403,71 @@ TEST(Levels, AnyNumberOfThemIsWalkedFromCoarseToFine) {
   w.world.removeRigidBody(body);
 }
 
+TEST(Switch, NeverChangesTheBitsOfAFreeBodysPath) {
+  HybridTestWorld switching;
+  HybridTestWorld constant;
+  for (HybridTestWorld* w : {&switching, &constant}) {
+    btHybridRigidBody* body = w->addCross({1, 2, 3});
+    body->setLinearVelocity({3, 1, -2});
+    body->setAngularVelocity({0.4F, -2, 1.1F});
+    body->setDamping(0.1F, 0.2F);
+    body->setGravity(btVector3(0, -10, 0));
+  }
+  auto* body = btHybridRigidBody::upcast(switching.bodies[0].get());
+  int switches = 0;
+  for (int i = 0; i < 300; ++i) {
+    switching.world.requestLevel(body, 1 + i % 3);
+    switching.step();
+    constant.step();
+    switches +=
+        switching.world.getStepInfo().m_switchesCoarser + switching.world.getStepInfo().m_switchesFiner;
+    ASSERT_EQ(switching.bits(), constant.bits()) << "step " << i;
+  }
+  EXPECT_GT(switches, 290);
+}
+
+TEST(Switch, LeavesPoseVelocityMassAndInertiaOfEveryBodyInACrowdAlone) {
+  HybridTestWorld w;
+  struct Watch : EventLog {
+    std::vector<std::uint32_t> before;
+    HybridTestWorld* world = nullptr;
+    int compared = 0;
+    void acknowledged(btHybridRigidBody* body, const btHybridRequest& request) override {
+      EventLog::acknowledged(body, request);
+      before = world->bits();
+    }
+    void switched(btHybridRigidBody* body, int from, int to, const btHybridRequest& request) override {
+      EventLog::switched(body, from, to, request);
+      EXPECT_EQ(body->getInvMass(), 1);
+      EXPECT_EQ(before, world->bits());
+      ++compared;
+    }
+  } watch;
+  watch.world = &w;
+  w.world.setListener(&watch);
+  w.world.getSwitchingInfo().m_proximity = true;
+  for (int i = 0; i < 40; ++i) {
+    w.addCross(btVector3(static_cast<float>(i % 4) * 5, static_cast<float>(i / 4 % 4) * 5,
+                         static_cast<float>(i / 16) * 5) -
+               btVector3(8, 8, 5));
+  }
+  const btVector3 inertia = w.bodies[0]->getInvInertiaDiagLocal();
+  for (int i = 0; i < 200; ++i) {
+    pullToCentre(w);
+    w.step();
+  }
+  EXPECT_GT(watch.compared, 30);
+  for (const auto& body : w.bodies) EXPECT_EQ(body->getInvInertiaDiagLocal(), inertia);
+}
+
 TEST(HybridWorld, TheSameRunTwiceGivesTheSameBits) {
   auto run = [] {
     auto w = std::make_unique<HybridTestWorld>();
     w->world.getSwitchingInfo().m_proximity = true;
     for (int i = 0; i < 30; ++i) {
-      w->addCross(btVector3(static_cast<float>(i % 5) * 4, static_cast<float>(i / 5) * 4, static_cast<float>(i % 3)) -
-                  btVector3(8, 10, 0));
+      w->addCross(
+          btVector3(static_cast<float>(i % 5) * 4, static_cast<float>(i / 5) * 4, static_cast<float>(i % 3)) -
+          btVector3(8, 10, 0));
     }
     for (int i = 0; i < 300; ++i) {
       pullToCentre(*w);
@@ -417,7 +482,8 @@ TEST(HybridWorld, TheSameRunTwiceGivesTheSameBits) {
 TEST(HybridWorld, SurvivesRemovalAndReturnOfBodiesInContact) {
   HybridTestWorld w;
   w.world.getSwitchingInfo().m_proximity = true;
-  for (int i = 0; i < 20; ++i) w.addCross({static_cast<float>(i % 4) * 2.2F, static_cast<float>(i / 4) * 2.2F, 0});
+  for (int i = 0; i < 20; ++i)
+    w.addCross({static_cast<float>(i % 4) * 2.2F, static_cast<float>(i / 4) * 2.2F, 0});
   for (int i = 0; i < 200; ++i) {
     pullToCentre(w);
     btRigidBody* body = w.bodies[static_cast<std::size_t>(i * 7 % 20)].get();

@@ -191,6 +191,18 @@ TEST(BulletWorld, NewContactsAddUpToThoseThereIfNoneIsLost) {
   EXPECT_EQ(added, 20U);
 }
 
+TEST(BulletWorld, HashTellsLevelsApart) {
+  const auto hashWith = [](Policy policy) {
+    PhysicsDef def;
+    def.world = WorldKind::kHybrid;
+    def.switching.policy = policy;
+    auto physics = makeBulletPhysics(def);
+    create(*physics, bodyAt({}, cubeLevels()));
+    return physics->stateHash();
+  };
+  EXPECT_NE(hashWith(Policy::kCoarsest), hashWith(Policy::kFinest));
+}
+
 TEST(BulletWorld, PolicyDecidesWhereBodiesBegin) {
   PhysicsDef def;
   def.world = WorldKind::kHybrid;

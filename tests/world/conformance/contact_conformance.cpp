@@ -18,6 +18,32 @@ TEST_P(PhysicsConformance, RayFindsTheClosestBody) {
   EXPECT_FALSE(physics().castRay(Vec3(0.0F), Vec3(0.0F)));
 }
 
+TEST_P(PhysicsConformance, ShapesHaveTheirSizes) {
+  struct Size {
+    Shape shape;
+    Vec3 half;
+  };
+  const ConvexHull octahedron{{{1, 0, 0}, {-1, 0, 0}, {0, 2, 0}, {0, 0, 3}, {0, -2, 0}, {0, 0, -3}}};
+  for (const Size& size :
+       {Size{Box{{0.2F, 0.3F, 0.4F}}, {0.2F, 0.3F, 0.4F}}, Size{Sphere{0.7F}, Vec3(0.7F)},
+        Size{Capsule{0.3F, 0.6F}, {0.3F, 0.9F, 0.3F}}, Size{Cylinder{0.3F, 0.6F}, {0.3F, 0.6F, 0.3F}},
+        Size{octahedron, {1, 2, 3}}, Size{Compound{{{Box{Vec3(0.5F)}, {}}}}, Vec3(0.5F)}}) {
+    SCOPED_TRACE(size.shape.index());
+    startWithGravity(Vec3(0.0F));
+    const Vec3 at{1.0F, 2.0F, 3.0F};
+    add(bodyAt(at, size.shape));
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const float side : {-1.0F, 1.0F}) {
+        Vec3 from = at;
+        from[axis] += side * 10.0F;
+        const auto hit = physics().castRay(from, at);
+        ASSERT_TRUE(hit);
+        EXPECT_NEAR(std::abs(hit->point[axis] - at[axis]), size.half[axis], 0.03F);
+      }
+    }
+  }
+}
+
 TEST_P(PhysicsConformance, RayFindsAMovedBodyWhereItIs) {
   startWithGravity(Vec3(0.0F));
   const BodyId body = add(bodyAt({5.0F, 0.0F, 0.0F}));
@@ -118,6 +144,20 @@ TEST_P(PhysicsConformance, CountsPairsAndContacts) {
   EXPECT_EQ(physics().counters().objects, 2U);
   EXPECT_EQ(physics().counters().hybrids, 0U);
   EXPECT_EQ(physics().counters().narrowphasePairs, 1U);
+}
+
+TEST_P(PhysicsConformance, ContactOnTheEdgeOfTwoTrianglesIsNewOnce) {
+  startWithGravity(Vec3(0.0F));
+  auto mesh = std::make_shared<TriangleMesh>();
+  mesh->vertices = {{-5, 0, -5}, {5, 0, -5}, {5, 0, 5}, {-5, 0, 5}};
+  mesh->triangles = {{0, 2, 1}, {0, 3, 2}};
+  BodyDef ground = bodyAt(Vec3(0.0F), std::shared_ptr<const TriangleMesh>(mesh));
+  ground.motion = Motion::kStatic;
+  add(ground);
+  add(bodyAt({1.0F, 0.495F, 1.0F}, Sphere{0.5F}));
+  step();
+  EXPECT_EQ(physics().counters().contacts, 1U);
+  EXPECT_EQ(physics().counters().newContacts, 1U);
 }
 
 TEST_P(PhysicsConformance, StaticBodiesMakeNoPairs) {

@@ -180,6 +180,23 @@ TEST_P(PhysicsConformance, RestingBodyFallsAsleepAndIsWoken) {
   EXPECT_GT(physics().state(box).pose.position.x, before.x + 0.01F);
 }
 
+TEST_P(PhysicsConformance, BodyWokenByAnotherHasNoForceInStore) {
+  startWithGravity(kEarth);
+  addGround();
+  BodyDef def = bodyAt({0.0F, 0.5F, 0.0F});
+  def.mayRest = true;
+  const BodyId box = add(def);
+  step(300);
+  ASSERT_TRUE(physics().state(box).asleep);
+  add(bodyAt({0.0F, 2.5F, 0.0F}, Sphere{0.5F}));
+  for (int i = 0; i < 120 && physics().state(box).asleep; ++i) {
+    physics().applyCentralForce(box, {5000.0F, 0.0F, 0.0F}, /*wake=*/false);
+    step();
+  }
+  ASSERT_FALSE(physics().state(box).asleep);
+  EXPECT_NEAR(physics().state(box).linearVelocity.x, 0.0F, 0.1F);
+}
+
 TEST_P(PhysicsConformance, GravityCanChange) {
   startWithGravity(kEarth);
   addGround();

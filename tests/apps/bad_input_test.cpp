@@ -1,0 +1,161 @@
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+#include "apps/program.h"
+
+namespace scatter::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Refusal {
+  const char* name;
+  std::vector<std::string> arguments;
+  const char* message;  ///< Part of the line.
+};
+
+std::string refusalName(const testing::TestParamInfo<Refusal>& info) {
+  return info.param.name;
+}
+
+class BadUsage : public ProgramTest, public testing::WithParamInterface<Refusal> {};
+
+TEST_P(BadUsage, IsRefusedInOneLine) {
+  expectRefused(scatter(GetParam().arguments), GetParam().message);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Names, BadUsage,
+    testing::Values(
+        Refusal{"noCommand", {}, "list, run, compare"},
+        Refusal{"unknownCommand", {"rum"}, "did you mean \"run\"? Known: list, run, compare"},
+        Refusal{"unknownOption", {"run", "tower", "--frmes", "3"}, "did you mean \"--frames\"?"},
+        Refusal{"extraArgument", {"run", "tower", "extra"}, "unexpected argument \"extra\""},
+        Refusal{"noScene", {"run"}, "SCENE is required"},
+        Refusal{"unknownScene", {"run", "towr"}, "did you mean \"tower\"?"},
+        Refusal{"sceneWithLineBreak", {"run", "to\nwer"}, "unknown scene"},
+        Refusal{"unknownSceneToCompare", {"compare", "towr"}, "armada, convergence, duel, fleet, tower"},
+        Refusal{"unknownWorld", {"run", "tower", "--world", "hybird"}, "did you mean \"hybrid\"?"},
+        Refusal{
+            "unknownWorldToCompare", {"compare", "tower", "--worlds", "standard,hybird"}, "unknown world"},
+        Refusal{"sameWorldTwice", {"compare", "tower", "--worlds", "hybrid,hybrid"}, "two worlds"},
+        Refusal{"noWorlds", {"compare", "tower", "--worlds", ""}, "unknown world \"\""},
+        Refusal{"unknownPolicy", {"run", "tower", "--policy", "finset"}, "did you mean \"finest\"?"},
+        Refusal{
+            "unknownEngine", {"run", "tower", "--engine", "ode"}, "unknown engine \"ode\"; Known: bullet"},
+        Refusal{"unknownSwitching", {"run", "tower", "--switching", "pair"}, "Known: body"},
+        Refusal{"policyInStandardWorld",
+                {"run", "tower", "--world", "standard", "--policy", "none"},
+                "--policy has no"},
+        Refusal{
+            "twoPolicies", {"run", "tower", "--world", "finest", "--policy", "none"}, "has its own policy"}),
+    refusalName);
+
+INSTANTIATE_TEST_SUITE_P(
+    Numbers, BadUsage,
+    testing::Values(
+        Refusal{"zeroFrames", {"run", "tower", "--frames", "0"}, "--frames: needs a whole number from 1"},
+        Refusal{"negativeFrames", {"run", "tower", "--frames", "-3"}, "not \"-3\""},
+        Refusal{"framesInWords", {"run", "tower", "--frames", "many"}, "not \"many\""},
+        Refusal{"framesWithUnit", {"compare", "tower", "--frames", "60s"}, "not \"60s\""},
+        Refusal{"halfAFrame", {"run", "tower", "--frames", "1.5"}, "not \"1.5\""},
+        Refusal{"tooManyFrames", {"run", "tower", "--frames", "99999999999"}, "not \"99999999999\""},
+        Refusal{"noFrames", {"run", "tower", "--frames"}, "--frames"},
+        Refusal{"negativeSeed", {"run", "tower", "--seed", "-1"}, "--seed: needs a whole number from 0"},
+        Refusal{"noBudget", {"run", "tower", "--budget-ms", "0"}, "--budget-ms: needs a number above 0"},
+        Refusal{"budgetNotANumber", {"run", "tower", "--budget-ms", "nan"}, "not \"nan\""},
+        Refusal{"endlessBudget", {"run", "tower", "--budget-ms", "inf"}, "not \"inf\""},
+        Refusal{"noRetries", {"run", "tower", "--retry-interval", "0"}, "--retry-interval"},
+        Refusal{"tooNear", {"run", "tower", "--proximity-steps", "1"}, "needs a number above 1"},
+        Refusal{"negativeLoad", {"run", "tower", "--load-fine-pairs", "-1"}, "--load-fine-pairs"},
+        Refusal{"noRepeats", {"compare", "tower", "--repeat", "0"}, "--repeat"}),
+    refusalName);
+
+class BadFolder : public ProgramTest, public testing::WithParamInterface<const char*> {};
+
+// So many frames that a check after the run would time out.
+TEST_P(BadFolder, IsRefusedBeforeTheRun) {
+  for (const char* command : {"run", "compare"}) {
+    expectRefused(scatter({command, "tower", "--frames", "50000000", "--out", GetParam()}),
+                  "choose another folder");
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Paths, BadFolder,
+                         testing::Values("/proc/x", "/dev/full", "/dev/full/x", SCATTER_PROGRAM,
+                                         SCATTER_PROGRAM "/below/a/file"));
+
+TEST_F(ProgramTest, AFolderWithoutANameIsRefused) {
+  expectRefused(scatter({"run", "tower", "--out", ""}), "the output folder has no name");
+}
+
+TEST_F(ProgramTest, AMissingGnuplotIsFoundBeforeTheRun) {
+  const Outcome outcome = runProgram({.arguments = {"compare", "tower", "--frames", "50000000"},
+                                      .folder = folder,
+                                      .environment = {{"PATH", folder.string()}}});
+  expectRefused(outcome, "gnuplot-nox");
+}
+
+struct Breakage {
+  const char* name;
+  std::vector<std::string>
+      after;         ///< Stand before the place in hunter.dae, in this order; none: all is replaced.
+  const char* text;  ///< What is there instead of all until the next tag.
+  const char* message;
+};
+
+class BrokenModel : public ProgramTest, public testing::WithParamInterface<Breakage> {
+ protected:
+  /// A folder with a copy of the Hunter's model that is broken as the parameter says.
+  [[nodiscard]] fs::path breakModel() const {
+    std::string text = readText(fs::path(SCATTER_TEST_MODEL_DIR) / "hunter.dae");
+    std::size_t from = 0;
+    for (const std::string& mark : GetParam().after) {
+      from = text.find(mark, from);
+      EXPECT_NE(from, std::string::npos);
+      from += mark.size();
+    }
+    const std::size_t to = GetParam().after.empty() ? text.size() : text.find('<', from);
+    text.replace(from, to - from, GetParam().text);
+    const fs::path models = folder / "models";
+    fs::create_directory(models);
+    std::ofstream(models / "hunter.dae") << text;
+    return models;
+  }
+};
+
+TEST_P(BrokenModel, IsRefusedInOneLineThatNamesTheFile) {
+  const fs::path models = breakModel();
+  fs::create_directory(folder / "work");
+  for (const char* command : {"run", "compare"}) {
+    const Outcome outcome = runProgram({.arguments = {command, "duel", "--frames", "5", "--out", "out"},
+                                        .folder = folder / "work",
+                                        .environment = {{"SCATTER_MODEL_PATH", models.string()}}});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(linesOf(outcome.errors).size(), 1U) << outcome.errors;
+    EXPECT_THAT(outcome.errors, testing::StartsWith("scatter: "));
+    EXPECT_THAT(outcome.errors, testing::HasSubstr((models / "hunter.dae").string()));
+    EXPECT_THAT(outcome.errors, testing::ContainsRegex(GetParam().message));
+    EXPECT_TRUE(fs::is_empty(folder / "work"));
+  }
+}
+
+std::string breakageName(const testing::TestParamInfo<Breakage>& info) {
+  return info.param.name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, BrokenModel,
+                         testing::Values(Breakage{"notXml", {}, "<COLLADA", "XML"},
+                                         Breakage{"empty", {}, "", "XML"},
+                                         Breakage{"tagNotClosed", {"<mass>"}, "1000</mas>", "XML"},
+                                         Breakage{"negativeMass", {"<mass>"}, "-1", "<mass>: -1"},
+                                         Breakage{"massNotANumber", {"<mass>"}, "nan", "<mass>: .*nan"},
+                                         Breakage{"notNested",
+                                                  {"<level index=\"1\">", "<half_extents>"},
+                                                  "2 0.5 1",
+                                                  "sticks out of level 1 by [0-9.]+ m"}),
+                         breakageName);
+
+}  // namespace
+}  // namespace scatter::test

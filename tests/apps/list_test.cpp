@@ -1,0 +1,48 @@
+#include <gmock/gmock.h>
+
+#include "apps/program.h"
+
+namespace scatter::test {
+namespace {
+
+using testing::HasSubstr;
+
+TEST_F(ProgramTest, ListShowsEverythingThatCanBeNamed) {
+  const Outcome outcome = scatter({"list"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.errors, "");
+  for (const char* name : {"armada", "convergence", "duel", "fleet", "tower", "standard", "hybrid",
+                           "proximity", "finest", "coarsest", "none", "body", "bullet 3"}) {
+    EXPECT_THAT(outcome.output, HasSubstr(name));
+  }
+}
+
+TEST_F(ProgramTest, ListShowsHowLongAScenesStoryIs) {
+  EXPECT_THAT(scatter({"list"}).output, testing::ContainsRegex("tower .*\\([0-9]+ frames\\)"));
+}
+
+TEST_F(ProgramTest, EveryCommandHasHelp) {
+  for (const char* command : {"list", "run", "compare"}) {
+    const Outcome outcome = scatter({command, "--help"});
+    EXPECT_EQ(outcome.status, 0) << command;
+    EXPECT_EQ(outcome.errors, "");
+    EXPECT_THAT(outcome.output, HasSubstr(std::string("scatter ") + command));
+  }
+  const Outcome outcome = scatter({"--help"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.output, testing::AllOf(HasSubstr("list"), HasSubstr("run"), HasSubstr("compare")));
+}
+
+TEST_F(ProgramTest, VersionIsOneLine) {
+  const Outcome outcome = scatter({"--version"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.output, testing::MatchesRegex("scatter [0-9]+\\.[0-9]+\\.[0-9]+ .*\n"));
+}
+
+TEST_F(ProgramTest, AFullDiskBehindStandardOutputIsNotASuccess) {
+  const Outcome outcome = runProgram({.arguments = {"list"}, .folder = folder, .outputTo = "/dev/full"});
+  expectRefused(outcome, "cannot write to standard output");
+}
+
+}  // namespace
+}  // namespace scatter::test
