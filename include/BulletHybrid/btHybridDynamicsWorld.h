@@ -63,13 +63,16 @@ class btHybridDynamicsWorld : public btDiscreteDynamicsWorld
 	btAlignedObjectArray<btBroadphasePair*> m_pairsOf;
 	btAlignedObjectArray<int> m_hybridIndexOfObject;  ///< by world array index; -1 for other objects
 
+	btAlignedObjectArray<btScalar> m_speedOfObject;  ///< of its fastest point, by world array index; 0 if static
+	btScalar m_topSpeed;
+
 	void indexHybrids();
 	int hybridIndex(const btBroadphaseProxy* proxy) const;
 	void collectPairs();
 	void planSwitching();
 	void closeCounts();
-	btScalar fastestOther() const;
-	void updateHybridAabb(btHybridRigidBody* body, btScalar fastestOther);
+	void measureSpeeds();
+	void updateHybridAabb(btHybridRigidBody* body);
 	bool hasMovingNeighbour(const btHybridRigidBody* body) const;
 	void followProximity(btHybridRigidBody* body);
 	void tryRequest(btHybridRigidBody* body);
@@ -134,7 +137,7 @@ public:
 	virtual void addRigidBody(btRigidBody* body, int group, int mask);
 	virtual void removeRigidBody(btRigidBody* body);
 
-	/// Hybrids get the bounds of their coarsest level, widened by the proximity margin.
+	/// Hybrids get the bounds of their coarsest level.
 	virtual void updateAabbs();
 
 	virtual void performDiscreteCollisionDetection();

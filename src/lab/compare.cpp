@@ -59,7 +59,7 @@ Result<void> checkSameHashes(const ComparedWorld& world) {
 
 Spread spreadOf(const std::vector<double>& values) {
   const auto [min, max] = std::minmax_element(values.begin(), values.end());
-  return {.median = nearestRank(values, 0.5), .min = *min, .max = *max};
+  return {.median = medianOf(values), .min = *min, .max = *max};
 }
 
 // Each repeat's figure over that of the first world in the same repeat.
@@ -110,7 +110,7 @@ FrameTable medianTable(const ComparedWorld& world) {
       for (const Run& run : world.repeats) {
         repeats.push_back(run.table.values(column.channel.name)[frame]);
       }
-      values[frame] = nearestRank(std::move(repeats), 0.5);
+      values[frame] = medianOf(std::move(repeats));
     }
     median.setValues(column.channel.name, std::move(values));
   }

@@ -26,7 +26,7 @@ double medianOver(const ComparedWorld& world, const std::function<double(const S
   for (const Run& run : world.repeats) {
     values.push_back(figure(run.summary));
   }
-  return nearestRank(std::move(values), 0.5);
+  return medianOf(std::move(values));
 }
 
 struct TimeFigure {

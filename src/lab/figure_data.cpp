@@ -68,16 +68,35 @@ FramePeak FigureData::peak(std::size_t world, std::string_view column) const {
 
 double FigureData::highest(std::string_view column, const FrameRange& frames) const {
   double highest = 0.0;
-  for (const FigureWorld& world : worlds_) {
-    const auto& numbers = world.table->values("frame");
-    const auto& values = world.table->values(column);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      if (numbers[i] >= frames.first && numbers[i] <= frames.last) {
-        highest = std::max(highest, values[i]);
-      }
-    }
+  for (std::size_t world = 0; world < worlds_.size(); ++world) {
+    highest = std::max(highest, this->highest(world, column, frames));
   }
   return highest;
+}
+
+double FigureData::highest(std::size_t world, std::string_view column, const FrameRange& frames) const {
+  const auto values = valuesIn(world, column, frames);
+  return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
+}
+
+int FigureData::countAbove(std::size_t world, std::string_view column, const FrameRange& frames,
+                           double limit) const {
+  const auto values = valuesIn(world, column, frames);
+  return static_cast<int>(
+      std::count_if(values.begin(), values.end(), [limit](double value) { return value > limit; }));
+}
+
+std::vector<double> FigureData::valuesIn(std::size_t world, std::string_view column,
+                                         const FrameRange& frames) const {
+  const auto& numbers = worlds_[world].table->values("frame");
+  const auto& values = worlds_[world].table->values(column);
+  std::vector<double> inRange;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (numbers[i] >= frames.first && numbers[i] <= frames.last) {
+      inRange.push_back(values[i]);
+    }
+  }
+  return inRange;
 }
 
 Result<void> FigureData::write(const std::filesystem::path& folder) const {

@@ -41,6 +41,13 @@ class FigureData {
   /// The highest value of a column in any world in these frames.
   [[nodiscard]] double highest(std::string_view column, const FrameRange& frames) const;
 
+  /// The same in one world.
+  [[nodiscard]] double highest(std::size_t world, std::string_view column, const FrameRange& frames) const;
+
+  /// How many of a world's frames in the range have more than `limit`.
+  [[nodiscard]] int countAbove(std::size_t world, std::string_view column, const FrameRange& frames,
+                               double limit) const;
+
   /// Writes each world's numbers into `folder`, one line a frame.
   [[nodiscard]] Result<void> write(const std::filesystem::path& folder) const;
 
@@ -55,6 +62,9 @@ class FigureData {
   [[nodiscard]] static int stackColumn(std::size_t stages);
 
  private:
+  [[nodiscard]] std::vector<double> valuesIn(std::size_t world, std::string_view column,
+                                             const FrameRange& frames) const;
+
   std::vector<FigureWorld> worlds_;
   FigureOptions options_;
 };

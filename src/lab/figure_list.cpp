@@ -83,13 +83,16 @@ std::string peakSentence(const FigureData& data, std::string_view column, const 
   return text;
 }
 
-// A ring on the peak, with its value above.
+// A ring on the peak, with its value above; beside the edges it reaches inward.
 std::string peakMark(const FigureData& data, std::size_t world) {
+  const FrameRange all = data.allFrames();
   const FramePeak peak = data.peak(world, "physics_cpu_ms");
+  const double place = (peak.frame - all.first) / (all.last - all.first);
+  const char* side = place < 0.1 ? "left" : place > 0.9 ? "right" : "center";
   const std::string rgb = quoted(worldColor(world));
   return "set label " + std::to_string(10 + world) + ' ' + quoted(readableNumber(peak.value) + " ms") +
-         " at " + shortestNumber(peak.frame) + ',' + shortestNumber(peak.value) +
-         " center offset 0,0.9 point pointtype 6 pointsize 1.2 linewidth 1.6 linecolor rgb " + rgb +
+         " at " + shortestNumber(peak.frame) + ',' + shortestNumber(peak.value) + ' ' + side +
+         " offset 0,0.9 point pointtype 6 pointsize 1.2 linewidth 1.6 linecolor rgb " + rgb +
          " textcolor rgb " + rgb + " front";
 }
 
@@ -234,9 +237,28 @@ FigureScript switching(const FigureData& data) {
           .panelHeight = 170.0};
 }
 
-Panel stagesPanel(const FigureData& data, std::size_t world, double highest) {
-  Panel panel{.title = worldTitle(data, world), .yLabel = "wall time (ms)"};
+// Wall time also holds what other programs took. A frame that was interrupted must not press all others flat:
+// the axis ends somewhat above the highest processor time, and the title says what is beyond.
+double stagesTop(const FigureData& data, const FrameRange& frames) {
+  const double cpu = data.highest("physics_cpu_ms", frames);
+  return std::min(data.highest("physics_ms", frames), 1.3 * cpu);
+}
+
+std::string stagesTitle(const FigureData& data, std::size_t world, const FrameRange& frames, double top) {
+  const int beyond = data.countAbove(world, "physics_ms", frames, top);
+  if (beyond == 0) {
+    return worldTitle(data, world);
+  }
+  return worldTitle(data, world) + "; beyond the axis: " + std::to_string(beyond) +
+         (beyond == 1 ? " frame, " : " frames, up to ") +
+         readableNumber(data.highest(world, "physics_ms", frames)) + " ms, interrupted by other programs";
+}
+
+Panel stagesPanel(const FigureData& data, std::size_t world, const FrameRange& frames) {
+  const double highest = stagesTop(data, frames);
+  Panel panel{.title = {}, .yLabel = "wall time (ms)"};
   panel.yMax = axisTop(budgetInRange(data, highest) ? std::max(highest, data.options().budgetMs) : highest);
+  panel.title = stagesTitle(data, world, frames, panel.yMax);
   // From the top of the stack down: each area hides the lower part of the one before it.
   for (std::size_t stage = kStageCount; stage-- > 0;) {
     panel.curves.push_back({.plot = quoted(FigureData::fileOf(world)) +
@@ -267,9 +289,8 @@ FigureScript stages(const FigureData& data, bool aroundPeak) {
       .frames = frames,
       .panels = {},
       .panelHeight = 290.0};
-  const double highest = data.highest("physics_ms", frames);
   for (std::size_t world = 0; world < data.worlds(); ++world) {
-    figure.panels.push_back(stagesPanel(data, world, highest));
+    figure.panels.push_back(stagesPanel(data, world, frames));
   }
   return figure;
 }

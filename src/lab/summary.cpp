@@ -34,6 +34,15 @@ double nearestRank(std::vector<double> values, double share) {
   return values[static_cast<std::size_t>(index)];
 }
 
+double medianOf(std::vector<double> values) {
+  if (values.empty()) {
+    return 0.0;
+  }
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2.0;
+}
+
 TimeStatistics timeStatistics(const std::vector<double>& milliseconds, double budgetMs) {
   const auto over = std::count_if(milliseconds.begin(), milliseconds.end(),
                                   [budgetMs](double value) { return value > budgetMs; });

@@ -56,6 +56,17 @@ TEST(DrawFigures, TheCaptionNamesThePeaks) {
   EXPECT_THAT(figures->front().caption, HasSubstr("(frame " + std::to_string(peak) + ")"));
 }
 
+TEST(DrawFigures, AnInterruptedFrameLeavesTheAxisAndIsNamed) {
+  FrameTable table = syntheticTable(200, 1.0, false);
+  std::vector<double> times = table.values("physics_ms");
+  times[20] = 1000.0;
+  table.setValues("physics_ms", times);
+  TemporaryFolder folder;
+  ASSERT_TRUE(drawFigures({{"standard", &table}}, {.scene = "s", .folder = folder.path()}));
+  EXPECT_THAT(contentOf(folder.path() / "stages.svg"), HasSubstr("beyond the axis: 1 frame, 1000 ms"));
+  EXPECT_THAT(contentOf(folder.path() / "stages_peak.svg"), Not(HasSubstr("beyond the axis")));
+}
+
 TEST(DrawFigures, DrawsRunsWithOneFrameAndWithNothingInThem) {
   const FrameTable one = syntheticTable(1, 1.0, false);
   FrameTable nothing = syntheticTable(10, 1.0, false);

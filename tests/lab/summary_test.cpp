@@ -49,6 +49,12 @@ TEST(NearestRank, AtLeastTheShareIsNotGreaterAndFewerForAnySmallerValue) {
   }
 }
 
+TEST(MedianOf, IsTheMiddleOrTheMeanOfTheMiddleTwo) {
+  EXPECT_EQ(medianOf({3, 1, 2}), 2.0);
+  EXPECT_EQ(medianOf({4, 1, 2, 10}), 3.0);
+  EXPECT_EQ(medianOf({}), 0.0);
+}
+
 TEST(TimeStatistics, CountsFramesOverBudgetStrictly) {
   const TimeStatistics times = timeStatistics({1, 2, 3, 10}, 3.0);
   EXPECT_EQ(times.framesOverBudget, 1U);

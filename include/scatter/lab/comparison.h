@@ -42,7 +42,8 @@ struct TimeRatios {
 struct ComparedWorld {
   std::vector<Run> repeats;  ///< In the order in which they were run.
 
-  /// The repeat with the median total physics_cpu_ms: the one that is written.
+  /// The repeat with the median total physics_cpu_ms, of an even number the lower of the middle two: the one
+  /// that is written.
   std::size_t typical = 0;
 
   /// The typical repeat's table with the per-frame median over the repeats in every time column; counters

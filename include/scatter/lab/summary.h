@@ -28,6 +28,9 @@ struct TimeStatistics {
 /// exceed. Always one of the values, never interpolated; the median of 1, 2, 3, 4 is 2. Zero for none.
 [[nodiscard]] double nearestRank(std::vector<double> values, double share);
 
+/// Over repeats: of an even number the mean of the middle two, since there are few. Zero for none.
+[[nodiscard]] double medianOf(std::vector<double> values);
+
 [[nodiscard]] TimeStatistics timeStatistics(const std::vector<double>& milliseconds, double budgetMs);
 
 struct CounterStatistics {

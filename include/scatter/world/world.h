@@ -27,7 +27,8 @@ class World {
   [[nodiscard]] Result<JointId> join(const JointDef& def) { return physics_->createJoint(def); }
   [[nodiscard]] Result<VehicleId> addVehicle(const VehicleDef& def) { return physics_->createVehicle(def); }
 
-  /// Fields act on every dynamic object whose `inFields` is set. Asleep bodies stay asleep.
+  /// Fields act at the centre of mass of every dynamic object whose `inFields` is set. Asleep bodies stay
+  /// asleep.
   void addField(std::unique_ptr<Field> field) { fields_.push_back(std::move(field)); }
   void clearFields() { fields_.clear(); }
 

@@ -12,7 +12,8 @@ btHybridDynamicsWorld::btHybridDynamicsWorld(btDispatcher* dispatcher, btBroadph
     : btDiscreteDynamicsWorld(dispatcher, pairCache, constraintSolver, collisionConfiguration),
       m_listener(0),
       m_loadIsFine(false),
-      m_step(0)
+      m_step(0),
+      m_topSpeed(0)
 {
 }
 
@@ -131,16 +132,18 @@ static btScalar fastestPoint(const btRigidBody* body)
 	return body->getLinearVelocity().length() + body->getAngularVelocity().length() * body->getCollisionShape()->getAngularMotionDisc();
 }
 
-btScalar btHybridDynamicsWorld::fastestOther() const
+void btHybridDynamicsWorld::measureSpeeds()
 {
-	btScalar fastest = 0;
+	m_speedOfObject.resizeNoInitialize(m_collisionObjects.size());
+	for (int i = 0; i < m_speedOfObject.size(); i++)
+		m_speedOfObject[i] = 0;
+	m_topSpeed = 0;
 	for (int i = 0; i < m_nonStaticRigidBodies.size(); i++)
 	{
-		const btRigidBody* body = m_nonStaticRigidBodies[i];
-		if (m_hybridIndexOfObject[body->getWorldArrayIndex()] < 0)
-			fastest = btMax(fastest, fastestPoint(body));
+		const btScalar speed = fastestPoint(m_nonStaticRigidBodies[i]);
+		m_speedOfObject[m_nonStaticRigidBodies[i]->getWorldArrayIndex()] = speed;
+		m_topSpeed = btMax(m_topSpeed, speed);
 	}
-	return fastest;
 }
 
 void btHybridDynamicsWorld::updateAabbs()
@@ -152,22 +155,19 @@ void btHybridDynamicsWorld::updateAabbs()
 		return;
 	}
 	BT_PROFILE("updateAabbs");
-	const btScalar fastest = m_switching.m_proximity ? fastestOther() : btScalar(0);
 	for (int i = 0; i < m_collisionObjects.size(); i++)
 	{
 		btCollisionObject* object = m_collisionObjects[i];
 		if (!m_forceUpdateAllAabbs && !object->isActive())
 			continue;
 		if (m_hybridIndexOfObject[i] >= 0)
-			updateHybridAabb(m_hybrids[m_hybridIndexOfObject[i]], fastest);
+			updateHybridAabb(m_hybrids[m_hybridIndexOfObject[i]]);
 		else
 			updateSingleAabb(object);
 	}
 }
 
-// The pair's margins add up: a hybrid covers its own travel and that of the fastest body that has no
-// margin, so that m > v_max * dt holds for every pair (report, section 6.3.1).
-void btHybridDynamicsWorld::updateHybridAabb(btHybridRigidBody* body, btScalar fastestOther)
+void btHybridDynamicsWorld::updateHybridAabb(btHybridRigidBody* body)
 {
 	btVector3 aabbMin, aabbMax;
 	body->m_levels->getCoarsestAabb(body->getWorldTransform(), aabbMin, aabbMax);
@@ -178,10 +178,8 @@ void btHybridDynamicsWorld::updateHybridAabb(btHybridRigidBody* body, btScalar f
 		aabbMin.setMin(nextMin);
 		aabbMax.setMax(nextMax);
 	}
-	btScalar margin = m_switching.m_safetyGap;
-	if (m_switching.m_proximity)
-		margin = btMax(margin, m_switching.m_proximitySteps * getDispatchInfo().m_timeStep * (fastestPoint(body) + fastestOther));
-	margin += gContactBreakingThreshold;
+	//The safety queries look at the pairs of these bounds, so the gap must fit in.
+	const btScalar margin = btMax(m_switching.m_safetyGap, gContactBreakingThreshold);
 	const btVector3 wide(margin, margin, margin);
 	aabbMin -= wide;
 	aabbMax += wide;
@@ -222,6 +220,8 @@ void btHybridDynamicsWorld::planSwitching()
 {
 	BT_PROFILE("planSwitching");
 	collectPairs();
+	if (m_switching.m_proximity)
+		measureSpeeds();
 	for (int i = 0; i < m_hybrids.size(); i++)
 	{
 		btHybridRigidBody* body = m_hybrids[i];
@@ -272,16 +272,57 @@ static bool canPush(const btCollisionObject* body, const btCollisionObject* part
 	return body->hasContactResponse() && partner->hasContactResponse() && body->checkCollideWith(partner) && partner->checkCollideWith(body);
 }
 
+namespace
+{
+//Looks for a moving body that could reach a hybrid's bounds within the proximity steps. The margin is the
+//pair's, so that m > v_max * dt holds for it (report, section 6.3.1) and one fast body widens no other pair.
+struct NeighbourSearch : public btBroadphaseAabbCallback
+{
+	const btBroadphaseProxy* m_self;
+	const btAlignedObjectArray<btScalar>& m_speeds;
+	btScalar m_seconds;
+	btScalar m_ownSpeed;
+	bool m_found;
+
+	NeighbourSearch(const btBroadphaseProxy* self, const btAlignedObjectArray<btScalar>& speeds, btScalar seconds, btScalar ownSpeed)
+		: m_self(self), m_speeds(speeds), m_seconds(seconds), m_ownSpeed(ownSpeed), m_found(false)
+	{
+	}
+
+	virtual bool process(const btBroadphaseProxy* other)
+	{
+		if (m_found || other == m_self || !mayCollide(other))
+			return true;
+		const btCollisionObject* object = static_cast<const btCollisionObject*>(other->m_clientObject);
+		if (object->isStaticObject())
+			return true;
+		const btScalar margin = m_seconds * (m_ownSpeed + m_speeds[object->getWorldArrayIndex()]);
+		const btVector3 wide(margin, margin, margin);
+		m_found = TestAabbAgainstAabb2(m_self->m_aabbMin - wide, m_self->m_aabbMax + wide, other->m_aabbMin, other->m_aabbMax);
+		return true;
+	}
+
+	bool mayCollide(const btBroadphaseProxy* other) const
+	{
+		return (m_self->m_collisionFilterGroup & other->m_collisionFilterMask) && (other->m_collisionFilterGroup & m_self->m_collisionFilterMask);
+	}
+};
+}  // namespace
+
 bool btHybridDynamicsWorld::hasMovingNeighbour(const btHybridRigidBody* body) const
 {
-	for (int i = m_firstPairOf[body->m_hybridIndex]; i < m_firstPairOf[body->m_hybridIndex + 1]; i++)
-	{
-		const btBroadphasePair* pair = m_pairsOf[i];
-		// A broadphase may keep a pair for a while after its bounds have parted.
-		if (!partnerIn(pair, body)->isStaticObject() && TestAabbAgainstAabb2(pair->m_pProxy0->m_aabbMin, pair->m_pProxy0->m_aabbMax, pair->m_pProxy1->m_aabbMin, pair->m_pProxy1->m_aabbMax))
-			return true;
-	}
-	return false;
+	const btBroadphaseProxy* proxy = body->getBroadphaseProxy();
+	const btScalar seconds = m_switching.m_proximitySteps * m_dispatchInfo.m_timeStep;
+	NeighbourSearch search(proxy, m_speedOfObject, seconds, m_speedOfObject[body->getWorldArrayIndex()]);
+	for (int i = m_firstPairOf[body->m_hybridIndex]; i < m_firstPairOf[body->m_hybridIndex + 1] && !search.m_found; i++)
+		search.process(m_pairsOf[i]->m_pProxy0 == proxy ? m_pairsOf[i]->m_pProxy1 : m_pairsOf[i]->m_pProxy0);
+	if (search.m_found)
+		return true;
+	//Only a body without overlapping pairs, of which an overload has few, pays for a look around.
+	const btScalar margin = seconds * (search.m_ownSpeed + m_topSpeed);
+	const btVector3 wide(margin, margin, margin);
+	m_broadphasePairCache->aabbTest(proxy->m_aabbMin - wide, proxy->m_aabbMax + wide, search);
+	return search.m_found;
 }
 
 void btHybridDynamicsWorld::followProximity(btHybridRigidBody* body)
