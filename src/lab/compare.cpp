@@ -110,7 +110,8 @@ FrameTable medianTable(const ComparedWorld& world) {
       for (const Run& run : world.repeats) {
         repeats.push_back(run.table.values(column.channel.name)[frame]);
       }
-      values[frame] = medianOf(std::move(repeats));
+      // Interruptions only add: of an even number the lower one is nearer the truth.
+      values[frame] = nearestRank(std::move(repeats), 0.5);
     }
     median.setValues(column.channel.name, std::move(values));
   }

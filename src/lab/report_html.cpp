@@ -33,10 +33,10 @@ std::string element(const std::string& tag, const std::string& text) {
 
 std::string describe(const PhysicsDef& physics) {
   if (physics.world == WorldKind::kStandard) {
-    return "the plain physics engine. Every object always collides in its full detail.";
+    return "The plain physics engine. Every object always collides in its full detail.";
   }
   const std::string same =
-      "the same engine with switching. A detailed object has several nested collision shapes, a coarse one "
+      "The same engine with switching. A detailed object has several nested collision shapes, a coarse one "
       "around "
       "finer ones, and may use a coarser one to save time. ";
   switch (physics.switching.policy) {
@@ -57,8 +57,9 @@ std::string describe(const PhysicsDef& physics) {
 
 std::string introduction(const Comparison& comparison) {
   const RunOptions& first = comparison.options.runs.front();
+  const std::string about = first.summary.empty() ? std::string() : ": " + first.summary;
   std::string text =
-      "<p>" + escaped(first.summary.empty() ? "Scene '" + first.scene + "'." : first.summary) +
+      "<p>Scene <b>" + escaped(first.scene) + "</b>" + escaped(about) +
       "</p>\n<p>When many detailed objects meet at once, a physics engine has to test so many of their "
       "parts against each other that it cannot finish in time for the next picture: a collision "
       "overload. This page runs one scene in " +

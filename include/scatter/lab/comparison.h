@@ -46,8 +46,8 @@ struct ComparedWorld {
   /// that is written.
   std::size_t typical = 0;
 
-  /// The typical repeat's table with the per-frame median over the repeats in every time column; counters
-  /// are the same in all. For figures.
+  /// The typical repeat's table with the per-frame median over the repeats (of an even number the lower of
+  /// the middle two) in every time column; counters are the same in all. For figures.
   FrameTable median;
 
   TimeRatios physicsMs;  ///< To the first world; all 1 for itself.
