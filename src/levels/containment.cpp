@@ -52,7 +52,7 @@ struct HoldsIn {
 
  private:
   template <class Distance>
-  bool allWithin(const Distance& distance, double limit) const {
+  [[nodiscard]] bool allWithin(const Distance& distance, double limit) const {
     return std::all_of(points.begin(), points.end(),
                        [&](const glm::dvec3& p) { return distance(p) + radius <= limit + slack; });
   }

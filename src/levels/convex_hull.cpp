@@ -1,9 +1,8 @@
 #include "levels/convex_hull.h"
 
-#include <stdio.h>  // open_memstream is POSIX, not in <cstdio>
-
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <glm/geometric.hpp>
 #include <limits>

@@ -111,6 +111,7 @@ std::vector<const Cover*> inOrderOfOverlap(std::span<const Cover> covers, const 
   std::stable_sort(ranked.begin(), ranked.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<const Cover*> ordered;
+  ordered.reserve(ranked.size());
   for (const auto& [volume, cover] : ranked) ordered.push_back(cover);
   return ordered;
 }

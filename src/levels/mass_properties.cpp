@@ -35,13 +35,13 @@ Result<SolidMoments> momentsOf(const Box& box, const Transform& pose) {
 }
 
 Result<SolidMoments> momentsOf(const Sphere& sphere, const Transform& pose) {
-  const double r = static_cast<double>(sphere.radius);
+  const auto r = static_cast<double>(sphere.radius);
   return placed(4.0 / 3.0 * kPi * r * r * r, glm::dmat3(0.4 * r * r), pose);
 }
 
 Result<SolidMoments> momentsOf(const Capsule& capsule, const Transform& pose) {
-  const double r = static_cast<double>(capsule.radius);
-  const double h = static_cast<double>(capsule.halfHeight);
+  const auto r = static_cast<double>(capsule.radius);
+  const auto h = static_cast<double>(capsule.halfHeight);
   const double middle = 2.0 * kPi * r * r * h;
   const double ends = 4.0 / 3.0 * kPi * r * r * r;
   const double volume = middle + ends;
@@ -53,8 +53,8 @@ Result<SolidMoments> momentsOf(const Capsule& capsule, const Transform& pose) {
 }
 
 Result<SolidMoments> momentsOf(const Cylinder& cylinder, const Transform& pose) {
-  const double r = static_cast<double>(cylinder.radius);
-  const double h = static_cast<double>(cylinder.halfHeight);
+  const auto r = static_cast<double>(cylinder.radius);
+  const auto h = static_cast<double>(cylinder.halfHeight);
   const double across = r * r / 4.0 + h * h / 3.0;
   return placed(2.0 * kPi * r * r * h, diagonal(across, 0.5 * r * r, across), pose);
 }
@@ -71,7 +71,7 @@ Result<SolidMoments> momentsOf(const ConvexPart& part) {
   Result<SolidMoments> moments =
       std::visit([&part](const auto& shape) { return momentsOf(shape, part.pose); }, part.shape);
   if (!moments) return moments;
-  const float volume = static_cast<float>(moments->volume);
+  const auto volume = static_cast<float>(moments->volume);
   if (!std::isfinite(volume) || !(volume > 0.0F))
     return fail("volume is too small or too large for single precision");
   return moments;

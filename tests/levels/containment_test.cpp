@@ -191,11 +191,11 @@ TEST(Containment, ManyPartsInManyParts) {
   std::vector<ConvexPart> finer;
   std::vector<ConvexPart> coarser;
   for (int i = 0; i < 64; ++i) {
-    const Vec3 cell{static_cast<float>(i % 4), static_cast<float>(i / 4 % 4), static_cast<float>(i / 16)};
+    const Vec3 cell{static_cast<float>(i % 4), static_cast<float>((i >> 2) % 4), static_cast<float>(i >> 4)};
     finer.push_back(box(Vec3(0.6F), glm::clamp(cell - Vec3(1.5F), -1.4F, 1.4F)));
   }
   for (int i = 0; i < 8; ++i) {
-    const Vec3 cell{static_cast<float>(i % 2), static_cast<float>(i / 2 % 2), static_cast<float>(i / 4)};
+    const Vec3 cell{static_cast<float>(i % 2), static_cast<float>((i >> 1) % 2), static_cast<float>(i >> 2)};
     coarser.push_back(box(Vec3(1.0F), 2.0F * cell - Vec3(1.0F)));
   }
   EXPECT_TRUE(isNested(finer, coarser));

@@ -41,6 +41,7 @@ TEST(ConvexHull, HoldsItsPointsAndIsClosed) {
   Random random(3);
   for (int round = 0; round < 40; ++round) {
     std::vector<glm::dvec3> points;
+    points.reserve(60);
     // Coarse coordinates make many coplanar and equal points.
     for (int i = 0; i < 60; ++i) points.push_back(glm::round(glm::dvec3(random.inBox(Vec3(3.0F)))));
     const Result<Polytope> hull = convexHull(points);

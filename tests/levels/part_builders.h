@@ -3,6 +3,7 @@
 #include <scatter/levels/convex_part.h>
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <random>
@@ -73,6 +74,7 @@ class Random {
   /// Points on an ellipsoid: all of them are corners of their hull.
   ConvexPart ellipsoidHull(int corners, const Vec3& radii, const Vec3& position) {
     std::vector<Vec3> vertices;
+    vertices.reserve(static_cast<std::size_t>(corners));
     for (int i = 0; i < corners; ++i) vertices.push_back(direction() * radii);
     return {ConvexHull{std::move(vertices)}, {position, rotation()}};
   }

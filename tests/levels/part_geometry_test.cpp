@@ -78,6 +78,7 @@ TEST(PartGeometry, TangentsAreTouched) {
   Random random(10);
   for (const Sample& sample : samples(random)) {
     std::vector<glm::dvec3> tangents;
+    tangents.reserve(10);
     for (int i = 0; i < 10; ++i) tangents.emplace_back(glm::normalize(glm::dvec3(random.direction())));
     const Polytope outer = outerPolytope(sample.part, kMargin, tangents, kEpsilon);
     for (const glm::dvec3& tangent : tangents) {

@@ -58,6 +58,7 @@ TEST(Polytope, BothSidesOfRandomCutsMakeTheWhole) {
   Random random(5);
   for (int round = 0; round < 30; ++round) {
     std::vector<glm::dvec3> points;
+    points.reserve(24);
     for (int i = 0; i < 24; ++i) points.emplace_back(random.direction());
     const Result<Polytope> hull = convexHull(points);
     ASSERT_TRUE(hull.has_value()) << hull.error().message;
