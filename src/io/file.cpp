@@ -5,19 +5,19 @@
 #include <unistd.h>
 
 #include <array>
-#include <atomic>
 #include <cerrno>
-#include <cstring>
 #include <system_error>
 #include <utility>
+
+#include "io/atomic_file.h"
 
 namespace scatter {
 namespace {
 
 constexpr std::size_t kMaxFileSize = std::size_t{1} << 30U;
 
-tl::unexpected<Error> failWith(const std::filesystem::path& path, const char* verb, int code) {
-  return fail(path.string() + ": cannot be " + verb + ": " + std::generic_category().message(code));
+tl::unexpected<Error> cannotRead(const std::filesystem::path& path, int code) {
+  return fail("cannot read " + path.string() + ": " + std::generic_category().message(code));
 }
 
 /// An open file descriptor.
@@ -55,24 +55,6 @@ int writeAll(int fd, std::string_view content) {
   return 0;
 }
 
-/// 0 or an errno.
-int writeAndClose(Descriptor& file, std::string_view content, bool flush) {
-  if (const int code = writeAll(file.get(), content); code != 0) {
-    return code;
-  }
-  if (flush && ::fsync(file.get()) != 0) {
-    return errno;
-  }
-  return file.close();
-}
-
-std::filesystem::path temporaryBeside(const std::filesystem::path& target) {
-  static std::atomic<unsigned> counter{0};
-  std::string name(".");
-  name.append(target.filename().string()).append(".tmp").append(std::to_string(::getpid()));
-  return target.parent_path() / name.append(".").append(std::to_string(counter++));
-}
-
 /// Where a write to `path` ends up: behind symbolic links, if it exists.
 std::filesystem::path resolve(const std::filesystem::path& path) {
   std::error_code ignored;
@@ -80,38 +62,30 @@ std::filesystem::path resolve(const std::filesystem::path& path) {
   return ignored ? path : target;
 }
 
-/// 0 or an errno.
-int writeDirectly(const std::filesystem::path& path, std::string_view content) {
+Result<void> writeDirectly(const std::filesystem::path& path, std::string_view content) {
   Descriptor file(path, O_WRONLY);
-  return file.isOpen() ? writeAndClose(file, content, false) : errno;
-}
-
-/// 0 or an errno.
-int writeAndRename(const std::filesystem::path& target, std::string_view content) {
-  const std::filesystem::path temporary = temporaryBeside(target);
-  Descriptor file(temporary, O_WRONLY | O_CREAT | O_EXCL);
   if (!file.isOpen()) {
-    return errno;
+    return cannotWrite(path, errno);
   }
-  int code = writeAndClose(file, content, true);
-  if (code == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) {
-    code = errno;
+  int code = writeAll(file.get(), content);
+  if (code == 0) {
+    code = file.close();
   }
   if (code != 0) {
-    ::unlink(temporary.c_str());
+    return cannotWrite(path, code);
   }
-  return code;
+  return {};
 }
 
-/// 0 or an errno.
-int write(const std::filesystem::path& target, std::string_view content) {
-  struct stat status {};
-  const bool exists = ::stat(target.c_str(), &status) == 0;
-  if (exists && S_ISDIR(status.st_mode)) {
-    return EISDIR;
+Result<void> writeAndRename(const std::filesystem::path& path, std::string_view content) {
+  auto file = AtomicFile::create(path);
+  if (!file) {
+    return tl::unexpected(file.error());
   }
-  return exists && !S_ISREG(status.st_mode) ? writeDirectly(target, content)
-                                            : writeAndRename(target, content);
+  if (auto written = (*file)->write(content); !written) {
+    return written;
+  }
+  return (*file)->commit();
 }
 
 }  // namespace
@@ -119,7 +93,7 @@ int write(const std::filesystem::path& target, std::string_view content) {
 Result<std::string> readFile(const std::filesystem::path& path) {
   const Descriptor file(path, O_RDONLY);
   if (!file.isOpen()) {
-    return failWith(path, "read", errno);
+    return cannotRead(path, errno);
   }
   std::string content;
   std::array<char, 65536> buffer{};
@@ -129,20 +103,24 @@ Result<std::string> readFile(const std::filesystem::path& path) {
       return content;
     }
     if (count < 0 && errno != EINTR) {
-      return failWith(path, "read", errno);
+      return cannotRead(path, errno);
     }
     content.append(buffer.data(), count > 0 ? static_cast<std::size_t>(count) : 0);
     if (content.size() > kMaxFileSize) {
-      return fail(path.string() + ": cannot be read: it is larger than 1 GiB");
+      return fail("cannot read " + path.string() + ": it is larger than 1 GiB");
     }
   }
 }
 
 Result<void> writeFile(const std::filesystem::path& path, std::string_view content) {
-  if (const int code = write(resolve(path), content); code != 0) {
-    return failWith(path, "written", code);
+  const std::filesystem::path target = resolve(path);
+  struct stat status {};
+  const bool exists = ::stat(target.c_str(), &status) == 0;
+  if (exists && S_ISDIR(status.st_mode)) {
+    return cannotWrite(path, EISDIR);
   }
-  return {};
+  return exists && !S_ISREG(status.st_mode) ? writeDirectly(target, content)
+                                            : writeAndRename(target, content);
 }
 
 }  // namespace scatter

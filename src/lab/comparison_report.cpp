@@ -1,9 +1,9 @@
+#include <scatter/io/file.h>
 #include <scatter/lab/comparison.h>
 #include <scatter/lab/figures.h>
 #include <scatter/lab/frame_csv.h>
 #include <scatter/lab/output_folder.h>
 
-#include "lab/atomic_file.h"
 #include "lab/report_html.h"
 #include "lab/summary_json.h"
 
@@ -88,7 +88,7 @@ Result<void> writeFiguresAndReport(const Comparison& comparison, const fs::path&
   if (!html) {
     return tl::unexpected(html.error());
   }
-  return lab::writeFile(folder / "report.html", *html);
+  return writeFile(folder / "report.html", *html);
 }
 
 }  // namespace
@@ -105,7 +105,7 @@ Result<void> writeComparison(const Comparison& comparison, const fs::path& folde
   }
   const std::string json =
       comparisonJson(comparison).dump(2, ' ', false, lab::Json::error_handler_t::replace) + '\n';
-  if (auto written = lab::writeFile(staged->path() / "comparison.json", json); !written) {
+  if (auto written = writeFile(staged->path() / "comparison.json", json); !written) {
     return written;
   }
   if (auto written = writeFiguresAndReport(comparison, staged->path()); !written) {

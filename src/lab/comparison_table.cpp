@@ -10,15 +10,21 @@ namespace scatter {
 
 namespace {
 
+// Two significant digits also where little is left of the first world's figure.
+std::string ratioNumber(double ratio, double scale) {
+  return lab::fixedNumber(ratio, scale > 0.0 && scale < 0.1 ? 3 : 2);
+}
+
 std::string ratioText(const Spread& spread, bool withExtremes) {
   if (std::isnan(spread.median)) {
     return "-";
   }
-  const std::string median = lab::fixedNumber(spread.median, 2);
+  const std::string median = ratioNumber(spread.median, spread.median);
   if (!withExtremes) {
     return median;
   }
-  return median + " (" + lab::fixedNumber(spread.min, 2) + "-" + lab::fixedNumber(spread.max, 2) + ")";
+  return median + " (" + ratioNumber(spread.min, spread.median) + "-" +
+         ratioNumber(spread.max, spread.median) + ")";
 }
 
 double medianOver(const ComparedWorld& world, const std::function<double(const Summary&)>& figure) {
@@ -72,7 +78,7 @@ lab::ComparisonRow countRow(const Comparison& comparison, std::string name,
     const double value = medianOver(world, count);
     row.values.push_back(lab::fixedNumber(value, 0));
     if (&world != &comparison.worlds.front()) {
-      row.ratios.push_back(first > 0.0 ? lab::fixedNumber(value / first, 2) : "-");
+      row.ratios.push_back(first > 0.0 ? ratioNumber(value / first, value / first) : "-");
     }
   }
   return row;

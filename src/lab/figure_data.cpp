@@ -1,8 +1,8 @@
 #include "lab/figure_data.h"
 
+#include <scatter/io/file.h>
 #include <scatter/world/step_report.h>
 
-#include "lab/atomic_file.h"
 #include "lab/text.h"
 
 #include <algorithm>

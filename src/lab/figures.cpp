@@ -1,8 +1,8 @@
+#include <scatter/io/file.h>
 #include <scatter/lab/figures.h>
 
 #include <scatter/lab/output_folder.h>
 
-#include "lab/atomic_file.h"
 #include "lab/figure_list.h"
 #include "lab/gnuplot.h"
 
@@ -29,7 +29,7 @@ Result<void> requireFrames(const std::vector<FigureWorld>& worlds) {
 
 Result<void> draw(const lab::FigureScript& figure, const fs::path& folder) {
   const fs::path script = folder / (figure.name + ".gnuplot");
-  if (auto written = lab::writeFile(script, lab::gnuplotScript(figure)); !written) {
+  if (auto written = writeFile(script, lab::gnuplotScript(figure)); !written) {
     return written;
   }
   // -d: whatever the user's own gnuplot settings are.

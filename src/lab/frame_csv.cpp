@@ -1,6 +1,7 @@
+#include <scatter/io/file.h>
 #include <scatter/lab/frame_csv.h>
 
-#include "lab/atomic_file.h"
+#include "io/atomic_file.h"
 #include "lab/text.h"
 
 #include <cassert>
@@ -26,7 +27,7 @@ std::string headerOf(const std::vector<Channel>& channels) {
 }  // namespace
 
 Result<FrameCsv> FrameCsv::create(const std::filesystem::path& file, const FrameData& data) {
-  auto output = lab::AtomicFile::create(file);
+  auto output = AtomicFile::create(file);
   if (!output) {
     return tl::unexpected(output.error());
   }
@@ -36,7 +37,7 @@ Result<FrameCsv> FrameCsv::create(const std::filesystem::path& file, const Frame
   return FrameCsv(std::move(*output), data.channels().size());
 }
 
-FrameCsv::FrameCsv(std::unique_ptr<lab::AtomicFile> file, std::size_t channels)
+FrameCsv::FrameCsv(std::unique_ptr<AtomicFile> file, std::size_t channels)
     : file_(std::move(file)), channels_(channels) {}
 
 FrameCsv::FrameCsv(FrameCsv&&) noexcept = default;
@@ -75,7 +76,7 @@ Result<void> writeFrameCsv(const std::filesystem::path& file, const FrameTable& 
     }
     text += '\n';
   }
-  return lab::writeFile(file, text);
+  return writeFile(file, text);
 }
 
 }  // namespace scatter

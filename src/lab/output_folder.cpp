@@ -1,6 +1,5 @@
+#include <scatter/io/file.h>
 #include <scatter/lab/output_folder.h>
-
-#include "lab/atomic_file.h"
 
 #include <sys/stat.h>
 
@@ -71,7 +70,7 @@ Result<void> prepareOutputFolder(const fs::path& folder) {
   if (!staged) {
     return tl::unexpected(staged.error());
   }
-  if (!lab::writeFile(staged->path() / "probe", "probe\n")) {
+  if (!writeFile(staged->path() / "probe", "probe\n")) {
     return cannotUse(folder, "nothing can be written there");
   }
   return {};

@@ -69,7 +69,7 @@ Result<void> FrameRecorder::step() {
   const Physics& physics = world_.physics();
   data_.beginFrame();
   data_.set(frame_, static_cast<double>(world_.frame()));
-  data_.set(time_, world_.time());
+  data_.set(time_, static_cast<double>(world_.frame()) * kStepSeconds);
   data_.set(measured_[kWall], (wallAfter - wallBefore) * 1000.0);
   data_.set(measured_[kCpu], (cpuAfter - cpuBefore) * 1000.0);
   for (std::size_t i = 0; i < kStageCount; ++i) {

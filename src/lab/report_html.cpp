@@ -1,6 +1,7 @@
 #include "lab/report_html.h"
 
-#include "lab/atomic_file.h"
+#include <scatter/io/file.h>
+
 #include "lab/comparison_table.h"
 #include "lab/names.h"
 #include "lab/text.h"

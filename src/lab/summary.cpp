@@ -1,6 +1,6 @@
+#include <scatter/io/file.h>
 #include <scatter/lab/summary.h>
 
-#include "lab/atomic_file.h"
 #include "lab/summary_json.h"
 
 #include <algorithm>
@@ -82,8 +82,8 @@ void summarise(const FrameTable& table, Summary& summary) {
 }
 
 Result<void> writeSummary(const std::filesystem::path& file, const Summary& summary) {
-  return lab::writeFile(
-      file, lab::summaryJson(summary).dump(2, ' ', false, lab::Json::error_handler_t::replace) + '\n');
+  return writeFile(file,
+                   lab::summaryJson(summary).dump(2, ' ', false, lab::Json::error_handler_t::replace) + '\n');
 }
 
 }  // namespace scatter

@@ -161,7 +161,7 @@ TEST(ColladaWriter, RefusesAModelThatCouldNotBeReadBack) {
 TEST(ColladaWriter, ReportsAPlaceThatCannotBeWritten) {
   const auto written = writeCollada(richModel(), "/nowhere/at/all/model.dae");
   ASSERT_FALSE(written.has_value());
-  EXPECT_THAT(written.error().message, testing::StartsWith("/nowhere/at/all/model.dae: cannot be written: "));
+  EXPECT_THAT(written.error().message, testing::StartsWith("cannot write /nowhere/at/all/model.dae: "));
 }
 
 }  // namespace

@@ -9,9 +9,7 @@
 
 namespace scatter {
 
-namespace lab {
 class AtomicFile;
-}  // namespace lab
 
 /// Streams frames to a CSV file: one header line, one row a frame, real numbers in the shortest form that
 /// reads back to the same bits, hashes as 16 hexadecimal digits, whatever the locale. The file appears under
@@ -33,9 +31,9 @@ class FrameCsv {
   [[nodiscard]] Result<void> finish();
 
  private:
-  explicit FrameCsv(std::unique_ptr<lab::AtomicFile> file, std::size_t channels);
+  explicit FrameCsv(std::unique_ptr<AtomicFile> file, std::size_t channels);
 
-  std::unique_ptr<lab::AtomicFile> file_;
+  std::unique_ptr<AtomicFile> file_;
   std::size_t channels_;
 };
 

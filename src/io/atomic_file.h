@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace scatter::lab {
+namespace scatter {
 
 /// A file that appears under its name only when it is whole. Until commit() it has a temporary name in the
 /// same folder, which is removed on any error and on destruction.
@@ -21,6 +21,8 @@ class AtomicFile {
 
   /// Buffered; an error may be that of an earlier write. Nothing can be written after an error.
   [[nodiscard]] Result<void> write(std::string_view text);
+
+  /// Flushes to the disk and gives the file its name.
   [[nodiscard]] Result<void> commit();
 
  private:
@@ -35,10 +37,7 @@ class AtomicFile {
   std::string buffer_;
 };
 
-/// Writes a whole text file.
-[[nodiscard]] Result<void> writeFile(const std::filesystem::path& file, std::string_view text);
+/// One line that says why a file could not be written and how to mend it.
+[[nodiscard]] tl::unexpected<Error> cannotWrite(const std::filesystem::path& file, int errorNumber);
 
-/// Fails in one line if it cannot be read.
-[[nodiscard]] Result<std::string> readFile(const std::filesystem::path& file);
-
-}  // namespace scatter::lab
+}  // namespace scatter

@@ -1,4 +1,4 @@
-#include "lab/atomic_file.h"
+#include "io/atomic_file.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -7,21 +7,14 @@
 #include <cassert>
 #include <cerrno>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 #include <utility>
 
-namespace scatter::lab {
+namespace scatter {
 
 namespace {
 
 constexpr std::size_t kBufferBytes = 1U << 16U;
-
-tl::unexpected<Error> cannotWrite(const std::filesystem::path& file, int errorNumber) {
-  return fail("cannot write " + file.string() + ": " + std::generic_category().message(errorNumber) +
-              "; free some space there, or choose another folder");
-}
 
 // What open() would have given a new file; mkstemp() lets only the owner read.
 mode_t newFileMode() {
@@ -31,6 +24,11 @@ mode_t newFileMode() {
 }
 
 }  // namespace
+
+tl::unexpected<Error> cannotWrite(const std::filesystem::path& file, int errorNumber) {
+  return fail("cannot write " + file.string() + ": " + std::generic_category().message(errorNumber) +
+              "; free some space there, or choose another folder");
+}
 
 Result<std::unique_ptr<AtomicFile>> AtomicFile::create(std::filesystem::path file) {
   std::string name = (file.parent_path() / ('.' + file.filename().string() + ".XXXXXX")).string();
@@ -62,7 +60,7 @@ Result<void> AtomicFile::commit() {
   if (auto flushed = flush(); !flushed) {
     return flushed;
   }
-  if (fchmod(descriptor_, newFileMode()) != 0) {
+  if (fchmod(descriptor_, newFileMode()) != 0 || fsync(descriptor_) != 0) {
     return giveUp(errno);
   }
   // Some file systems report a full disk only here.
@@ -104,24 +102,4 @@ void AtomicFile::discard() noexcept {
   }
 }
 
-Result<void> writeFile(const std::filesystem::path& file, std::string_view text) {
-  auto output = AtomicFile::create(file);
-  if (!output) {
-    return tl::unexpected(output.error());
-  }
-  if (auto written = (*output)->write(text); !written) {
-    return written;
-  }
-  return (*output)->commit();
-}
-
-Result<std::string> readFile(const std::filesystem::path& file) {
-  std::ifstream input(file, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(input), {}};
-  if (!input.good() && !input.eof()) {
-    return fail("cannot read " + file.string() + "; see that it exists and may be read");
-  }
-  return text;
-}
-
-}  // namespace scatter::lab
+}  // namespace scatter
