@@ -178,7 +178,7 @@ void btHybridDynamicsWorld::updateHybridAabb(btHybridRigidBody* body)
 		aabbMin.setMin(nextMin);
 		aabbMax.setMax(nextMax);
 	}
-	//The safety queries look at the pairs of these bounds, so the gap must fit in.
+	// The safety queries look at the pairs of these bounds, so the gap must fit in.
 	const btScalar margin = btMax(m_switching.m_safetyGap, gContactBreakingThreshold);
 	const btVector3 wide(margin, margin, margin);
 	aabbMin -= wide;
@@ -274,8 +274,8 @@ static bool canPush(const btCollisionObject* body, const btCollisionObject* part
 
 namespace
 {
-//Looks for a moving body that could reach a hybrid's bounds within the proximity steps. The margin is the
-//pair's, so that m > v_max * dt holds for it (report, section 6.3.1) and one fast body widens no other pair.
+// Looks for a moving body that could reach a hybrid's bounds within the proximity steps. The margin is the
+// pair's, so that m > v_max * dt holds for it (report, section 6.3.1) and one fast body widens no other pair.
 struct NeighbourSearch : public btBroadphaseAabbCallback
 {
 	const btBroadphaseProxy* m_self;
@@ -285,7 +285,7 @@ struct NeighbourSearch : public btBroadphaseAabbCallback
 	bool m_found;
 
 	NeighbourSearch(const btBroadphaseProxy* self, const btAlignedObjectArray<btScalar>& speeds, btScalar seconds, btScalar ownSpeed)
-		: m_self(self), m_speeds(speeds), m_seconds(seconds), m_ownSpeed(ownSpeed), m_found(false)
+	    : m_self(self), m_speeds(speeds), m_seconds(seconds), m_ownSpeed(ownSpeed), m_found(false)
 	{
 	}
 
@@ -318,7 +318,7 @@ bool btHybridDynamicsWorld::hasMovingNeighbour(const btHybridRigidBody* body) co
 		search.process(m_pairsOf[i]->m_pProxy0 == proxy ? m_pairsOf[i]->m_pProxy1 : m_pairsOf[i]->m_pProxy0);
 	if (search.m_found)
 		return true;
-	//Only a body without overlapping pairs, of which an overload has few, pays for a look around.
+	// Only a body without overlapping pairs, of which an overload has few, pays for a look around.
 	const btScalar margin = seconds * (search.m_ownSpeed + m_topSpeed);
 	const btVector3 wide(margin, margin, margin);
 	m_broadphasePairCache->aabbTest(proxy->m_aabbMin - wide, proxy->m_aabbMax + wide, search);
