@@ -33,8 +33,8 @@ constexpr std::array<std::string_view, 13> kColumns{
 
 }  // namespace
 
-FigureData::FigureData(const std::vector<FigureWorld>& worlds, FigureOptions options)
-    : worlds_(worlds), options_(std::move(options)) {
+FigureData::FigureData(std::vector<FigureWorld> worlds, FigureOptions options)
+    : worlds_(std::move(worlds)), options_(std::move(options)) {
   assert(!worlds_.empty());
 }
 

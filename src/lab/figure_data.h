@@ -24,7 +24,7 @@ struct FramePeak {
 class FigureData {
  public:
   /// Every world has at least one frame.
-  FigureData(const std::vector<FigureWorld>& worlds, FigureOptions options);
+  FigureData(std::vector<FigureWorld> worlds, FigureOptions options);
 
   [[nodiscard]] std::size_t worlds() const { return worlds_.size(); }
   [[nodiscard]] const std::string& label(std::size_t world) const { return worlds_[world].label; }

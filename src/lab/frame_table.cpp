@@ -50,6 +50,7 @@ void FrameTable::setValues(std::string_view name, std::vector<double> values) {
   for (FrameColumn& column : columns_) {
     if (column.channel.name == name) {
       column.values = std::move(values);
+      return;
     }
   }
 }

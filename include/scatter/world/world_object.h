@@ -35,7 +35,7 @@ class WorldObject {
   bool inFields = true;
 
  protected:
-  Physics& physics() const { return physics_; }
+  [[nodiscard]] Physics& physics() const { return physics_; }
 
  private:
   Physics& physics_;

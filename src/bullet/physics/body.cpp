@@ -101,8 +101,8 @@ double BulletBody::kineticEnergy() const {
   const btVector3 spin = rigid_->getAngularVelocity() * rigid_->getWorldTransform().getBasis();
   double energy = 0.0;
   for (int axis = 0; axis < 3; ++axis) {
-    const double speed = static_cast<double>(velocity[axis]);
-    const double turn = static_cast<double>(spin[axis]);
+    const auto speed = static_cast<double>(velocity[axis]);
+    const auto turn = static_cast<double>(spin[axis]);
     const double inertia = mass_ * static_cast<double>(shape_->inertia()[axis]);
     energy += 0.5 * (mass_ * speed * speed + inertia * turn * turn);
   }

@@ -119,7 +119,7 @@ Problem checkLimits(float lower, float upper) {
 
 Problem findProblem(const HingeJoint& hinge) {
   if (auto problem = checkLimits(hinge.lower, hinge.upper)) return problem;
-  constexpr float kPi = glm::pi<float>();
+  constexpr auto kPi = glm::pi<float>();
   if (hinge.lower <= hinge.upper && (hinge.lower < -kPi || hinge.upper > kPi)) {
     return "hinge limits must lie between -pi and pi, not " + numberText(hinge.lower) + " and " +
            numberText(hinge.upper);
