@@ -5,6 +5,8 @@
 
 #include "BulletHybrid/btHybridRigidBody.h"
 
+class btHybridNeighbourhood;
+
 /// Counts of one step.
 struct btHybridStepInfo
 {
@@ -57,23 +59,11 @@ class btHybridDynamicsWorld : public btDiscreteDynamicsWorld
 	bool m_loadIsFine;
 	int m_step;
 
-	/// The overlapping pairs of each hybrid, as of this step's broadphase: those of hybrid i are
-	/// m_pairsOf[m_firstPairOf[i]] up to m_pairsOf[m_firstPairOf[i + 1]].
-	btAlignedObjectArray<int> m_firstPairOf;
-	btAlignedObjectArray<btBroadphasePair*> m_pairsOf;
-	btAlignedObjectArray<int> m_hybridIndexOfObject;  ///< by world array index; -1 for other objects
+	btHybridNeighbourhood* m_neighbourhood;
 
-	btAlignedObjectArray<btScalar> m_speedOfObject;  ///< of its fastest point, by world array index; 0 if static
-	btScalar m_topSpeed;
-
-	void indexHybrids();
-	int hybridIndex(const btBroadphaseProxy* proxy) const;
-	void collectPairs();
 	void planSwitching();
 	void closeCounts();
-	void measureSpeeds();
 	void updateHybridAabb(btHybridRigidBody* body);
-	bool hasMovingNeighbour(const btHybridRigidBody* body) const;
 	void followProximity(btHybridRigidBody* body);
 	void tryRequest(btHybridRigidBody* body);
 	bool isSafe(const btHybridRigidBody* body, int level);
@@ -82,6 +72,9 @@ class btHybridDynamicsWorld : public btDiscreteDynamicsWorld
 	void makeRequest(btHybridRigidBody* body, int level, btHybridScope scope, bool byProximity);
 	void retract(btHybridRigidBody* body, btHybridRetraction reason);
 	void registerHybrid(btRigidBody* body);
+
+	btHybridDynamicsWorld(const btHybridDynamicsWorld&);
+	btHybridDynamicsWorld& operator=(const btHybridDynamicsWorld&);
 
 public:
 	BT_DECLARE_ALIGNED_ALLOCATOR();

@@ -2,18 +2,17 @@
 
 #include <BulletCollision/BroadphaseCollision/btBroadphaseInterface.h>
 #include <BulletCollision/BroadphaseCollision/btDispatcher.h>
-#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
-#include <LinearMath/btAabbUtil2.h>
 #include <LinearMath/btQuickprof.h>
 
 #include "BulletHybrid/btHybridSeparation.h"
+#include "btHybridNeighbourhood.h"
 
 btHybridDynamicsWorld::btHybridDynamicsWorld(btDispatcher* dispatcher, btBroadphaseInterface* pairCache, btConstraintSolver* constraintSolver, btCollisionConfiguration* collisionConfiguration)
     : btDiscreteDynamicsWorld(dispatcher, pairCache, constraintSolver, collisionConfiguration),
       m_listener(0),
       m_loadIsFine(false),
       m_step(0),
-      m_topSpeed(0)
+      m_neighbourhood(new btHybridNeighbourhood)
 {
 }
 
@@ -21,6 +20,7 @@ btHybridDynamicsWorld::~btHybridDynamicsWorld()
 {
 	for (int i = 0; i < m_hybrids.size(); i++)
 		m_hybrids[i]->m_hybridIndex = -1;
+	delete m_neighbourhood;
 }
 
 void btHybridDynamicsWorld::registerHybrid(btRigidBody* body)
@@ -112,43 +112,9 @@ void btHybridDynamicsWorld::retract(btHybridRigidBody* body, btHybridRetraction 
 		m_listener->retracted(body, request, reason);
 }
 
-void btHybridDynamicsWorld::indexHybrids()
-{
-	m_hybridIndexOfObject.resizeNoInitialize(m_collisionObjects.size());
-	for (int i = 0; i < m_hybridIndexOfObject.size(); i++)
-		m_hybridIndexOfObject[i] = -1;
-	for (int i = 0; i < m_hybrids.size(); i++)
-		m_hybridIndexOfObject[m_hybrids[i]->getWorldArrayIndex()] = i;
-}
-
-int btHybridDynamicsWorld::hybridIndex(const btBroadphaseProxy* proxy) const
-{
-	return m_hybridIndexOfObject[static_cast<const btCollisionObject*>(proxy->m_clientObject)->getWorldArrayIndex()];
-}
-
-// The speed of a body's fastest point.
-static btScalar fastestPoint(const btRigidBody* body)
-{
-	return body->getLinearVelocity().length() + body->getAngularVelocity().length() * body->getCollisionShape()->getAngularMotionDisc();
-}
-
-void btHybridDynamicsWorld::measureSpeeds()
-{
-	m_speedOfObject.resizeNoInitialize(m_collisionObjects.size());
-	for (int i = 0; i < m_speedOfObject.size(); i++)
-		m_speedOfObject[i] = 0;
-	m_topSpeed = 0;
-	for (int i = 0; i < m_nonStaticRigidBodies.size(); i++)
-	{
-		const btScalar speed = fastestPoint(m_nonStaticRigidBodies[i]);
-		m_speedOfObject[m_nonStaticRigidBodies[i]->getWorldArrayIndex()] = speed;
-		m_topSpeed = btMax(m_topSpeed, speed);
-	}
-}
-
 void btHybridDynamicsWorld::updateAabbs()
 {
-	indexHybrids();
+	m_neighbourhood->indexHybrids(m_collisionObjects.size(), m_hybrids);
 	if (m_hybrids.size() == 0)
 	{
 		btDiscreteDynamicsWorld::updateAabbs();
@@ -160,8 +126,9 @@ void btHybridDynamicsWorld::updateAabbs()
 		btCollisionObject* object = m_collisionObjects[i];
 		if (!m_forceUpdateAllAabbs && !object->isActive())
 			continue;
-		if (m_hybridIndexOfObject[i] >= 0)
-			updateHybridAabb(m_hybrids[m_hybridIndexOfObject[i]]);
+		const int hybrid = m_neighbourhood->hybridOfObject(i);
+		if (hybrid >= 0)
+			updateHybridAabb(m_hybrids[hybrid]);
 		else
 			updateSingleAabb(object);
 	}
@@ -219,9 +186,9 @@ void btHybridDynamicsWorld::closeCounts()
 void btHybridDynamicsWorld::planSwitching()
 {
 	BT_PROFILE("planSwitching");
-	collectPairs();
+	m_neighbourhood->collectPairs(m_broadphasePairCache->getOverlappingPairCache()->getOverlappingPairArray(), m_hybrids.size());
 	if (m_switching.m_proximity)
-		measureSpeeds();
+		m_neighbourhood->measureSpeeds(m_nonStaticRigidBodies);
 	for (int i = 0; i < m_hybrids.size(); i++)
 	{
 		btHybridRigidBody* body = m_hybrids[i];
@@ -235,32 +202,6 @@ void btHybridDynamicsWorld::planSwitching()
 	closeCounts();
 }
 
-void btHybridDynamicsWorld::collectPairs()
-{
-	btBroadphasePairArray& pairs = m_broadphasePairCache->getOverlappingPairCache()->getOverlappingPairArray();
-	m_firstPairOf.resizeNoInitialize(m_hybrids.size() + 1);
-	for (int i = 0; i < m_firstPairOf.size(); i++)
-		m_firstPairOf[i] = 0;
-	for (int i = 0; i < pairs.size(); i++)
-	{
-		const int owners[2] = {hybridIndex(pairs[i].m_pProxy0), hybridIndex(pairs[i].m_pProxy1)};
-		for (int k = 0; k < 2; k++)
-			if (owners[k] >= 0)
-				m_firstPairOf[owners[k]]++;
-	}
-	for (int i = 1; i < m_firstPairOf.size(); i++)
-		m_firstPairOf[i] += m_firstPairOf[i - 1];
-	// Filling from the back turns each count into the start of its run.
-	m_pairsOf.resizeNoInitialize(m_firstPairOf[m_hybrids.size()]);
-	for (int i = pairs.size() - 1; i >= 0; i--)
-	{
-		const int owners[2] = {hybridIndex(pairs[i].m_pProxy0), hybridIndex(pairs[i].m_pProxy1)};
-		for (int k = 0; k < 2; k++)
-			if (owners[k] >= 0)
-				m_pairsOf[--m_firstPairOf[owners[k]]] = &pairs[i];
-	}
-}
-
 static btCollisionObject* partnerIn(const btBroadphasePair* pair, const btCollisionObject* body)
 {
 	btCollisionObject* first = static_cast<btCollisionObject*>(pair->m_pProxy0->m_clientObject);
@@ -272,65 +213,13 @@ static bool canPush(const btCollisionObject* body, const btCollisionObject* part
 	return body->hasContactResponse() && partner->hasContactResponse() && body->checkCollideWith(partner) && partner->checkCollideWith(body);
 }
 
-namespace
-{
-// Looks for a moving body that could reach a hybrid's bounds within the proximity steps. The margin is the
-// pair's, so that m > v_max * dt holds for it (report, section 6.3.1) and one fast body widens no other pair.
-struct NeighbourSearch : public btBroadphaseAabbCallback
-{
-	const btBroadphaseProxy* m_self;
-	const btAlignedObjectArray<btScalar>& m_speeds;
-	btScalar m_seconds;
-	btScalar m_ownSpeed;
-	bool m_found;
-
-	NeighbourSearch(const btBroadphaseProxy* self, const btAlignedObjectArray<btScalar>& speeds, btScalar seconds, btScalar ownSpeed)
-	    : m_self(self), m_speeds(speeds), m_seconds(seconds), m_ownSpeed(ownSpeed), m_found(false)
-	{
-	}
-
-	virtual bool process(const btBroadphaseProxy* other)
-	{
-		if (m_found || other == m_self || !mayCollide(other))
-			return true;
-		const btCollisionObject* object = static_cast<const btCollisionObject*>(other->m_clientObject);
-		if (object->isStaticObject())
-			return true;
-		const btScalar margin = m_seconds * (m_ownSpeed + m_speeds[object->getWorldArrayIndex()]);
-		const btVector3 wide(margin, margin, margin);
-		m_found = TestAabbAgainstAabb2(m_self->m_aabbMin - wide, m_self->m_aabbMax + wide, other->m_aabbMin, other->m_aabbMax);
-		return true;
-	}
-
-	bool mayCollide(const btBroadphaseProxy* other) const
-	{
-		return (m_self->m_collisionFilterGroup & other->m_collisionFilterMask) && (other->m_collisionFilterGroup & m_self->m_collisionFilterMask);
-	}
-};
-}  // namespace
-
-bool btHybridDynamicsWorld::hasMovingNeighbour(const btHybridRigidBody* body) const
-{
-	const btBroadphaseProxy* proxy = body->getBroadphaseProxy();
-	const btScalar seconds = m_switching.m_proximitySteps * m_dispatchInfo.m_timeStep;
-	NeighbourSearch search(proxy, m_speedOfObject, seconds, m_speedOfObject[body->getWorldArrayIndex()]);
-	for (int i = m_firstPairOf[body->m_hybridIndex]; i < m_firstPairOf[body->m_hybridIndex + 1] && !search.m_found; i++)
-		search.process(m_pairsOf[i]->m_pProxy0 == proxy ? m_pairsOf[i]->m_pProxy1 : m_pairsOf[i]->m_pProxy0);
-	if (search.m_found)
-		return true;
-	// Only a body without overlapping pairs, of which an overload has few, pays for a look around.
-	const btScalar margin = seconds * (search.m_ownSpeed + m_topSpeed);
-	const btVector3 wide(margin, margin, margin);
-	m_broadphasePairCache->aabbTest(proxy->m_aabbMin - wide, proxy->m_aabbMax + wide, search);
-	return search.m_found;
-}
-
 void btHybridDynamicsWorld::followProximity(btHybridRigidBody* body)
 {
 	const btHybridRequest& request = body->m_request;
 	const bool mayReplace = !request.isStanding() || request.m_byProximity;
 	const bool wantsCoarser = request.isStanding() && request.m_targetLevel < body->m_level;
-	if (hasMovingNeighbour(body))
+	const btScalar lookAhead = m_switching.m_proximitySteps * m_dispatchInfo.m_timeStep;
+	if (m_neighbourhood->hasMovingNeighbour(body, body->m_hybridIndex, lookAhead, m_broadphasePairCache))
 	{
 		body->m_lonelySteps = 0;
 		if (!mayReplace)
@@ -398,9 +287,9 @@ bool btHybridDynamicsWorld::isSafe(const btHybridRigidBody* body, int level)
 bool btHybridDynamicsWorld::isSeparatedFromPartners(const btHybridRigidBody* body, int level)
 {
 	const btCollisionShape* shape = body->m_levels->getLevelShape(level);
-	for (int i = m_firstPairOf[body->m_hybridIndex]; i < m_firstPairOf[body->m_hybridIndex + 1]; i++)
+	for (int i = 0; i < m_neighbourhood->getNumPairs(body->m_hybridIndex); i++)
 	{
-		const btCollisionObject* partner = partnerIn(m_pairsOf[i], body);
+		const btCollisionObject* partner = partnerIn(m_neighbourhood->getPair(body->m_hybridIndex, i), body);
 		if (!canPush(body, partner))
 			continue;
 		m_counting.m_separationQueries++;
@@ -416,8 +305,8 @@ void btHybridDynamicsWorld::switchLevel(btHybridRigidBody* body, int level)
 	body->m_level = level;
 	body->setCollisionShape(body->m_levels->getLevelShape(level));
 	// A cached algorithm was made for the old shape's type.
-	for (int i = m_firstPairOf[body->m_hybridIndex]; i < m_firstPairOf[body->m_hybridIndex + 1]; i++)
-		m_broadphasePairCache->getOverlappingPairCache()->cleanOverlappingPair(*m_pairsOf[i], getDispatcher());
+	for (int i = 0; i < m_neighbourhood->getNumPairs(body->m_hybridIndex); i++)
+		m_broadphasePairCache->getOverlappingPairCache()->cleanOverlappingPair(*m_neighbourhood->getPair(body->m_hybridIndex, i), getDispatcher());
 	if (level < from)
 		m_counting.m_switchesCoarser++;
 	else
