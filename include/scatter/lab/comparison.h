@@ -12,9 +12,9 @@ namespace scatter {
 
 struct CompareOptions {
   /// One for each world, the first being what the others are compared to. Labels differ; `out` is ignored.
-  std::vector<RunOptions> runs;
+  std::vector<RunOptions> runs{};
   int repeat = 1;
-  std::string commandLine;  ///< For the report.
+  std::string commandLine{};  ///< For the report.
 };
 
 struct CompareProgress {

@@ -19,21 +19,21 @@ using EngineFactory = std::function<Result<std::unique_ptr<Physics>>(const Physi
 
 /// One scene in one world.
 struct RunOptions {
-  std::string scene;    ///< A registered name, or any name if `makeScene` is given.
-  std::string summary;  ///< One line about the scene; empty: the registered one.
-  std::function<std::unique_ptr<Scene>()> makeScene;  ///< Empty: the registered scene.
-  EngineFactory engine;
-  PhysicsDef physics;
+  std::string scene{};    ///< A registered name, or any name if `makeScene` is given.
+  std::string summary{};  ///< One line about the scene; empty: the registered one.
+  std::function<std::unique_ptr<Scene>()> makeScene{};  ///< Empty: the registered scene.
+  EngineFactory engine{};
+  PhysicsDef physics{};
   int frames = 0;  ///< 0: as many as the registered scene says.
   std::uint64_t seed = 1;
   double budgetMs = 1000.0 / 60.0;  ///< What frames_over_budget is counted against.
 
   /// Where frames.csv and summary.json go; made if it does not exist. Nothing is written without it.
-  std::optional<std::filesystem::path> out;
+  std::optional<std::filesystem::path> out{};
 
   /// The world's name in tables, figures and folders: letters, digits, '-', '_' and '.'. Empty: the
   /// world's kind.
-  std::string label;
+  std::string label{};
 };
 
 struct Run {

@@ -26,14 +26,14 @@ enum class Motion : std::uint8_t {
 
 /// What a body is made from. The pose is that of the model's frame, wherever its centre of mass is.
 struct BodyDef {
-  std::string name;
+  std::string name{};
   Shape shape = Box{};
   Motion motion = Motion::kDynamic;
   float mass = 1.0F;
-  Transform pose;
+  Transform pose{};
   Vec3 linearVelocity{0.0F};   ///< Of the centre of mass, metres per second.
   Vec3 angularVelocity{0.0F};  ///< Radians per second, world axes.
-  Material material;
+  Material material{};
   bool mayRest = true;               ///< May fall asleep when it hardly moves.
   bool sensor = false;               ///< Reports contacts, but neither pushes nor is pushed.
   std::uint32_t group = 1;           ///< Collision group bits.
@@ -41,7 +41,7 @@ struct BodyDef {
 };
 
 struct BodyState {
-  Transform pose;
+  Transform pose{};
   Vec3 linearVelocity{0.0F};
   Vec3 angularVelocity{0.0F};
   bool asleep = false;

@@ -42,10 +42,10 @@ using JointKind = std::variant<PointJoint, HingeJoint, SliderJoint, FixedJoint, 
 
 /// A non-contact constraint between two bodies, of which at least one is dynamic.
 struct JointDef {
-  JointKind kind;
+  JointKind kind{};
   BodyId bodyA{};
   BodyId bodyB{};
-  Transform frame;             ///< The joint's frame in the world, at creation.
+  Transform frame{};           ///< The joint's frame in the world, at creation.
   bool bodiesCollide = false;  ///< Whether the two bodies still collide with each other.
 };
 
@@ -65,7 +65,7 @@ struct WheelDef {
 /// axle x direction: +z with the defaults.
 struct VehicleDef {
   BodyId chassis{};
-  std::vector<WheelDef> wheels;
+  std::vector<WheelDef> wheels{};
   float suspensionStiffness = 20.0F;
   float frictionSlip = 10.0F;
 };

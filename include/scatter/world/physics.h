@@ -52,7 +52,7 @@ struct PhysicsDef {
   Vec3 gravity{0.0F};
   int solverIterations = 10;
   bool profiling = true;
-  SwitchingDef switching;
+  SwitchingDef switching{};
 };
 
 struct RayHit {
