@@ -3,8 +3,11 @@
 
 #include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
 
+#include "BulletHybrid/btHybridCollision.h"
 #include "BulletHybrid/btHybridRigidBody.h"
 
+class btHybridContactVerifier;
+class btHybridNarrowphase;
 class btHybridNeighbourhood;
 
 /// Counts of one step.
@@ -60,6 +63,9 @@ class btHybridDynamicsWorld : public btDiscreteDynamicsWorld
 	int m_step;
 
 	btHybridNeighbourhood* m_neighbourhood;
+	btHybridNarrowphase* m_narrowphase;
+	btHybridContactVerifier* m_verifier;
+	int m_verifyEvery;
 
 	void planSwitching();
 	void closeCounts();
@@ -116,6 +122,24 @@ public:
 	{
 		return m_stepInfo;
 	}
+
+	/// The pair algorithm of hybrid bodies. It is registered with the dispatcher by the constructor, which
+	/// needs a btCollisionDispatcher for it, and in the place of create functions that were registered for
+	/// pairs with a compound or convex shape; pairs without a hybrid go on to those of the collision configuration.
+	const btHybridCollisionInfo& getCollisionInfo() const;
+
+	/// Drops the contacts of all pairs with a hybrid. Not inside a step.
+	void setCollisionInfo(const btHybridCollisionInfo& info);
+
+	/// Of the last step.
+	const btHybridCollisionCounts& getCollisionCounts() const;
+	btHybridCollisionMemory getCollisionMemory() const;
+
+	/// A debug option: every n-th step, after the narrowphase, tests all child pairs of all overlapping pairs
+	/// with a hybrid by brute force and compares with the contacts there are. Slow: seconds a step in a big
+	/// pile. Does not change the simulation. 0: never. Clears the report.
+	void verifyContacts(int everyNSteps);
+	const btHybridContactReport& getContactReport() const;
 
 	int getNumHybrids() const
 	{

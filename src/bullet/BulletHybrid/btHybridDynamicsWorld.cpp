@@ -5,6 +5,8 @@
 #include <LinearMath/btQuickprof.h>
 
 #include "BulletHybrid/btHybridSeparation.h"
+#include "btHybridContactVerifier.h"
+#include "btHybridNarrowphase.h"
 #include "btHybridNeighbourhood.h"
 
 btHybridDynamicsWorld::btHybridDynamicsWorld(btDispatcher* dispatcher, btBroadphaseInterface* pairCache, btConstraintSolver* constraintSolver, btCollisionConfiguration* collisionConfiguration)
@@ -12,7 +14,10 @@ btHybridDynamicsWorld::btHybridDynamicsWorld(btDispatcher* dispatcher, btBroadph
       m_listener(0),
       m_loadIsFine(false),
       m_step(0),
-      m_neighbourhood(new btHybridNeighbourhood)
+      m_neighbourhood(new btHybridNeighbourhood),
+      m_narrowphase(new btHybridNarrowphase(dispatcher, collisionConfiguration)),
+      m_verifier(new btHybridContactVerifier),
+      m_verifyEvery(0)
 {
 }
 
@@ -20,6 +25,8 @@ btHybridDynamicsWorld::~btHybridDynamicsWorld()
 {
 	for (int i = 0; i < m_hybrids.size(); i++)
 		m_hybrids[i]->m_hybridIndex = -1;
+	delete m_verifier;
+	delete m_narrowphase;
 	delete m_neighbourhood;
 }
 
@@ -156,9 +163,49 @@ void btHybridDynamicsWorld::updateHybridAabb(btHybridRigidBody* body)
 		updateSingleAabb(body);  // Bullet's own refusal of an overflowing AABB
 }
 
+const btHybridCollisionInfo& btHybridDynamicsWorld::getCollisionInfo() const
+{
+	return m_narrowphase->getInfo();
+}
+
+void btHybridDynamicsWorld::setCollisionInfo(const btHybridCollisionInfo& info)
+{
+	btBroadphasePairArray& pairs = m_broadphasePairCache->getOverlappingPairCache()->getOverlappingPairArray();
+	for (int i = 0; i < pairs.size(); i++)
+	{
+		const btCollisionObject* first = static_cast<const btCollisionObject*>(pairs[i].m_pProxy0->m_clientObject);
+		const btCollisionObject* second = static_cast<const btCollisionObject*>(pairs[i].m_pProxy1->m_clientObject);
+		if (btHybridRigidBody::upcast(first) || btHybridRigidBody::upcast(second))
+			m_broadphasePairCache->getOverlappingPairCache()->cleanOverlappingPair(pairs[i], getDispatcher());
+	}
+	m_narrowphase->setInfo(info);
+}
+
+const btHybridCollisionCounts& btHybridDynamicsWorld::getCollisionCounts() const
+{
+	return m_narrowphase->getCounts();
+}
+
+btHybridCollisionMemory btHybridDynamicsWorld::getCollisionMemory() const
+{
+	return m_narrowphase->getMemory();
+}
+
+void btHybridDynamicsWorld::verifyContacts(int everyNSteps)
+{
+	m_verifyEvery = everyNSteps;
+	m_verifier->reset();
+}
+
+const btHybridContactReport& btHybridDynamicsWorld::getContactReport() const
+{
+	return m_verifier->getReport();
+}
+
 void btHybridDynamicsWorld::performDiscreteCollisionDetection()
 {
 	m_step++;
+	m_narrowphase->beginStep();
 	if (m_hybrids.size() == 0)
 	{
 		closeCounts();
@@ -173,6 +220,8 @@ void btHybridDynamicsWorld::performDiscreteCollisionDetection()
 		BT_PROFILE("dispatchAllCollisionPairs");
 		getDispatcher()->dispatchAllCollisionPairs(m_broadphasePairCache->getOverlappingPairCache(), getDispatchInfo(), m_dispatcher1);
 	}
+	if (m_verifyEvery > 0 && m_step % m_verifyEvery == 0)
+		m_verifier->verify(m_broadphasePairCache->getOverlappingPairCache()->getOverlappingPairArray(), getDispatcher());
 }
 
 void btHybridDynamicsWorld::closeCounts()

@@ -1,0 +1,95 @@
+#ifndef BT_HYBRID_COLLISION_H
+#define BT_HYBRID_COLLISION_H
+
+#include <BulletCollision/CollisionDispatch/btCollisionObject.h>
+#include <LinearMath/btAlignedObjectArray.h>
+
+/// How the pair algorithm finds the child pairs of two bodies that are near each other.
+enum btHybridMidphase
+{
+	BT_HYBRID_WORLD_BOXES,    ///< world bounds of all parts, every step
+	BT_HYBRID_PART_BOXES,     ///< the parts' boxes in the bodies' frames, every step
+	BT_HYBRID_NEIGHBOUR_LIST  ///< the same with a skin, and only when the skin is used up
+};
+
+/// The narrowphase of hybrid bodies. The steps of the pair algorithm can be left out one by one to measure
+/// what each is worth; none of them changes which child pairs are in contact.
+struct btHybridCollisionInfo
+{
+	bool m_pairAlgorithm;  ///< off: Bullet's own algorithms, as in btDiscreteDynamicsWorld
+	btHybridMidphase m_midphase;
+	bool m_motionBound;    ///< skip child pairs that cannot have met since their distance was measured
+	bool m_cachedAxis;     ///< try the axis that separated a child pair before anything else
+	bool m_lazyManifolds;  ///< a child pair has a manifold only while it has contacts
+	bool m_ownGjk;         ///< off: Bullet's GJK and EPA for all
+	bool m_warmSimplex;    ///< GJK starts from the simplex it ended with
+
+	btHybridCollisionInfo()
+	    : m_pairAlgorithm(true), m_midphase(BT_HYBRID_NEIGHBOUR_LIST), m_motionBound(true), m_cachedAxis(true), m_lazyManifolds(true), m_ownGjk(true), m_warmSimplex(true)
+	{
+	}
+};
+
+/// Work of the pair algorithm in one step. Exact: the same run after run.
+struct btHybridCollisionCounts
+{
+	int m_pairs;             ///< broadphase pairs that came to the pair algorithm
+	int m_pairsSkipped;      ///< of those, left at once because neither body has moved enough
+	int m_rebuilds;          ///< neighbour lists made anew
+	int m_childPairs;        ///< child pairs looked at
+	int m_childPairsAsleep;  ///< of those, skipped by the motion bound
+	int m_boundsRejected;    ///< of those, by their world bounds
+	int m_axisRejected;      ///< of those, by the cached axis
+	int m_gjkRuns;
+	int m_gjkIterations;
+	int m_detectorRuns;  ///< child pairs that Bullet's own detectors decided
+
+	btHybridCollisionCounts()
+	    : m_pairs(0), m_pairsSkipped(0), m_rebuilds(0), m_childPairs(0), m_childPairsAsleep(0), m_boundsRejected(0), m_axisRejected(0), m_gjkRuns(0), m_gjkIterations(0), m_detectorRuns(0)
+	{
+	}
+};
+
+/// What the pair algorithm holds at the moment, without contact manifolds.
+struct btHybridCollisionMemory
+{
+	int m_pairs;              ///< broadphase pairs that have a pair algorithm
+	int m_childPairs;         ///< in all neighbour lists
+	size_t m_pairBytes;       ///< of all pairs, without their child pairs
+	size_t m_childPairBytes;  ///< of all child pairs, room for growth included
+	size_t m_bodyBytes;       ///< of all bodies: world bounds, motion
+	size_t m_partBytes;       ///< of all part lists: vertices, bounds
+
+	btHybridCollisionMemory()
+	    : m_pairs(0), m_childPairs(0), m_pairBytes(0), m_childPairBytes(0), m_bodyBytes(0), m_partBytes(0)
+	{
+	}
+};
+
+/// A child pair for which brute force finds a contact and the world has none.
+struct btHybridMissedContact
+{
+	const btCollisionObject* m_bodyA;
+	const btCollisionObject* m_bodyB;
+	int m_childA;  ///< index in the body's compound shape; -1 if its shape is not a compound
+	int m_childB;
+	btScalar m_distance;  ///< metres, negative if deep
+};
+
+/// What brute force found, over all verified steps since the verification was turned on.
+struct btHybridContactReport
+{
+	int m_steps;                                               ///< verified
+	long m_childPairs;                                         ///< tested by brute force
+	long m_expected;                                           ///< child pairs that should be in contact
+	long m_missed;                                             ///< of those, without a contact in the world
+	long m_extra;                                              ///< child pairs in contact that Bullet's own midphase would have left out
+	btAlignedObjectArray<btHybridMissedContact> m_lastMissed;  ///< of the last verified step
+
+	btHybridContactReport()
+	    : m_steps(0), m_childPairs(0), m_expected(0), m_missed(0), m_extra(0)
+	{
+	}
+};
+
+#endif  // BT_HYBRID_COLLISION_H
