@@ -66,6 +66,7 @@ class btHybridDynamicsWorld : public btDiscreteDynamicsWorld
 	btHybridNarrowphase* m_narrowphase;
 	btHybridContactVerifier* m_verifier;
 	int m_verifyEvery;
+	btCollisionConfiguration* m_collisionConfiguration;
 
 	void planSwitching();
 	void closeCounts();

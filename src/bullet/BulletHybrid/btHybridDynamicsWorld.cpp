@@ -17,7 +17,8 @@ btHybridDynamicsWorld::btHybridDynamicsWorld(btDispatcher* dispatcher, btBroadph
       m_neighbourhood(new btHybridNeighbourhood),
       m_narrowphase(new btHybridNarrowphase(dispatcher, collisionConfiguration)),
       m_verifier(new btHybridContactVerifier),
-      m_verifyEvery(0)
+      m_verifyEvery(0),
+      m_collisionConfiguration(collisionConfiguration)
 {
 }
 
@@ -26,7 +27,7 @@ btHybridDynamicsWorld::~btHybridDynamicsWorld()
 	for (int i = 0; i < m_hybrids.size(); i++)
 		m_hybrids[i]->m_hybridIndex = -1;
 	delete m_verifier;
-	delete m_narrowphase;
+	m_narrowphase->retire(m_collisionConfiguration);
 	delete m_neighbourhood;
 }
 

@@ -1,46 +1,106 @@
 #ifndef BT_HYBRID_NARROWPHASE_H
 #define BT_HYBRID_NARROWPHASE_H
 
+#include <BulletCollision/CollisionDispatch/btCollisionCreateFunc.h>
+#include <LinearMath/btHashMap.h>
+
 #include "BulletHybrid/btHybridCollision.h"
+#include "btHybridPartBody.h"
+#include "btHybridParts.h"
+#include "collision/neighbour_search.h"
+#include "collision/part_pair.h"
 
 class btCollisionConfiguration;
+class btCollisionDispatcher;
 class btDispatcher;
 
-/// Registers the pair algorithm with a dispatcher and holds what its pairs share.
+/// Registers the pair algorithm with a dispatcher and holds what its pairs share. Counted by its owner and
+/// by the pair algorithms, because these live as long as their broadphase pairs.
 class btHybridNarrowphase
 {
+	/// Stands in for the create functions of one pair of shape types.
+	struct CreateFunc : public btCollisionAlgorithmCreateFunc
+	{
+		btHybridNarrowphase* m_narrowphase;
+		btCollisionAlgorithmCreateFunc* m_default;
+
+		virtual btCollisionAlgorithm* CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap);
+	};
+
 	btHybridCollisionInfo m_info;
-	btHybridCollisionCounts m_counts;
+	scatter::PairSteps m_steps;
+	scatter::PairWork m_work;
+	int m_detectorRuns;
+	mutable btHybridCollisionCounts m_counts;
+	int m_step;
+	int m_users;
+
+	btCollisionDispatcher* m_dispatcher;  ///< 0 if it takes no create functions
+	btAlignedObjectArray<CreateFunc> m_createFuncs;
+
+	btHashMap<btHashPtr, btHybridPartBody*> m_bodies;
+	btHashMap<btHashPtr, btHybridParts*> m_parts;
+	scatter::NeighbourSearch m_search;
+	btAlignedObjectArray<scatter::PartPair*> m_pairs;      ///< in use
+	btAlignedObjectArray<scatter::PartPair*> m_freePairs;  ///< kept for their memory
+
+	~btHybridNarrowphase();
+	btHybridNarrowphase(const btHybridNarrowphase&);
+	btHybridNarrowphase& operator=(const btHybridNarrowphase&);
+
+	bool takes(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap) const;
+	btHybridParts* acquireParts(const btCollisionShape* shape);
+	void releaseParts(btHybridParts* parts);
+	void replaceParts(btHybridPartBody* body, const btCollisionShape* shape);
 
 public:
-	btHybridNarrowphase(btDispatcher* dispatcher, btCollisionConfiguration* configuration)
+	btHybridNarrowphase(btDispatcher* dispatcher, btCollisionConfiguration* configuration);
+
+	/// By its owner: takes the create functions back. Pair algorithms must not outlive the dispatcher.
+	void retire(btCollisionConfiguration* configuration);
+	void addUser()
 	{
-		(void)dispatcher;
-		(void)configuration;
+		m_users++;
 	}
+	void removeUser();
 
 	const btHybridCollisionInfo& getInfo() const
 	{
 		return m_info;
 	}
-	void setInfo(const btHybridCollisionInfo& info)
+	const scatter::PairSteps& getSteps() const
 	{
-		m_info = info;
+		return m_steps;
+	}
+	void setInfo(const btHybridCollisionInfo& info);
+
+	void beginStep();
+
+	/// Of the step under way.
+	scatter::PairWork& getWork()
+	{
+		return m_work;
+	}
+	void countDetectorRun()
+	{
+		m_detectorRuns++;
+	}
+	const btHybridCollisionCounts& getCounts() const;
+	btHybridCollisionMemory getMemory() const;
+
+	scatter::NeighbourSearch& getSearch()
+	{
+		return m_search;
 	}
 
-	void beginStep()
-	{
-		m_counts = btHybridCollisionCounts();
-	}
+	btHybridPartBody* acquireBody(const btCollisionObjectWrapper* wrap);
+	void releaseBody(btHybridPartBody* body);
 
-	const btHybridCollisionCounts& getCounts() const
-	{
-		return m_counts;
-	}
-	btHybridCollisionMemory getMemory() const
-	{
-		return btHybridCollisionMemory();
-	}
+	/// Takes in a changed shape, and where the body is. False if the shape is no part list any more.
+	bool updateBody(btHybridPartBody* body, const btCollisionObjectWrapper* wrap);
+
+	scatter::PartPair* acquirePair();
+	void releasePair(scatter::PartPair* pair);
 };
 
 #endif  // BT_HYBRID_NARROWPHASE_H

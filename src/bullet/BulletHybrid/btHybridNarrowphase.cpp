@@ -1,0 +1,211 @@
+#include "btHybridNarrowphase.h"
+
+#include <BulletCollision/CollisionDispatch/btCollisionConfiguration.h>
+#include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
+
+#include <new>
+
+#include "BulletHybrid/btHybridRigidBody.h"
+#include "btHybridPairAlgorithm.h"
+
+btCollisionAlgorithm* btHybridNarrowphase::CreateFunc::CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap)
+{
+	if (!m_narrowphase->takes(info, body0Wrap, body1Wrap))
+		return m_default->CreateCollisionAlgorithm(info, body0Wrap, body1Wrap);
+	void* memory = info.m_dispatcher1->allocateCollisionAlgorithm(sizeof(btHybridPairAlgorithm));
+	return new (memory) btHybridPairAlgorithm(info, m_narrowphase, body0Wrap, body1Wrap);
+}
+
+// Compounds against everything: the others are not made of parts.
+btHybridNarrowphase::btHybridNarrowphase(btDispatcher* dispatcher, btCollisionConfiguration* configuration)
+    : m_detectorRuns(0), m_step(0), m_users(1), m_dispatcher(dynamic_cast<btCollisionDispatcher*>(dispatcher))
+{
+	if (!m_dispatcher || !configuration)
+		return;
+	const int types = MAX_BROADPHASE_COLLISION_TYPES;
+	m_createFuncs.resize(2 * types);
+	for (int type = 0; type < types; type++)
+	{
+		const int pairs[2][2] = {{COMPOUND_SHAPE_PROXYTYPE, type}, {type, COMPOUND_SHAPE_PROXYTYPE}};
+		for (int k = 0; k < 2; k++)
+		{
+			CreateFunc& create = m_createFuncs[2 * type + k];
+			create.m_narrowphase = this;
+			create.m_default = configuration->getCollisionAlgorithmCreateFunc(pairs[k][0], pairs[k][1]);
+			m_dispatcher->registerCollisionCreateFunc(pairs[k][0], pairs[k][1], &create);
+		}
+	}
+}
+
+btHybridNarrowphase::~btHybridNarrowphase()
+{
+	for (int i = 0; i < m_freePairs.size(); i++)
+		delete m_freePairs[i];
+}
+
+void btHybridNarrowphase::retire(btCollisionConfiguration* configuration)
+{
+	for (int type = 0; m_dispatcher && type < m_createFuncs.size() / 2; type++)
+	{
+		m_dispatcher->registerCollisionCreateFunc(COMPOUND_SHAPE_PROXYTYPE, type, configuration->getCollisionAlgorithmCreateFunc(COMPOUND_SHAPE_PROXYTYPE, type));
+		m_dispatcher->registerCollisionCreateFunc(type, COMPOUND_SHAPE_PROXYTYPE, configuration->getCollisionAlgorithmCreateFunc(type, COMPOUND_SHAPE_PROXYTYPE));
+	}
+	removeUser();
+}
+
+void btHybridNarrowphase::removeUser()
+{
+	if (--m_users == 0)
+		delete this;
+}
+
+void btHybridNarrowphase::setInfo(const btHybridCollisionInfo& info)
+{
+	m_info = info;
+	m_steps.midphase = info.m_midphase == BT_HYBRID_WORLD_BOXES  ? scatter::Midphase::kWorldBounds
+	                   : info.m_midphase == BT_HYBRID_PART_BOXES ? scatter::Midphase::kPartBoxes
+	                                                             : scatter::Midphase::kNeighbourList;
+	m_steps.motionBound = info.m_motionBound;
+	m_steps.cachedAxis = info.m_cachedAxis;
+	m_steps.ownGjk = info.m_ownGjk;
+	m_steps.warmSimplex = info.m_warmSimplex;
+}
+
+void btHybridNarrowphase::beginStep()
+{
+	m_step++;
+	m_work = scatter::PairWork();
+	m_detectorRuns = 0;
+}
+
+const btHybridCollisionCounts& btHybridNarrowphase::getCounts() const
+{
+	m_counts.m_pairs = m_work.pairs;
+	m_counts.m_pairsSkipped = m_work.pairsSkipped;
+	m_counts.m_rebuilds = m_work.rebuilds;
+	m_counts.m_childPairs = m_work.childPairs;
+	m_counts.m_childPairsAsleep = m_work.childPairsAsleep;
+	m_counts.m_boundsRejected = m_work.boundsRejected;
+	m_counts.m_axisRejected = m_work.axisRejected;
+	m_counts.m_gjkRuns = m_work.gjkRuns;
+	m_counts.m_gjkIterations = m_work.gjkIterations;
+	m_counts.m_detectorRuns = m_detectorRuns;
+	return m_counts;
+}
+
+btHybridCollisionMemory btHybridNarrowphase::getMemory() const
+{
+	btHybridCollisionMemory memory;
+	memory.m_pairs = m_pairs.size();
+	for (int i = 0; i < m_pairs.size(); i++)
+	{
+		memory.m_childPairs += int(m_pairs[i]->children().size());
+		memory.m_pairBytes += sizeof(btHybridPairAlgorithm) + m_pairs[i]->bytes();
+		memory.m_childPairBytes += m_pairs[i]->childBytes();
+	}
+	for (int i = 0; i < m_bodies.size(); i++)
+		memory.m_bodyBytes += sizeof(btHybridPartBody) + (*m_bodies.getAtIndex(i))->getBody().bytes();
+	for (int i = 0; i < m_parts.size(); i++)
+		memory.m_partBytes += (*m_parts.getAtIndex(i))->getBytes();
+	return memory;
+}
+
+bool btHybridNarrowphase::takes(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap) const
+{
+	if (!m_info.m_pairAlgorithm || info.m_manifold)
+		return false;
+	if (!btHybridRigidBody::upcast(body0Wrap->getCollisionObject()) && !btHybridRigidBody::upcast(body1Wrap->getCollisionObject()))
+		return false;
+	const btCollisionObjectWrapper* wraps[2] = {body0Wrap, body1Wrap};
+	for (int i = 0; i < 2; i++)
+		if (wraps[i]->getCollisionShape() != wraps[i]->getCollisionObject()->getCollisionShape() || !btHybridParts::isPartList(wraps[i]->getCollisionShape()))
+			return false;
+	return true;
+}
+
+btHybridParts* btHybridNarrowphase::acquireParts(const btCollisionShape* shape)
+{
+	btHybridParts** known = m_parts.find(btHashPtr(shape));
+	btHybridParts* parts = known ? *known : 0;
+	if (!parts || !parts->isCurrent(true))
+	{
+		// Bodies that still use the old one let go of it when they notice.
+		parts = new btHybridParts(shape);
+		m_parts.insert(btHashPtr(shape), parts);
+	}
+	parts->m_users++;
+	return parts;
+}
+
+void btHybridNarrowphase::releaseParts(btHybridParts* parts)
+{
+	if (--parts->m_users > 0)
+		return;
+	btHybridParts** known = m_parts.find(btHashPtr(parts->getShape()));
+	if (known && *known == parts)
+		m_parts.remove(btHashPtr(parts->getShape()));
+	delete parts;
+}
+
+btHybridPartBody* btHybridNarrowphase::acquireBody(const btCollisionObjectWrapper* wrap)
+{
+	const btCollisionObject* object = wrap->getCollisionObject();
+	btHybridPartBody** known = m_bodies.find(btHashPtr(object));
+	btHybridPartBody* body = known ? *known : 0;
+	if (!body)
+	{
+		body = new btHybridPartBody(object, acquireParts(wrap->getCollisionShape()));
+		m_bodies.insert(btHashPtr(object), body);
+	}
+	body->m_users++;
+	return body;
+}
+
+void btHybridNarrowphase::releaseBody(btHybridPartBody* body)
+{
+	if (--body->m_users > 0)
+		return;
+	m_bodies.remove(btHashPtr(body->m_object));
+	releaseParts(body->m_parts);
+	delete body;
+}
+
+void btHybridNarrowphase::replaceParts(btHybridPartBody* body, const btCollisionShape* shape)
+{
+	btHybridParts* old = body->m_parts;
+	body->m_parts = acquireParts(shape);
+	body->m_body.setParts(body->m_parts->getList());
+	body->m_version++;
+	releaseParts(old);
+}
+
+bool btHybridNarrowphase::updateBody(btHybridPartBody* body, const btCollisionObjectWrapper* wrap)
+{
+	const btCollisionShape* shape = wrap->getCollisionShape();
+	const bool thorough = body->m_changes && body->m_checkedStep != m_step;
+	body->m_checkedStep = m_step;
+	if (shape != body->m_parts->getShape() || !body->m_parts->isCurrent(thorough))
+	{
+		if (!btHybridParts::isPartList(shape))
+			return false;
+		replaceParts(body, shape);
+	}
+	body->moveTo(wrap->getWorldTransform());
+	return true;
+}
+
+scatter::PartPair* btHybridNarrowphase::acquirePair()
+{
+	if (m_freePairs.size() == 0)
+		m_freePairs.push_back(new scatter::PartPair);
+	scatter::PartPair* pair = m_freePairs[m_freePairs.size() - 1];
+	m_freePairs.pop_back();
+	m_pairs.push_back(pair);
+	return pair;
+}
+
+void btHybridNarrowphase::releasePair(scatter::PartPair* pair)
+{
+	m_pairs.remove(pair);
+	m_freePairs.push_back(pair);
+}

@@ -1,0 +1,299 @@
+#include "btHybridPairAlgorithm.h"
+
+#include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
+#include <BulletCollision/CollisionDispatch/btCompoundCollisionAlgorithm.h>
+#include <BulletCollision/CollisionDispatch/btCompoundCompoundCollisionAlgorithm.h>
+#include <BulletCollision/CollisionDispatch/btConvexConvexAlgorithm.h>
+#include <BulletCollision/CollisionDispatch/btManifoldResult.h>
+#include <BulletCollision/CollisionShapes/btConvexShape.h>
+#include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
+#include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>
+#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
+#include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
+
+#include "btHybridNarrowphase.h"
+#include "btHybridPartBody.h"
+
+static_assert(sizeof(btHybridPairAlgorithm) <= sizeof(btConvexConvexAlgorithm), "does not fit into Bullet's pool of algorithms");
+
+/// What one call of processCollision was given.
+struct btHybridPairAlgorithm::Pass
+{
+	const btCollisionObjectWrapper* m_wraps[2];
+	const btDispatcherInfo& m_info;
+	btManifoldResult* m_result;
+};
+
+namespace
+{
+/// Tells a manifold result which parts are at work, as Bullet's compound algorithms do, for as long as it lives.
+class ChildScope
+{
+	btManifoldResult* m_result;
+	const btCollisionObjectWrapper* m_before[2];
+	btTransform m_transforms[2];
+	btCollisionObjectWrapper m_children[2];
+	const btCollisionObjectWrapper* m_wraps[2];
+
+public:
+	ChildScope(btManifoldResult* result, const btHybridPartBody& bodyA, int partA, const btHybridPartBody& bodyB, int partB)
+	    : m_result(result),
+	      m_before{result->getBody0Wrap(), result->getBody1Wrap()},
+	      m_transforms{bodyA.getChildTransform(partA, m_before[0]->getWorldTransform()), bodyB.getChildTransform(partB, m_before[1]->getWorldTransform())},
+	      m_children{{m_before[0], bodyA.getChildShape(partA), m_before[0]->getCollisionObject(), m_transforms[0], -1, partA},
+	                 {m_before[1], bodyB.getChildShape(partB), m_before[1]->getCollisionObject(), m_transforms[1], -1, partB}}
+	{
+		m_wraps[0] = bodyA.getChildIndex(partA) < 0 ? m_before[0] : &m_children[0];
+		m_wraps[1] = bodyB.getChildIndex(partB) < 0 ? m_before[1] : &m_children[1];
+		m_result->setBody0Wrap(m_wraps[0]);
+		m_result->setBody1Wrap(m_wraps[1]);
+		m_result->setShapeIdentifiersA(-1, bodyA.getChildIndex(partA));
+		m_result->setShapeIdentifiersB(-1, bodyB.getChildIndex(partB));
+	}
+	~ChildScope()
+	{
+		m_result->setPersistentManifold(0);
+		m_result->setBody0Wrap(m_before[0]);
+		m_result->setBody1Wrap(m_before[1]);
+	}
+
+	const btCollisionObjectWrapper* getWrap(int body) const
+	{
+		return m_wraps[body];
+	}
+};
+
+/// Keeps the one point that Bullet's GJK finds.
+struct PointResult : public btDiscreteCollisionDetectorInterface::Result
+{
+	btVector3 m_normal;
+	btVector3 m_point;
+	btScalar m_distance;
+	bool m_found;
+
+	PointResult()
+	    : m_normal(0, 0, 0), m_point(0, 0, 0), m_distance(0), m_found(false)
+	{
+	}
+	virtual void setShapeIdentifiersA(int, int)
+	{
+	}
+	virtual void setShapeIdentifiersB(int, int)
+	{
+	}
+	virtual void addContactPoint(const btVector3& normalOnBInWorld, const btVector3& pointInWorld, btScalar depth)
+	{
+		m_normal = normalOnBInWorld;
+		m_point = pointInWorld;
+		m_distance = depth;
+		m_found = true;
+	}
+};
+
+btVector3 toWorld(const scatter::Frame& frame, const scatter::Vec3& point)
+{
+	const scatter::Vec3 world = frame(point);
+	return btVector3(world.x, world.y, world.z);
+}
+
+// A filter that a program may have set for the children of compounds.
+bool mayMeet(const btCollisionShape* root0, const btCollisionShape* root1, const btCollisionShape* child0, const btCollisionShape* child1)
+{
+	const btShapePairCallback filter = root0->isCompound() && root1->isCompound() ? gCompoundCompoundChildShapePairCallback : gCompoundChildShapePairCallback;
+	return !filter || filter(child0, child1);
+}
+}  // namespace
+
+btHybridPairAlgorithm::btHybridPairAlgorithm(const btCollisionAlgorithmConstructionInfo& info, btHybridNarrowphase* narrowphase, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap)
+    : btCollisionAlgorithm(info), m_narrowphase(narrowphase)
+{
+	m_narrowphase->addUser();
+	m_bodies[0] = m_narrowphase->acquireBody(body0Wrap);
+	m_bodies[1] = m_narrowphase->acquireBody(body1Wrap);
+	m_pair = m_narrowphase->acquirePair();
+	m_versions[0] = m_versions[1] = -1;
+}
+
+btHybridPairAlgorithm::~btHybridPairAlgorithm()
+{
+	releaseContacts();
+	m_narrowphase->releasePair(m_pair);
+	m_narrowphase->releaseBody(m_bodies[0]);
+	m_narrowphase->releaseBody(m_bodies[1]);
+	m_narrowphase->removeUser();
+}
+
+void btHybridPairAlgorithm::releaseContacts()
+{
+	for (size_t i = 0; i < m_pair->children().size(); i++)
+		releaseManifold(m_pair->children()[i]);
+	m_pair->reset(0);
+}
+
+void btHybridPairAlgorithm::restart(const Pass& pass)
+{
+	releaseContacts();
+	btScalar threshold = gContactBreakingThreshold;
+	if (static_cast<btCollisionDispatcher*>(m_dispatcher)->getDispatcherFlags() & btCollisionDispatcher::CD_USE_RELATIVE_CONTACT_BREAKING_THRESHOLD)
+		threshold = btMin(pass.m_wraps[0]->getCollisionShape()->getContactBreakingThreshold(threshold), pass.m_wraps[1]->getCollisionShape()->getContactBreakingThreshold(threshold));
+	m_pair->reset(threshold);
+	m_versions[0] = m_bodies[0]->getVersion();
+	m_versions[1] = m_bodies[1]->getVersion();
+}
+
+void btHybridPairAlgorithm::processCollision(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut)
+{
+	const Pass pass = {{body0Wrap, body1Wrap}, dispatchInfo, resultOut};
+	if (!m_narrowphase->updateBody(m_bodies[0], body0Wrap) || !m_narrowphase->updateBody(m_bodies[1], body1Wrap))
+	{
+		releaseContacts();
+		m_versions[0] = -1;
+		return;
+	}
+	if (m_versions[0] != m_bodies[0]->getVersion() || m_versions[1] != m_bodies[1]->getVersion())
+		restart(pass);
+
+	scatter::PartBody& bodyA = m_bodies[0]->getBody();
+	scatter::PartBody& bodyB = m_bodies[1]->getBody();
+	const bool isAwake = m_pair->advance(bodyA, bodyB, m_narrowphase->getSteps(), m_narrowphase->getSearch(), m_narrowphase->getWork());
+	for (size_t i = 0; i < m_pair->dropped().size(); i++)
+		m_dispatcher->releaseManifold(static_cast<btPersistentManifold*>(m_pair->dropped()[i]));
+	if (!isAwake)
+		return;
+	std::vector<scatter::ChildPair>& children = m_pair->children();
+	m_narrowphase->getWork().childPairs += int(children.size());
+	for (size_t i = 0; i < children.size(); i++)
+	{
+		if (m_pair->isAsleep(children[i]))
+			m_narrowphase->getWork().childPairsAsleep++;
+		else
+			processChild(children[i], pass);
+	}
+	m_pair->settle(bodyA, bodyB, m_narrowphase->getSteps());
+}
+
+void btHybridPairAlgorithm::processChild(scatter::ChildPair& child, const Pass& pass)
+{
+	scatter::PartBody& bodyA = m_bodies[0]->getBody();
+	scatter::PartBody& bodyB = m_bodies[1]->getBody();
+	if (!scatter::boundsOverlap(bodyA, child.a, bodyB, child.b) ||
+	    !mayMeet(pass.m_wraps[0]->getCollisionShape(), pass.m_wraps[1]->getCollisionShape(), m_bodies[0]->getChildShape(child.a), m_bodies[1]->getChildShape(child.b)))
+	{
+		m_narrowphase->getWork().boundsRejected++;
+		releaseManifold(child);
+		return;
+	}
+	if (child.touching)
+	{
+		btPersistentManifold* manifold = static_cast<btPersistentManifold*>(child.contact);
+		manifold->refreshContactPoints(pass.m_wraps[0]->getCollisionObject()->getWorldTransform(), pass.m_wraps[1]->getCollisionObject()->getWorldTransform());
+		child.touching = manifold->getNumContacts() > 0;
+	}
+	if (!m_narrowphase->getInfo().m_lazyManifolds)
+		manifoldOf(child, pass);
+
+	scatter::PartContact contact;
+	const scatter::PairSteps& steps = m_narrowphase->getSteps();
+	switch (m_pair->judge(child, bodyA, bodyB, steps, contact, m_narrowphase->getWork()))
+	{
+		case scatter::ChildVerdict::kContact:
+			manifoldOf(child, pass);
+			keepContact(child, contact, pass);
+			break;
+		case scatter::ChildVerdict::kAskEngine:
+			m_narrowphase->countDetectorRun();
+			if (steps.ownGjk)
+				detect(child, pass);
+			else
+				detectByGjk(child, pass);
+			break;
+		case scatter::ChildVerdict::kApart:
+			break;
+	}
+	if (!child.contact)
+		return;
+	child.touching = static_cast<btPersistentManifold*>(child.contact)->getNumContacts() > 0;
+	if (!child.touching && m_narrowphase->getInfo().m_lazyManifolds)
+		releaseManifold(child);
+}
+
+btPersistentManifold* btHybridPairAlgorithm::manifoldOf(scatter::ChildPair& child, const Pass& pass)
+{
+	if (!child.contact)
+		child.contact = m_dispatcher->getNewManifold(pass.m_wraps[0]->getCollisionObject(), pass.m_wraps[1]->getCollisionObject());
+	return static_cast<btPersistentManifold*>(child.contact);
+}
+
+void btHybridPairAlgorithm::releaseManifold(scatter::ChildPair& child)
+{
+	if (child.contact)
+		m_dispatcher->releaseManifold(static_cast<btPersistentManifold*>(child.contact));
+	child.contact = 0;
+	child.touching = false;
+}
+
+void btHybridPairAlgorithm::keepContact(const scatter::ChildPair& child, const scatter::PartContact& contact, const Pass& pass)
+{
+	const scatter::Frame& frameA = m_bodies[0]->getBody().frame();
+	const scatter::Vec3 normal = -frameA.rotate(contact.axis);
+	ChildScope scope(pass.m_result, *m_bodies[0], child.a, *m_bodies[1], child.b);
+	pass.m_result->setPersistentManifold(static_cast<btPersistentManifold*>(child.contact));
+	pass.m_result->addContactPoint(btVector3(normal.x, normal.y, normal.z), toWorld(frameA, contact.pointB), contact.distance);
+}
+
+// Exactly what Bullet does with these two shapes, into this child pair's manifold.
+void btHybridPairAlgorithm::detect(scatter::ChildPair& child, const Pass& pass)
+{
+	btPersistentManifold* manifold = manifoldOf(child, pass);
+	ChildScope scope(pass.m_result, *m_bodies[0], child.a, *m_bodies[1], child.b);
+	btCollisionAlgorithm* algorithm = m_dispatcher->findAlgorithm(scope.getWrap(0), scope.getWrap(1), manifold, BT_CONTACT_POINT_ALGORITHMS);
+	algorithm->processCollision(scope.getWrap(0), scope.getWrap(1), pass.m_info, pass.m_result);
+	algorithm->~btCollisionAlgorithm();
+	m_dispatcher->freeCollisionAlgorithm(algorithm);
+}
+
+// In the place of scatter's GJK, to measure what that is worth.
+void btHybridPairAlgorithm::detectByGjk(scatter::ChildPair& child, const Pass& pass)
+{
+	const btCollisionShape* shapes[2] = {m_bodies[0]->getChildShape(child.a), m_bodies[1]->getChildShape(child.b)};
+	const bool boxes = shapes[0]->getShapeType() == BOX_SHAPE_PROXYTYPE && shapes[1]->getShapeType() == BOX_SHAPE_PROXYTYPE;
+	const bool round = shapes[0]->getShapeType() == SPHERE_SHAPE_PROXYTYPE && shapes[1]->getShapeType() == SPHERE_SHAPE_PROXYTYPE;
+	if (boxes || round)
+	{
+		detect(child, pass);
+		return;
+	}
+	ChildScope scope(pass.m_result, *m_bodies[0], child.a, *m_bodies[1], child.b);
+	btGjkPairDetector::ClosestPointInput input;
+	input.m_transformA = scope.getWrap(0)->getWorldTransform();
+	input.m_transformB = scope.getWrap(1)->getWorldTransform();
+	const btScalar furthest = shapes[0]->getMargin() + shapes[1]->getMargin() + m_pair->threshold();
+	input.m_maximumDistanceSquared = furthest * furthest;
+	btVoronoiSimplexSolver simplex;
+	btGjkEpaPenetrationDepthSolver penetration;
+	btGjkPairDetector detector(static_cast<const btConvexShape*>(shapes[0]), static_cast<const btConvexShape*>(shapes[1]), &simplex, &penetration);
+	PointResult result;
+	detector.getClosestPoints(input, result, 0);
+	btVector3 axis = result.m_found ? -result.m_normal : -detector.getCachedSeparatingAxis();
+	if (axis.length2() > SIMD_EPSILON)
+	{
+		axis = pass.m_wraps[0]->getWorldTransform().getBasis().transpose() * axis.normalized();
+		m_pair->learnAxis(child, m_bodies[0]->getBody(), m_bodies[1]->getBody(), scatter::Vec3(axis.x(), axis.y(), axis.z()));
+	}
+	if (!result.m_found || result.m_distance > m_pair->threshold())
+		return;
+	pass.m_result->setPersistentManifold(manifoldOf(child, pass));
+	pass.m_result->addContactPoint(result.m_normal, result.m_point, result.m_distance);
+}
+
+btScalar btHybridPairAlgorithm::calculateTimeOfImpact(btCollisionObject*, btCollisionObject*, const btDispatcherInfo&, btManifoldResult*)
+{
+	return 1;
+}
+
+void btHybridPairAlgorithm::getAllContactManifolds(btManifoldArray& manifoldArray)
+{
+	for (size_t i = 0; i < m_pair->children().size(); i++)
+		if (m_pair->children()[i].contact)
+			manifoldArray.push_back(static_cast<btPersistentManifold*>(m_pair->children()[i].contact));
+}

@@ -1,0 +1,44 @@
+#ifndef BT_HYBRID_PAIR_ALGORITHM_H
+#define BT_HYBRID_PAIR_ALGORITHM_H
+
+#include <BulletCollision/BroadphaseCollision/btCollisionAlgorithm.h>
+
+#include "collision/part_pair.h"
+
+class btHybridNarrowphase;
+class btHybridPartBody;
+
+/// The narrowphase of two lists of convex parts, owned by their broadphase pair. What is near what is
+/// scatter::PartPair's business; manifolds, and the contacts that are Bullet's own, are this one's.
+/// Small, because Bullet's pool takes algorithms of any size without looking.
+class btHybridPairAlgorithm : public btCollisionAlgorithm
+{
+	btHybridNarrowphase* m_narrowphase;
+	btHybridPartBody* m_bodies[2];
+	scatter::PartPair* m_pair;
+	int m_versions[2];
+
+	struct Pass;
+
+	void restart(const Pass& pass);
+	void releaseContacts();
+	void processChild(scatter::ChildPair& child, const Pass& pass);
+	void keepContact(const scatter::ChildPair& child, const scatter::PartContact& contact, const Pass& pass);
+	void detect(scatter::ChildPair& child, const Pass& pass);
+	void detectByGjk(scatter::ChildPair& child, const Pass& pass);
+	btPersistentManifold* manifoldOf(scatter::ChildPair& child, const Pass& pass);
+	void releaseManifold(scatter::ChildPair& child);
+
+public:
+	btHybridPairAlgorithm(const btCollisionAlgorithmConstructionInfo& info, btHybridNarrowphase* narrowphase, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap);
+	virtual ~btHybridPairAlgorithm();
+
+	virtual void processCollision(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut);
+
+	/// Not used by dynamics worlds, which sweep bodies themselves.
+	virtual btScalar calculateTimeOfImpact(btCollisionObject* body0, btCollisionObject* body1, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut);
+
+	virtual void getAllContactManifolds(btManifoldArray& manifoldArray);
+};
+
+#endif  // BT_HYBRID_PAIR_ALGORITHM_H

@@ -1,0 +1,33 @@
+#include "btHybridPartBody.h"
+
+#include "BulletHybrid/btHybridRigidBody.h"
+
+btHybridPartBody::btHybridPartBody(const btCollisionObject* object, btHybridParts* parts)
+    : m_object(object), m_parts(parts), m_body(parts->getList()), m_changes(btHybridRigidBody::upcast(object) == 0), m_version(0), m_checkedStep(-1), m_users(0)
+{
+}
+
+void btHybridPartBody::moveTo(const btTransform& transform)
+{
+	scatter::Frame frame;
+	for (int i = 0; i < 3; i++)
+	{
+		const btVector3& row = transform.getBasis()[i];
+		frame.row[i] = scatter::Vec3(row.x(), row.y(), row.z());
+	}
+	const btVector3& origin = transform.getOrigin();
+	frame.origin = scatter::Vec3(origin.x(), origin.y(), origin.z());
+	m_body.moveTo(frame);
+}
+
+const btCollisionShape* btHybridPartBody::getChildShape(int part) const
+{
+	const btCollisionShape* shape = m_parts->getShape();
+	return shape->isCompound() ? static_cast<const btCompoundShape*>(shape)->getChildShape(part) : shape;
+}
+
+btTransform btHybridPartBody::getChildTransform(int part, const btTransform& body) const
+{
+	const btCollisionShape* shape = m_parts->getShape();
+	return shape->isCompound() ? body * static_cast<const btCompoundShape*>(shape)->getChildTransform(part) : body;
+}

@@ -1,0 +1,54 @@
+#ifndef BT_HYBRID_PART_BODY_H
+#define BT_HYBRID_PART_BODY_H
+
+#include <BulletCollision/CollisionDispatch/btCollisionObject.h>
+#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
+
+#include "btHybridParts.h"
+#include "collision/part_body.h"
+
+/// A collision object as a body of parts: shared by all its pair algorithms.
+class btHybridPartBody
+{
+	const btCollisionObject* m_object;
+	btHybridParts* m_parts;
+	scatter::PartBody m_body;
+	bool m_changes;     ///< its shape may change in place: it is not a hybrid's level
+	int m_version;      ///< counts the changes of its parts
+	int m_checkedStep;  ///< the last step in which its shape was looked at thoroughly
+	int m_users;
+
+	friend class btHybridNarrowphase;
+
+	btHybridPartBody(const btCollisionObject* object, btHybridParts* parts);
+
+public:
+	BT_DECLARE_ALIGNED_ALLOCATOR();
+
+	scatter::PartBody& getBody()
+	{
+		return m_body;
+	}
+	const scatter::PartBody& getBody() const
+	{
+		return m_body;
+	}
+	int getVersion() const
+	{
+		return m_version;
+	}
+
+	void moveTo(const btTransform& transform);
+
+	/// The index by which Bullet knows a part: that of the compound's child, or -1.
+	int getChildIndex(int part) const
+	{
+		return m_parts->getShape()->isCompound() ? part : -1;
+	}
+	const btCollisionShape* getChildShape(int part) const;
+
+	/// World transform of a part, with the body at `body`.
+	btTransform getChildTransform(int part, const btTransform& body) const;
+};
+
+#endif  // BT_HYBRID_PART_BODY_H

@@ -1,0 +1,174 @@
+#include "btHybridParts.h"
+
+#include <BulletCollision/CollisionShapes/btBoxShape.h>
+#include <BulletCollision/CollisionShapes/btCapsuleShape.h>
+#include <BulletCollision/CollisionShapes/btConvexHullShape.h>
+#include <BulletCollision/CollisionShapes/btSphereShape.h>
+
+#include <limits>
+#include <vector>
+
+namespace
+{
+const int c_mostParts = std::numeric_limits<unsigned short>::max();
+
+const btCompoundShape* asCompound(const btCollisionShape* shape)
+{
+	return shape->isCompound() ? static_cast<const btCompoundShape*>(shape) : 0;
+}
+
+int revisionOf(const btCollisionShape* shape)
+{
+	const btCompoundShape* compound = asCompound(shape);
+	return compound ? compound->getUpdateRevision() : 0;
+}
+
+scatter::Vec3 vec3(const btVector3& v)
+{
+	return scatter::Vec3(v.x(), v.y(), v.z());
+}
+
+scatter::Mat3 mat3(const btMatrix3x3& m)
+{
+	return scatter::Mat3(vec3(m.getColumn(0)), vec3(m.getColumn(1)), vec3(m.getColumn(2)));
+}
+
+void addCorners(scatter::PartDef& part, const btTransform& transform, const btVector3& center, const btVector3& half)
+{
+	for (int corner = 0; corner < 8; corner++)
+	{
+		const btVector3 local((corner & 1) ? half.x() : -half.x(), (corner & 2) ? half.y() : -half.y(), (corner & 4) ? half.z() : -half.z());
+		part.core.push_back(vec3(transform(center + local)));
+	}
+}
+
+void addHull(scatter::PartDef& part, const btTransform& transform, const btConvexHullShape* hull)
+{
+	for (int i = 0; i < hull->getNumPoints(); i++)
+		part.core.push_back(vec3(transform(hull->getScaledPoint(i))));
+}
+
+void addCapsule(scatter::PartDef& part, const btTransform& transform, const btCapsuleShape* capsule)
+{
+	btVector3 end(0, 0, 0);
+	end[capsule->getUpAxis()] = capsule->getHalfHeight();
+	part.core.push_back(vec3(transform(end)));
+	part.core.push_back(vec3(transform(-end)));
+}
+
+// Bullet bounds every convex shape by its local box, turned; only of a sphere it does not turn it.
+void bound(scatter::PartDef& part, const btTransform& transform, const btConvexShape* shape)
+{
+	btVector3 aabbMin, aabbMax;
+	shape->getAabb(btTransform::getIdentity(), aabbMin, aabbMax);
+	const btVector3 half = btScalar(0.5) * (aabbMax - aabbMin);
+	part.boundsCenter = vec3(transform(btScalar(0.5) * (aabbMin + aabbMax)));
+	part.boundsAxes = mat3(transform.getBasis());
+	part.boundsHalf = vec3(half);
+}
+
+scatter::PartDef makePart(const btConvexShape* shape, const btTransform& transform)
+{
+	scatter::PartDef part;
+	bound(part, transform, shape);
+	part.margin = shape->getMargin();
+	switch (shape->getShapeType())
+	{
+		case SPHERE_SHAPE_PROXYTYPE:
+			part.kind = scatter::PartKind::kSphere;
+			part.core.push_back(vec3(transform.getOrigin()));
+			part.margin = static_cast<const btSphereShape*>(shape)->getRadius();
+			part.boundsMargin = part.margin;
+			part.boundsHalf = scatter::Vec3(0.0f);
+			break;
+		case CAPSULE_SHAPE_PROXYTYPE:
+			part.kind = scatter::PartKind::kCapsule;
+			addCapsule(part, transform, static_cast<const btCapsuleShape*>(shape));
+			part.margin = static_cast<const btCapsuleShape*>(shape)->getRadius();
+			break;
+		case BOX_SHAPE_PROXYTYPE:
+			part.kind = scatter::PartKind::kBox;
+			addCorners(part, transform, btVector3(0, 0, 0), static_cast<const btBoxShape*>(shape)->getHalfExtentsWithoutMargin());
+			break;
+		case CONVEX_HULL_SHAPE_PROXYTYPE:
+			// Hulls whose polyhedral features are there have contacts of their own kind in Bullet.
+			part.kind = static_cast<const btConvexHullShape*>(shape)->getConvexPolyhedron() ? scatter::PartKind::kEnclosed : scatter::PartKind::kHull;
+			addHull(part, transform, static_cast<const btConvexHullShape*>(shape));
+			break;
+		default:
+			part.kind = scatter::PartKind::kEnclosed;
+			part.margin = 0;
+			for (int corner = 0; corner < 8; corner++)
+				part.core.push_back(part.boundsCenter + part.boundsAxes * (part.boundsHalf * scatter::Vec3((corner & 1) ? 1 : -1, (corner & 2) ? 1 : -1, (corner & 4) ? 1 : -1)));
+	}
+	return part;
+}
+
+std::vector<scatter::PartDef> makeParts(const btCollisionShape* shape)
+{
+	std::vector<scatter::PartDef> parts;
+	const btCompoundShape* compound = asCompound(shape);
+	if (!compound)
+		parts.push_back(makePart(static_cast<const btConvexShape*>(shape), btTransform::getIdentity()));
+	else
+		for (int i = 0; i < compound->getNumChildShapes(); i++)
+			parts.push_back(makePart(static_cast<const btConvexShape*>(compound->getChildShape(i)), compound->getChildTransform(i)));
+	return parts;
+}
+
+bool isPart(const btCollisionShape* shape)
+{
+	if (!shape->isConvex())
+		return false;
+	if (shape->getShapeType() != CONVEX_HULL_SHAPE_PROXYTYPE)
+		return true;
+	const int points = static_cast<const btConvexHullShape*>(shape)->getNumPoints();
+	return points > 0 && points <= c_mostParts;
+}
+}  // namespace
+
+bool btHybridParts::isPartList(const btCollisionShape* shape)
+{
+	const btCompoundShape* compound = asCompound(shape);
+	if (!compound)
+		return isPart(shape);
+	const int count = compound->getNumChildShapes();
+	for (int i = 0; i < count; i++)
+		if (!isPart(compound->getChildShape(i)))
+			return false;
+	return count > 0 && count <= c_mostParts;
+}
+
+btHybridParts::btHybridParts(const btCollisionShape* shape)
+    : m_shape(shape), m_scaling(shape->getLocalScaling()), m_margin(shape->getMargin()), m_revision(revisionOf(shape)), m_list(makeParts(shape)), m_users(0)
+{
+	const btCompoundShape* compound = asCompound(shape);
+	if (!compound)
+		return;
+	m_marks.reserve(compound->getNumChildShapes());
+	for (int i = 0; i < compound->getNumChildShapes(); i++)
+	{
+		const btCollisionShape* child = compound->getChildShape(i);
+		const Mark mark = {child, compound->getChildTransform(i), child->getLocalScaling(), child->getMargin()};
+		m_marks.push_back(mark);
+	}
+}
+
+bool btHybridParts::isCurrent(bool thorough) const
+{
+	if (m_revision != revisionOf(m_shape) || !(m_scaling == m_shape->getLocalScaling()) || m_margin != m_shape->getMargin())
+		return false;
+	const btCompoundShape* compound = asCompound(m_shape);
+	if (!compound)
+		return true;
+	if (m_marks.size() != compound->getNumChildShapes())
+		return false;
+	for (int i = 0; thorough && i < m_marks.size(); i++)
+	{
+		const btCollisionShape* child = compound->getChildShape(i);
+		const Mark& mark = m_marks[i];
+		if (mark.m_shape != child || !(mark.m_transform == compound->getChildTransform(i)) || !(mark.m_scaling == child->getLocalScaling()) || mark.m_margin != child->getMargin())
+			return false;
+	}
+	return true;
+}

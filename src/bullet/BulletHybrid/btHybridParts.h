@@ -1,0 +1,59 @@
+#ifndef BT_HYBRID_PARTS_H
+#define BT_HYBRID_PARTS_H
+
+#include <BulletCollision/CollisionShapes/btCompoundShape.h>
+#include <LinearMath/btAlignedObjectArray.h>
+
+#include "collision/part_list.h"
+
+/// The convex parts of a shape: its children if it is a compound, else itself. Kept up to date by asking
+/// isCurrent() and making it anew; not owned by bodies, but counted by them.
+class btHybridParts
+{
+	/// What would have to change for a part to be another.
+	struct Mark
+	{
+		const btCollisionShape* m_shape;
+		btTransform m_transform;
+		btVector3 m_scaling;
+		btScalar m_margin;
+	};
+
+	const btCollisionShape* m_shape;
+	btVector3 m_scaling;
+	btScalar m_margin;
+	int m_revision;
+	btAlignedObjectArray<Mark> m_marks;
+	scatter::PartList m_list;
+	int m_users;
+
+	friend class btHybridNarrowphase;
+
+public:
+	BT_DECLARE_ALIGNED_ALLOCATOR();
+
+	/// `shape` is one that isPartList() allows.
+	explicit btHybridParts(const btCollisionShape* shape);
+
+	/// Whether a shape is convex or a compound of convex children, at least one, and not too large.
+	static bool isPartList(const btCollisionShape* shape);
+
+	/// Whether the shape is still what it was. A thorough look compares every child's shape, place, scaling and
+	/// margin; a quick one only what Bullet counts as a revision, scaling and margin of the whole.
+	bool isCurrent(bool thorough) const;
+
+	const btCollisionShape* getShape() const
+	{
+		return m_shape;
+	}
+	const scatter::PartList& getList() const
+	{
+		return m_list;
+	}
+	size_t getBytes() const
+	{
+		return sizeof(*this) - sizeof(m_list) + m_list.bytes() + m_marks.capacity() * sizeof(Mark);
+	}
+};
+
+#endif  // BT_HYBRID_PARTS_H

@@ -1,0 +1,30 @@
+#include "collision/frame.h"
+
+#include <cmath>
+
+namespace scatter {
+
+Frame relativeFrame(const Frame& a, const Frame& b) {
+  Frame relative;
+  for (int i = 0; i < 3; ++i) {
+    relative.row[i] = a.row[0][i] * b.row[0] + a.row[1][i] * b.row[1] + a.row[2][i] * b.row[2];
+  }
+  relative.origin = a.rotateBack(b.origin - a.origin);
+  return relative;
+}
+
+float displacementBound(const Frame& before, const Frame& after, const Vec3& center, float radius) {
+  constexpr float kRounding = 4e-7F;
+  float squares = 0.0F;
+  Vec3 moved = after.origin - before.origin;
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 change = after.row[i] - before.row[i];
+    squares += glm::dot(change, change);
+    moved[i] += glm::dot(change, center);
+  }
+  const float turned = std::sqrt(0.5F * squares) * 1.0001F + kRounding;
+  const float reach = radius + glm::length(center) + glm::length(after.origin);
+  return glm::length(moved) + turned * radius + kRounding * reach;
+}
+
+}  // namespace scatter

@@ -1,0 +1,239 @@
+#include "collision/gjk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace scatter {
+
+namespace {
+
+constexpr int kMaxIterations = 40;
+constexpr float kTolerance = 1e-4F;  // of the distance
+constexpr float kRounding = 1e-6F;   // of the coordinates
+constexpr float kContactRounding = 50.0F;  // below so many roundings the direction is not to be trusted
+
+/// A point of A minus a point of B.
+struct Difference {
+  Vec3 w;
+  Vec3 a;
+  Vec3 b;
+  std::uint16_t vertexA;
+  std::uint16_t vertexB;
+};
+
+/// The corners whose hull holds the point nearest to the origin, and that point.
+struct Nearest {
+  Vec3 point;
+  int count = 0;
+  int corner[3]{};
+  float weight[3]{};
+  bool inside = false;  ///< The origin is inside the tetrahedron.
+};
+
+Nearest atCorner(const Difference* s, int i) {
+  Nearest nearest{s[i].w, 1, {i}, {1.0F}, false};
+  return nearest;
+}
+
+Nearest onSegment(const Difference* s, int i, int j) {
+  const Vec3 edge = s[j].w - s[i].w;
+  const float along = -glm::dot(s[i].w, edge);
+  const float length2 = glm::dot(edge, edge);
+  if (along <= 0.0F || length2 < 1e-30F) return atCorner(s, i);
+  if (along >= length2) return atCorner(s, j);
+  const float t = along / length2;
+  return {s[i].w + edge * t, 2, {i, j}, {1.0F - t, t}, false};
+}
+
+// Ericson, Real-Time Collision Detection, 5.1.5: the Voronoi regions of a triangle.
+Nearest onTriangle(const Difference* s, int i, int j, int k) {
+  const Vec3& p = s[i].w;
+  const Vec3 ab = s[j].w - p;
+  const Vec3 ac = s[k].w - p;
+  const float d1 = -glm::dot(ab, p);
+  const float d2 = -glm::dot(ac, p);
+  if (d1 <= 0.0F && d2 <= 0.0F) return atCorner(s, i);
+  const float d3 = -glm::dot(ab, s[j].w);
+  const float d4 = -glm::dot(ac, s[j].w);
+  if (d3 >= 0.0F && d4 <= d3) return atCorner(s, j);
+  const float vc = d1 * d4 - d3 * d2;
+  if (vc <= 0.0F && d1 >= 0.0F && d3 <= 0.0F) return onSegment(s, i, j);
+  const float d5 = -glm::dot(ab, s[k].w);
+  const float d6 = -glm::dot(ac, s[k].w);
+  if (d6 >= 0.0F && d5 <= d6) return atCorner(s, k);
+  const float vb = d5 * d2 - d1 * d6;
+  if (vb <= 0.0F && d2 >= 0.0F && d6 <= 0.0F) return onSegment(s, i, k);
+  const float va = d3 * d6 - d5 * d4;
+  if (va <= 0.0F && d4 - d3 >= 0.0F && d5 - d6 >= 0.0F) return onSegment(s, j, k);
+  const float sum = va + vb + vc;
+  if (!(sum > std::numeric_limits<float>::min())) {
+    const Nearest first = onSegment(s, i, j);
+    const Nearest second = onSegment(s, i, k);
+    return glm::dot(first.point, first.point) <= glm::dot(second.point, second.point) ? first : second;
+  }
+  const float u = va / sum;
+  const float v = vb / sum;
+  const float w = vc / sum;
+  return {p * u + s[j].w * v + s[k].w * w, 3, {i, j, k}, {u, v, w}, false};
+}
+
+Nearest onTetrahedron(const Difference* s) {
+  static constexpr int kFaces[4][4] = {{0, 1, 2, 3}, {0, 1, 3, 2}, {0, 2, 3, 1}, {1, 2, 3, 0}};
+  Nearest best;
+  float best2 = std::numeric_limits<float>::max();
+  bool outside = false;
+  for (const auto& face : kFaces) {
+    const Vec3& corner = s[face[0]].w;
+    const Vec3 normal = glm::cross(s[face[1]].w - corner, s[face[2]].w - corner);
+    const float origin = -glm::dot(normal, corner);
+    const float opposite = glm::dot(normal, s[face[3]].w - corner);
+    const float flat = 1e-6F * glm::dot(normal, normal);
+    if (origin * opposite > 0.0F && opposite * opposite > flat * flat) continue;
+    outside = true;
+    const Nearest nearest = onTriangle(s, face[0], face[1], face[2]);
+    const float distance2 = glm::dot(nearest.point, nearest.point);
+    if (distance2 < best2) {
+      best2 = distance2;
+      best = nearest;
+    }
+  }
+  best.inside = !outside;
+  return best;
+}
+
+Nearest nearestOf(const Difference* s, int count) {
+  switch (count) {
+    case 1:
+      return atCorner(s, 0);
+    case 2:
+      return onSegment(s, 0, 1);
+    case 3:
+      return onTriangle(s, 0, 1, 2);
+    default:
+      return onTetrahedron(s);
+  }
+}
+
+class Gjk {
+ public:
+  Gjk(const PolytopeView& a, const PolytopeView& b, const Frame& frameB) : a_(a), b_(b), frameB_(frameB) {}
+
+  GjkResult run(const Vec3& axis, float enough, WarmSimplex& warm) {
+    result_.axis = axis;
+    result_.provenDistance = std::numeric_limits<float>::lowest();
+    result_.distance = std::numeric_limits<float>::max();
+    if (warm.count > 0) {
+      takeUp(warm);
+      reduce();
+    }
+    while (!done_ && result_.iterations < kMaxIterations) iterate(enough);
+    keep(warm);
+    if (result_.state == State::kConverged) findPoints();
+    return result_;
+  }
+
+ private:
+  using State = GjkResult::State;
+
+  [[nodiscard]] Difference difference(int vertexA, int vertexB) const {
+    const Vec3 p = a_.vertex(vertexA);
+    const Vec3 q = frameB_(b_.vertex(vertexB));
+    return {p - q, p, q, static_cast<std::uint16_t>(vertexA), static_cast<std::uint16_t>(vertexB)};
+  }
+
+  void takeUp(const WarmSimplex& warm) {
+    for (int i = 0; i < warm.count; ++i) simplex_[count_++] = difference(warm.a[i], warm.b[i]);
+    ++result_.iterations;
+  }
+
+  void keep(WarmSimplex& warm) const {
+    warm.count = count_ > 3 || result_.state == State::kOverlap ? 0 : static_cast<std::uint8_t>(count_);
+    for (int i = 0; i < warm.count; ++i) {
+      warm.a[i] = simplex_[i].vertexA;
+      warm.b[i] = simplex_[i].vertexB;
+    }
+  }
+
+  void iterate(float enough) {
+    ++result_.iterations;
+    const Vec3 axis = result_.axis;
+    const int vertexA = support(a_, axis).vertex;
+    const int vertexB = support(b_, frameB_.rotateBack(-axis)).vertex;
+    const Difference next = difference(vertexA, vertexB);
+    const float size = std::abs(next.a.x) + std::abs(next.a.y) + std::abs(next.a.z) + std::abs(next.b.x) +
+                       std::abs(next.b.y) + std::abs(next.b.z);
+    const float rounding = kRounding * size;
+    const float proven = -glm::dot(axis, next.w) - rounding;
+    if (proven > result_.provenDistance) {
+      result_.provenDistance = proven;
+      result_.provenAxis = axis;
+    }
+    if (proven > enough) return finish(State::kApart);
+    if (count_ > 0 && result_.distance - proven <= kTolerance * result_.distance + 2.0F * rounding) {
+      return finish(State::kConverged);
+    }
+    for (int i = 0; i < count_; ++i) {
+      const bool again = simplex_[i].vertexA == next.vertexA && simplex_[i].vertexB == next.vertexB;
+      if (again) return finish(isTight(rounding) ? State::kConverged : State::kUndecided);
+    }
+    simplex_[count_++] = next;
+    reduce();
+    if (!done_ && result_.distance <= kContactRounding * rounding) finish(State::kOverlap);
+  }
+
+  // Without a tight bound the distance might be too large.
+  [[nodiscard]] bool isTight(float rounding) const {
+    return result_.distance - result_.provenDistance <= 1e-2F * result_.distance + 8.0F * rounding;
+  }
+
+  // Keeps the corners that hold the nearest point, which gives the next axis.
+  void reduce() {
+    nearest_ = nearestOf(simplex_, count_);
+    if (nearest_.inside) return finish(State::kOverlap);
+    Difference kept[3];
+    for (int i = 0; i < nearest_.count; ++i) kept[i] = simplex_[nearest_.corner[i]];
+    std::copy_n(kept, nearest_.count, simplex_);
+    count_ = nearest_.count;
+    const float distance = glm::length(nearest_.point);
+    if (!(distance > 0.0F)) return finish(State::kOverlap);
+    if (distance >= result_.distance) {
+      if (++stalled_ > 3) return finish(State::kUndecided);
+    }
+    result_.distance = distance;
+    result_.axis = nearest_.point * (-1.0F / distance);
+  }
+
+  void findPoints() {
+    result_.pointA = Vec3(0.0F);
+    result_.pointB = Vec3(0.0F);
+    for (int i = 0; i < nearest_.count; ++i) {
+      result_.pointA += simplex_[i].a * nearest_.weight[i];
+      result_.pointB += simplex_[i].b * nearest_.weight[i];
+    }
+  }
+
+  void finish(State state) {
+    result_.state = state;
+    done_ = true;
+  }
+
+  const PolytopeView& a_;
+  const PolytopeView& b_;
+  const Frame& frameB_;
+  Difference simplex_[4]{};
+  int count_ = 0;
+  int stalled_ = 0;
+  Nearest nearest_;
+  GjkResult result_;
+  bool done_ = false;
+};
+
+}  // namespace
+
+GjkResult gjkDistance(const PolytopeView& a, const PolytopeView& b, const Frame& frameB, const Vec3& axis,
+                      float enough, WarmSimplex& warm) {
+  return Gjk(a, b, frameB).run(axis, enough, warm);
+}
+
+}  // namespace scatter

@@ -1,0 +1,166 @@
+#include "collision/part_list.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace scatter {
+
+namespace {
+
+constexpr float kNowhere = 1e18F;  // as a negative extent: no box is near
+
+// The corners of a kBox, which its engine box is.
+std::vector<Vec3> cornersOf(const PartDef& box) {
+  std::vector<Vec3> corners;
+  for (int corner = 0; corner < 8; ++corner) {
+    Vec3 local = box.boundsHalf;
+    for (int axis = 0; axis < 3; ++axis) {
+      if ((corner >> axis & 1) == 0) local[axis] = -local[axis];
+    }
+    corners.push_back(box.boundsCenter + box.boundsAxes * local);
+  }
+  return corners;
+}
+
+bool isTurned(const Mat3& axes) {
+  return axes != Mat3(1.0F);
+}
+
+void resize(PartList::Boxes& boxes, std::size_t count) {
+  for (int axis = 0; axis < 3; ++axis) {
+    boxes.center[axis].assign(count, 0.0F);
+    boxes.half[axis].assign(count, -kNowhere);
+  }
+}
+
+void setBox(PartList::Boxes& boxes, std::size_t i, const Vec3& center, const Vec3& half) {
+  for (int axis = 0; axis < 3; ++axis) {
+    boxes.center[axis][i] = center[axis];
+    boxes.half[axis][i] = half[axis];
+  }
+}
+
+}  // namespace
+
+PartList::PartList(std::span<const PartDef> parts) : parts_(parts.size()) {
+  assert(!parts.empty() && parts.size() <= std::numeric_limits<std::uint16_t>::max());
+  for (const PartDef& part : parts) {
+    assert(!part.core.empty() && part.core.size() <= std::numeric_limits<std::uint16_t>::max());
+    addPolytope(part.core);
+    if (part.kind == PartKind::kBox) addPolytope(cornersOf(part));
+  }
+  connectPolytopes(parts);
+  addBoxes(parts);
+  boundAll();
+}
+
+void PartList::addPolytope(std::span<const Vec3> points) {
+  const auto room = static_cast<std::size_t>(simd::padded(static_cast<int>(points.size())));
+  for (int axis = 0; axis < 3; ++axis) {
+    for (std::size_t i = 0; i < room; ++i) {
+      vertices_.push_back(points[std::min(i, points.size() - 1)][axis]);
+    }
+  }
+}
+
+// Once all vertices are there, as they move while the array grows.
+void PartList::connectPolytopes(std::span<const PartDef> parts) {
+  const float* next = vertices_.data();
+  const auto take = [&next](std::size_t count) {
+    const int room = simd::padded(static_cast<int>(count));
+    const PolytopeView view{next, next + room, next + 2 * room, static_cast<int>(count)};
+    next += 3 * room;
+    return view;
+  };
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    parts_[i].kind = parts[i].kind;
+    parts_[i].margin = parts[i].margin;
+    parts_[i].core = take(parts[i].core.size());
+    if (parts[i].kind == PartKind::kBox) parts_[i].sharp = take(8);
+  }
+}
+
+void PartList::addBoxes(std::span<const PartDef> parts) {
+  const auto room = static_cast<std::size_t>(paddedCount());
+  resize(boxes_, room);
+  resize(engineBoxes_, room);
+  engineMargin_.assign(room, 0.0F);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const PartDef& part = parts[i];
+    const std::vector<Vec3> points = part.kind == PartKind::kBox ? cornersOf(part) : part.core;
+    Vec3 low = points[0];
+    Vec3 high = points[0];
+    for (const Vec3& point : points) {
+      low = glm::min(low, point);
+      high = glm::max(high, point);
+    }
+    const float margin = part.kind == PartKind::kBox ? 0.0F : part.margin;
+    parts_[i].center = 0.5F * (low + high);
+    setBox(boxes_, i, parts_[i].center, 0.5F * (high - low) + Vec3(margin));
+    setBox(engineBoxes_, i, part.boundsCenter, part.boundsHalf);
+    engineMargin_[i] = part.boundsMargin;
+    if (isTurned(part.boundsAxes)) turned_.push_back({i, part.boundsAxes, part.boundsHalf});
+  }
+}
+
+void PartList::boundAll() {
+  Vec3 low(std::numeric_limits<float>::max());
+  Vec3 high(std::numeric_limits<float>::lowest());
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], boxes_.center[axis][i] - boxes_.half[axis][i]);
+      high[axis] = std::max(high[axis], boxes_.center[axis][i] + boxes_.half[axis][i]);
+    }
+  }
+  center_ = 0.5F * (low + high);
+  half_ = 0.5F * (high - low);
+  radius_ = glm::length(half_);
+}
+
+template <class L>
+void PartList::worldBounds(const Frame& frame, std::vector<float>& bounds) const {
+  constexpr auto kStep = L::size();
+  const auto room = static_cast<std::size_t>(paddedCount());
+  bounds.resize(6 * room);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Vec3& row = frame.row[axis];
+    const L turn[3]{L(row.x), L(row.y), L(row.z)};
+    const L spread[3]{L(std::abs(row.x)), L(std::abs(row.y)), L(std::abs(row.z))};
+    const L origin(frame.origin[static_cast<int>(axis)]);
+    float* const low = bounds.data() + axis * room;
+    float* const high = low + 3 * room;
+    for (std::size_t i = 0; i < room; i += kStep) {
+      const auto at = [i](const std::vector<float>& values) { return simd::load<L>(values.data() + i); };
+      const L center = turn[0] * at(engineBoxes_.center[0]) + turn[1] * at(engineBoxes_.center[1]) +
+                       turn[2] * at(engineBoxes_.center[2]) + origin;
+      const L half = spread[0] * at(engineBoxes_.half[0]) + spread[1] * at(engineBoxes_.half[1]) +
+                     spread[2] * at(engineBoxes_.half[2]) + at(engineMargin_);
+      (center - half).copy_to(low + i, simd::stdx::element_aligned);
+      (center + half).copy_to(high + i, simd::stdx::element_aligned);
+    }
+  }
+  for (const TurnedBounds& turned : turned_) {
+    const Vec3 center(engineBoxes_.center[0][turned.part], engineBoxes_.center[1][turned.part],
+                      engineBoxes_.center[2][turned.part]);
+    const Vec3 world = frame(center);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const Vec3 row = frame.row[axis] * turned.axes;
+      const float half = glm::dot(glm::abs(row), turned.half) + engineMargin_[turned.part];
+      bounds[axis * room + turned.part] = world[static_cast<int>(axis)] - half;
+      bounds[(axis + 3) * room + turned.part] = world[static_cast<int>(axis)] + half;
+    }
+  }
+}
+
+template void PartList::worldBounds<simd::Lanes>(const Frame&, std::vector<float>&) const;
+template void PartList::worldBounds<simd::OneLane>(const Frame&, std::vector<float>&) const;
+
+std::size_t PartList::bytes() const {
+  const std::size_t boxArrays = 2 * 6 + 1;
+  return sizeof(*this) + parts_.size() * sizeof(Part) + turned_.size() * sizeof(TurnedBounds) +
+         sizeof(float) * (vertices_.size() + boxArrays * static_cast<std::size_t>(paddedCount()));
+}
+
+}  // namespace scatter

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "collision/frame.h"
+#include "collision/support.h"
+
+namespace scatter {
+
+/// How the distance of two parts is decided.
+enum class PartKind : std::uint8_t {
+  kHull,      ///< Exactly the core, widened by the margin.
+  kBox,       ///< Like kHull against others; two boxes meet with sharp edges.
+  kSphere,    ///< The core is a point.
+  kCapsule,   ///< The core is a segment.
+  kEnclosed,  ///< Any convex shape: only known to lie inside the widened core.
+};
+
+/// One convex part, in its body's frame.
+struct PartDef {
+  PartKind kind = PartKind::kHull;
+  std::vector<Vec3> core{};  ///< At least one point; the part is their convex hull widened by `margin`.
+  float margin = 0.0F;
+
+  /// The box by which the engine bounds the part: its world bounds are those of this box, turned with the
+  /// body, and `boundsMargin` more. Of a kBox it is the box itself.
+  Vec3 boundsCenter{0.0F};
+  Mat3 boundsAxes{1.0F};  ///< Columns.
+  Vec3 boundsHalf{0.0F};
+  float boundsMargin = 0.0F;
+};
+
+/// The convex parts of a body as structure of arrays. Immutable and shared by all bodies of a model.
+class PartList {
+ public:
+  /// At most 65535 parts of at most 65535 points each.
+  explicit PartList(std::span<const PartDef> parts);
+
+  /// One array a coordinate; padded to a multiple of simd::kPadding with boxes that are nowhere near.
+  struct Boxes {
+    std::vector<float> center[3];
+    std::vector<float> half[3];
+  };
+
+  /// What is needed of a part once a child pair is looked at.
+  struct Part {
+    PolytopeView core;
+    PolytopeView sharp;  ///< Of a kBox, its corners.
+    float margin = 0.0F;
+    PartKind kind = PartKind::kHull;
+    Vec3 center{0.0F};
+  };
+
+  [[nodiscard]] int count() const { return static_cast<int>(parts_.size()); }
+  [[nodiscard]] int paddedCount() const { return simd::padded(count()); }
+  [[nodiscard]] const Part& part(int i) const { return parts_[static_cast<std::size_t>(i)]; }
+
+  /// Around each part, in the body's frame, margins included.
+  [[nodiscard]] const Boxes& boxes() const { return boxes_; }
+
+  /// Around all parts: a box in the body's frame, and the radius of the ball around its centre.
+  [[nodiscard]] const Vec3& center() const { return center_; }
+  [[nodiscard]] const Vec3& half() const { return half_; }
+  [[nodiscard]] float radius() const { return radius_; }
+
+  /// The world bounds of all parts of a body at `frame`: least x, y, z and largest x, y, z, paddedCount()
+  /// each, one array after the other.
+  template <class L = simd::Lanes>
+  void worldBounds(const Frame& frame, std::vector<float>& bounds) const;
+
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  struct TurnedBounds {
+    std::size_t part;
+    Mat3 axes;
+    Vec3 half;
+  };
+
+  void addPolytope(std::span<const Vec3> points);
+  void addBoxes(std::span<const PartDef> parts);
+  void boundAll();
+  void connectPolytopes(std::span<const PartDef> parts);
+
+  std::vector<Part> parts_;
+  std::vector<float> vertices_;  ///< Of all polytopes: x, y and z, padded, one polytope after the other.
+  Boxes boxes_;
+  Boxes engineBoxes_;
+  std::vector<float> engineMargin_;
+  std::vector<TurnedBounds> turned_;  ///< Parts whose engine box is not along the body's axes.
+  Vec3 center_{0.0F};
+  Vec3 half_{0.0F};
+  float radius_ = 0.0F;
+};
+
+}  // namespace scatter

@@ -1,0 +1,217 @@
+#include "collision/part_pair.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "collision/box_separation.h"
+
+namespace scatter {
+
+namespace {
+
+constexpr float kUnknown = std::numeric_limits<float>::infinity();
+constexpr double kAwake = std::numeric_limits<double>::lowest();
+
+/// What decides about two parts: which polytopes stand for them, and how near is a contact.
+struct ChildRule {
+  const PolytopeView& a;
+  const PolytopeView& b;
+  float margin;
+  float threshold;
+  bool exact;  ///< The polytopes are the parts, so that the distance needs no engine.
+};
+
+// Two boxes and two spheres are in contact only when they overlap, and have contacts of the engine's own
+// kind; so have capsules. Everything else is decided by the distance.
+ChildRule ruleOf(const PartList::Part& a, const PartList::Part& b, float threshold) {
+  const auto isRound = [](PartKind kind) { return kind == PartKind::kSphere || kind == PartKind::kCapsule; };
+  const float margin = a.margin + b.margin;
+  if (a.kind == PartKind::kBox && b.kind == PartKind::kBox) return {a.sharp, b.sharp, 0.0F, 0.0F, false};
+  if (a.kind == PartKind::kSphere && b.kind == PartKind::kSphere) return {a.core, b.core, margin, 0.0F, false};
+  const bool enclosed = a.kind == PartKind::kEnclosed || b.kind == PartKind::kEnclosed;
+  return {a.core, b.core, margin, threshold, !enclosed && !(isRound(a.kind) && isRound(b.kind))};
+}
+
+Vec3 towards(const Vec3& from, const Vec3& to) {
+  const Vec3 between = to - from;
+  const float length = glm::length(between);
+  return length > 1e-6F ? between / length : Vec3(1.0F, 0.0F, 0.0F);
+}
+
+}  // namespace
+
+void PartPair::reset(float threshold) {
+  children_.clear();
+  dropped_.clear();
+  threshold_ = threshold;
+  lastMotion_ = 0.0F;
+  listed_ = false;
+  motion_ = 0.0;
+  quietUntil_ = kAwake;
+}
+
+bool PartPair::advance(PartBody& a, PartBody& b, const PairSteps& steps, NeighbourSearch& search,
+                       PairWork& work) {
+  ++work.pairs;
+  dropped_.clear();
+  motionBound_ = steps.motionBound;
+  const double travel = a.travel() + b.travel();
+  if (travel < quietUntil_) {
+    ++work.pairsSkipped;
+    return false;
+  }
+  follow(a, b);
+  const bool complete = steps.midphase == Midphase::kNeighbourList && listed_ && motion_ < listEnd_;
+  if (!complete) {
+    ++work.rebuilds;
+    rebuild(a, b, steps, search);
+  }
+  if (children_.empty()) {
+    settle(a, b, steps);
+    return false;
+  }
+  return true;
+}
+
+// Where B is in A's frame, and how far that is from where it was.
+void PartPair::follow(const PartBody& a, const PartBody& b) {
+  const Frame now = relativeFrame(a.frame(), b.frame());
+  const PartList& parts = b.parts();
+  lastMotion_ = listed_ ? displacementBound(frameB_, now, parts.center(), parts.radius()) : 0.0F;
+  motion_ += static_cast<double>(lastMotion_);
+  frameB_ = now;
+  constexpr float kRounding = 2e-6F;
+  rounding_ = 1e-3F * threshold_ +
+              kRounding * (a.parts().radius() + glm::length(a.parts().center()) + parts.radius() +
+                           glm::length(parts.center()) + glm::length(now.origin));
+}
+
+// Six times the last motion has been good for slow and fast bodies alike; the exact number matters little.
+float PartPair::skin() const {
+  constexpr float kSteps = 6.0F;
+  if (!listed_) return 0.4F * threshold_;
+  return std::clamp(kSteps * lastMotion_, 0.08F * threshold_, 2.5F * threshold_);
+}
+
+void PartPair::rebuild(PartBody& a, PartBody& b, const PairSteps& steps, NeighbourSearch& search) {
+  if (steps.midphase == Midphase::kWorldBounds) {
+    search.byWorldBounds(a, b);
+    merge(search.found());
+    listed_ = true;
+    listEnd_ = kAwake;
+    return;
+  }
+  const float wide = steps.midphase == Midphase::kNeighbourList ? skin() : 0.0F;
+  const float apart = boxSeparation(a.parts().center(), a.parts().half(), b.parts().center(),
+                                    b.parts().half(), frameB_);
+  const float limit = threshold_ + rounding_ + wide;
+  if (apart > limit) {
+    merge({});
+  } else {
+    search.byPartBoxes(a.parts(), b.parts(), frameB_, limit);
+    merge(search.found());
+  }
+  listed_ = true;
+  listEnd_ = motion_ + static_cast<double>(apart > limit ? apart - threshold_ - rounding_ : wide);
+}
+
+// Both lists are in ascending order of (a, b).
+void PartPair::merge(std::span<const Neighbours> found) {
+  before_.swap(children_);
+  children_.clear();
+  auto old = before_.cbegin();
+  const auto drop = [this](const ChildPair& child) {
+    if (child.contact != nullptr) dropped_.push_back(child.contact);
+  };
+  for (const Neighbours& near : found) {
+    const auto isBefore = [&near](const ChildPair& child) {
+      return child.a < near.a || (child.a == near.a && child.b < near.b);
+    };
+    for (; old != before_.cend() && isBefore(*old); ++old) drop(*old);
+    ChildPair child{near.a, near.b};
+    child.wake = kAwake;
+    if (old != before_.cend() && old->a == near.a && old->b == near.b) child = *old++;
+    const bool proven = near.separation > std::numeric_limits<float>::lowest();
+    const double wake =
+        motion_ + static_cast<double>(near.separation) - static_cast<double>(threshold_ + rounding_);
+    if (proven && (!child.hasAxis || wake > child.wake)) {
+      child.hasAxis = true;
+      child.axis = near.axis;
+      child.reachA = kUnknown;
+      if (motionBound_) child.wake = wake;
+    }
+    children_.push_back(child);
+  }
+  for (; old != before_.cend(); ++old) drop(*old);
+}
+
+void PartPair::wakeAfter(ChildPair& child, float separation, float threshold) const {
+  if (!motionBound_) return;
+  child.wake = motion_ + static_cast<double>(separation) - static_cast<double>(threshold + rounding_);
+}
+
+ChildVerdict PartPair::judge(ChildPair& child, const PartBody& a, const PartBody& b, const PairSteps& steps,
+                             PartContact& contact, PairWork& work) {
+  const PartList::Part& partA = a.parts().part(child.a);
+  const PartList::Part& partB = b.parts().part(child.b);
+  const ChildRule rule = ruleOf(partA, partB, threshold_);
+  if (!child.touching && steps.cachedAxis && child.hasAxis) {
+    if (child.reachA == kUnknown) child.reachA = reach(rule.a, child.axis);
+    const float nearB = glm::dot(child.axis, frameB_.origin) - reach(rule.b, frameB_.rotateBack(-child.axis));
+    const float separation = nearB - child.reachA - rule.margin;
+    if (separation > rule.threshold + rounding_) {
+      ++work.axisRejected;
+      wakeAfter(child, separation, rule.threshold);
+      return ChildVerdict::kApart;
+    }
+  }
+  child.wake = kAwake;
+  if (!steps.ownGjk || (child.touching && !rule.exact)) return ChildVerdict::kAskEngine;
+
+  if (!steps.warmSimplex) child.simplex.count = 0;
+  const Vec3 start = child.hasAxis ? child.axis : towards(partA.center, frameB_(partB.center));
+  // Proving some more than needed lets the child pair sleep longer.
+  const float enough = rule.margin + rule.threshold + rounding_ + threshold_;
+  const GjkResult result = gjkDistance(rule.a, rule.b, frameB_, start, enough, child.simplex);
+  ++work.gjkRuns;
+  work.gjkIterations += result.iterations;
+  const float proven = result.provenDistance - rule.margin;
+  if (result.provenDistance > std::numeric_limits<float>::lowest()) {
+    child.hasAxis = true;
+    child.axis = result.provenAxis;
+    child.reachA = kUnknown;
+    wakeAfter(child, proven, rule.threshold);
+  }
+  if (result.state == GjkResult::State::kApart) return ChildVerdict::kApart;
+  if (!rule.exact || result.state != GjkResult::State::kConverged) {
+    return proven > rule.threshold ? ChildVerdict::kApart : ChildVerdict::kAskEngine;
+  }
+  contact.distance = result.distance - rule.margin;
+  if (contact.distance > rule.threshold) return ChildVerdict::kApart;
+  contact.axis = result.axis;
+  contact.pointB = result.pointB - result.axis * partB.margin;
+  return ChildVerdict::kContact;
+}
+
+void PartPair::learnAxis(ChildPair& child, const PartBody& a, const PartBody& b, const Vec3& axis) {
+  const PartList::Part& partA = a.parts().part(child.a);
+  const PartList::Part& partB = b.parts().part(child.b);
+  const ChildRule rule = ruleOf(partA, partB, threshold_);
+  child.hasAxis = true;
+  child.axis = axis;
+  child.reachA = reach(rule.a, axis);
+  const float nearB = glm::dot(axis, frameB_.origin) - reach(rule.b, frameB_.rotateBack(-axis));
+  wakeAfter(child, nearB - child.reachA - rule.margin, rule.threshold);
+}
+
+void PartPair::settle(const PartBody& a, const PartBody& b, const PairSteps& steps) {
+  double quiet = steps.midphase == Midphase::kNeighbourList ? listEnd_ - motion_ : -1.0;
+  for (const ChildPair& child : children_) {
+    quiet = child.touching ? -1.0 : std::min(quiet, child.wake - motion_);
+    if (quiet <= 0.0) break;
+  }
+  quietUntil_ = quiet > 0.0 ? a.travel() + b.travel() + quiet : kAwake;
+}
+
+}  // namespace scatter

@@ -1,0 +1,133 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "collision/gjk.h"
+#include "collision/neighbour_search.h"
+#include "collision/part_body.h"
+
+namespace scatter {
+
+enum class Midphase : std::uint8_t {
+  kWorldBounds,    ///< World bounds of all parts, every step.
+  kPartBoxes,      ///< Boxes in the bodies' frames, every step.
+  kNeighbourList,  ///< The same with a skin, and only when it is used up.
+};
+
+/// The steps of the pair algorithm, to be left out one by one when their worth is measured.
+struct PairSteps {
+  Midphase midphase = Midphase::kNeighbourList;
+  bool motionBound = true;
+  bool cachedAxis = true;
+  bool ownGjk = true;
+  bool warmSimplex = true;
+};
+
+/// Exact counts of work.
+struct PairWork {
+  int pairs = 0;
+  int pairsSkipped = 0;
+  int rebuilds = 0;
+  int childPairs = 0;
+  int childPairsAsleep = 0;
+  int boundsRejected = 0;
+  int axisRejected = 0;
+  int gjkRuns = 0;
+  int gjkIterations = 0;
+};
+
+/// Two parts, one of each body, that are near each other.
+struct ChildPair {
+  std::uint16_t a = 0;
+  std::uint16_t b = 0;
+  WarmSimplex simplex{};
+  bool hasAxis = false;
+  bool touching = false;  ///< Kept by the adapter: `contact` holds contact points.
+  Vec3 axis{0.0F};        ///< From A to B, in A's frame, of length 1: the last that told them apart.
+  float reachA = 0.0F;    ///< Of A's part along `axis`; infinite if not known.
+  void* contact = nullptr;  ///< The adapter's: its record of contacts. Not owned.
+
+  /// They cannot be in contact while the pair's motion is less than this.
+  double wake = 0.0;
+};
+
+enum class ChildVerdict : std::uint8_t {
+  kApart,      ///< No new contact.
+  kContact,    ///< A contact that is known exactly.
+  kAskEngine,  ///< The engine's own detector must look.
+};
+
+/// In A's frame. `distance` is from surface to surface, margins included; negative if deep.
+struct PartContact {
+  Vec3 axis{0.0F};    ///< From A to B, of length 1.
+  Vec3 pointB{0.0F};  ///< On B's surface.
+  float distance = 0.0F;
+};
+
+/// What two bodies, each a list of convex parts, know about which of their parts are near each other, from
+/// step to step. Each step: advance(); then, for each child pair that is awake, judge(); then settle().
+///
+/// The motion bound: between two looks at the pair, no point of B, seen from A, moves further than
+/// displacementBound(). What was proven to be d apart stays apart until the sum of these, the motion, has
+/// grown by d. A distance counts as proven only when it was just computed and a plane shows it.
+class PartPair {
+ public:
+  /// Forgets everything, but keeps its memory. `threshold`: parts closer than this are in contact, metres.
+  void reset(float threshold);
+
+  /// Takes in where the bodies are now. False if nothing can be in contact: the pair is done for this step.
+  /// Child pairs that are not neighbours any more are gone; the contacts they had are in dropped().
+  [[nodiscard]] bool advance(PartBody& a, PartBody& b, const PairSteps& steps, NeighbourSearch& search,
+                             PairWork& work);
+
+  [[nodiscard]] std::vector<ChildPair>& children() { return children_; }
+  [[nodiscard]] std::span<const ChildPair> children() const { return children_; }
+  [[nodiscard]] const std::vector<void*>& dropped() const { return dropped_; }
+
+  [[nodiscard]] bool isAsleep(const ChildPair& child) const {
+    return !child.touching && child.wake > motion_;
+  }
+
+  /// Cached axis, then GJK.
+  [[nodiscard]] ChildVerdict judge(ChildPair& child, const PartBody& a, const PartBody& b,
+                                   const PairSteps& steps, PartContact& contact, PairWork& work);
+
+  /// Takes in an axis (from A to B, in A's frame, of length 1) that the engine's detector found.
+  void learnAxis(ChildPair& child, const PartBody& a, const PartBody& b, const Vec3& axis);
+
+  /// Ends the step: finds out how long the pair can be left alone.
+  void settle(const PartBody& a, const PartBody& b, const PairSteps& steps);
+
+  [[nodiscard]] float threshold() const { return threshold_; }
+
+  /// B's frame in A's, at the last advance().
+  [[nodiscard]] const Frame& frameB() const { return frameB_; }
+
+  [[nodiscard]] std::size_t bytes() const { return sizeof(*this) + sizeof(void*) * dropped_.capacity(); }
+  [[nodiscard]] std::size_t childBytes() const { return sizeof(ChildPair) * children_.capacity(); }
+
+ private:
+  void follow(const PartBody& a, const PartBody& b);
+  void rebuild(PartBody& a, PartBody& b, const PairSteps& steps, NeighbourSearch& search);
+  void merge(std::span<const Neighbours> found);
+  [[nodiscard]] float skin() const;
+  void wakeAfter(ChildPair& child, float separation, float threshold) const;
+
+  std::vector<ChildPair> children_;
+  std::vector<ChildPair> before_;
+  std::vector<void*> dropped_;
+  Frame frameB_;
+  float threshold_ = 0.0F;
+  float rounding_ = 0.0F;  ///< Taken off every proven distance.
+  float lastMotion_ = 0.0F;
+  bool listed_ = false;
+  bool motionBound_ = true;
+  double motion_ = 0.0;
+  double listEnd_ = 0.0;       ///< The list is complete while the motion is less.
+  double quietUntil_ = 0.0;    ///< Nothing can be in contact while the bodies' travels add up to less.
+};
+
+}  // namespace scatter
