@@ -68,6 +68,7 @@ class btHybridDynamicsWorld : public btDiscreteDynamicsWorld
 	int m_verifyEvery;
 	btCollisionConfiguration* m_collisionConfiguration;
 
+	bool hasStandingRequest() const;
 	void planSwitching();
 	void closeCounts();
 	void updateHybridAabb(btHybridRigidBody* body);

@@ -1,6 +1,5 @@
 #include "collision/gjk.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -9,8 +8,8 @@ namespace scatter {
 namespace {
 
 constexpr int kMaxIterations = 40;
-constexpr float kTolerance = 1e-4F;  // of the distance
-constexpr float kRounding = 1e-6F;   // of the coordinates
+constexpr float kTolerance = 1e-4F;        // of the distance
+constexpr float kRounding = 1e-6F;         // of the coordinates
 constexpr float kContactRounding = 50.0F;  // below so many roundings the direction is not to be trusted
 
 /// A point of A minus a point of B.
@@ -117,9 +116,10 @@ Nearest nearestOf(const Difference* s, int count) {
 
 class Gjk {
  public:
-  Gjk(const PolytopeView& a, const PolytopeView& b, const Frame& frameB) : a_(a), b_(b), frameB_(frameB) {}
+  Gjk(const PolytopeView& a, const PolytopeView& b, const Frame& frameB, GjkResult& result)
+      : a_(a), b_(b), frameB_(frameB), result_(result) {}
 
-  GjkResult run(const Vec3& axis, float enough, WarmSimplex& warm) {
+  void run(const Vec3& axis, float enough, WarmSimplex& warm) {
     result_.axis = axis;
     result_.provenDistance = std::numeric_limits<float>::lowest();
     result_.distance = std::numeric_limits<float>::max();
@@ -127,10 +127,10 @@ class Gjk {
       takeUp(warm);
       reduce();
     }
+    if (!done_ && count_ > 0) confirm(enough);
     while (!done_ && result_.iterations < kMaxIterations) iterate(enough);
     keep(warm);
     if (result_.state == State::kConverged) findPoints();
-    return result_;
   }
 
  private:
@@ -155,31 +155,51 @@ class Gjk {
     }
   }
 
+  // The simplex taken up is often still the right one: then it needs no vertices, only how far they reach.
+  void confirm(float enough) {
+    const Vec3& axis = result_.axis;
+    const float reachA = reach(a_, axis);
+    const float reachB = reach(b_, frameB_.rotateBack(-axis));
+    const float rounding = kRounding * (std::abs(reachA) + std::abs(reachB) + manhattan(simplex_[0]));
+    const float proven = glm::dot(axis, frameB_.origin) - reachB - reachA - rounding;
+    if (conclude(proven, rounding, enough)) ++result_.iterations;
+  }
+
+  // Takes in what a plane across the axis proves. True if that settles it.
+  bool conclude(float proven, float rounding, float enough) {
+    if (proven > result_.provenDistance) {
+      result_.provenDistance = proven;
+      result_.provenAxis = result_.axis;
+    }
+    if (proven > enough) {
+      finish(State::kApart);
+    } else if (count_ > 0 && result_.distance <= kContactRounding * rounding) {
+      finish(State::kOverlap);
+    } else if (count_ > 0 && result_.distance - proven <= kTolerance * result_.distance + 2.0F * rounding) {
+      finish(State::kConverged);
+    }
+    return done_;
+  }
+
+  [[nodiscard]] static float manhattan(const Difference& d) {
+    return std::abs(d.a.x) + std::abs(d.a.y) + std::abs(d.a.z) + std::abs(d.b.x) + std::abs(d.b.y) +
+           std::abs(d.b.z);
+  }
+
   void iterate(float enough) {
     ++result_.iterations;
     const Vec3 axis = result_.axis;
     const int vertexA = support(a_, axis).vertex;
     const int vertexB = support(b_, frameB_.rotateBack(-axis)).vertex;
     const Difference next = difference(vertexA, vertexB);
-    const float size = std::abs(next.a.x) + std::abs(next.a.y) + std::abs(next.a.z) + std::abs(next.b.x) +
-                       std::abs(next.b.y) + std::abs(next.b.z);
-    const float rounding = kRounding * size;
-    const float proven = -glm::dot(axis, next.w) - rounding;
-    if (proven > result_.provenDistance) {
-      result_.provenDistance = proven;
-      result_.provenAxis = axis;
-    }
-    if (proven > enough) return finish(State::kApart);
-    if (count_ > 0 && result_.distance - proven <= kTolerance * result_.distance + 2.0F * rounding) {
-      return finish(State::kConverged);
-    }
+    const float rounding = kRounding * manhattan(next);
+    if (conclude(-glm::dot(axis, next.w) - rounding, rounding, enough)) return;
     for (int i = 0; i < count_; ++i) {
       const bool again = simplex_[i].vertexA == next.vertexA && simplex_[i].vertexB == next.vertexB;
       if (again) return finish(isTight(rounding) ? State::kConverged : State::kUndecided);
     }
     simplex_[count_++] = next;
     reduce();
-    if (!done_ && result_.distance <= kContactRounding * rounding) finish(State::kOverlap);
   }
 
   // Without a tight bound the distance might be too large.
@@ -191,9 +211,10 @@ class Gjk {
   void reduce() {
     nearest_ = nearestOf(simplex_, count_);
     if (nearest_.inside) return finish(State::kOverlap);
-    Difference kept[3];
-    for (int i = 0; i < nearest_.count; ++i) kept[i] = simplex_[nearest_.corner[i]];
-    std::copy_n(kept, nearest_.count, simplex_);
+    for (int i = 0; i < nearest_.count; ++i) {
+      // Corners come in ascending order, so that none is overwritten before it is moved.
+      if (nearest_.corner[i] != i) simplex_[i] = simplex_[nearest_.corner[i]];
+    }
     count_ = nearest_.count;
     const float distance = glm::length(nearest_.point);
     if (!(distance > 0.0F)) return finish(State::kOverlap);
@@ -221,11 +242,11 @@ class Gjk {
   const PolytopeView& a_;
   const PolytopeView& b_;
   const Frame& frameB_;
-  Difference simplex_[4]{};
+  Difference simplex_[4];
   int count_ = 0;
   int stalled_ = 0;
   Nearest nearest_;
-  GjkResult result_;
+  GjkResult& result_;
   bool done_ = false;
 };
 
@@ -233,7 +254,9 @@ class Gjk {
 
 GjkResult gjkDistance(const PolytopeView& a, const PolytopeView& b, const Frame& frameB, const Vec3& axis,
                       float enough, WarmSimplex& warm) {
-  return Gjk(a, b, frameB).run(axis, enough, warm);
+  GjkResult result;
+  Gjk(a, b, frameB, result).run(axis, enough, warm);
+  return result;
 }
 
 }  // namespace scatter

@@ -23,18 +23,4 @@ const std::vector<float>& PartBody::worldBounds() {
   return bounds_;
 }
 
-bool boundsOverlap(PartBody& a, int i, PartBody& b, int j) {
-  const float* const boundsA = a.worldBounds().data() + i;
-  const float* const boundsB = b.worldBounds().data() + j;
-  const auto roomA = static_cast<std::ptrdiff_t>(a.parts().paddedCount());
-  const auto roomB = static_cast<std::ptrdiff_t>(b.parts().paddedCount());
-  for (std::ptrdiff_t axis = 0; axis < 3; ++axis) {
-    if (!(boundsA[axis * roomA] <= boundsB[(axis + 3) * roomB] &&
-          boundsA[(axis + 3) * roomA] >= boundsB[axis * roomB])) {
-      return false;
-    }
-  }
-  return true;
-}
-
 }  // namespace scatter

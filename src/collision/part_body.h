@@ -20,8 +20,8 @@ class PartBody {
   void moveTo(const Frame& frame);
   [[nodiscard]] const Frame& frame() const { return frame_; }
 
-  /// An upper bound for how far any of its points has moved in all, metres. Of two bodies' parts, the distance
-  /// changes by no more than the sum of what is added to their travels.
+  /// An upper bound for how far any of its points has moved in all, metres. Of two bodies' parts, the
+  /// distance changes by no more than the sum of what is added to their travels.
   [[nodiscard]] double travel() const { return travel_; }
 
   /// World bounds of the parts as PartList::worldBounds gives them, computed once per place.
@@ -38,7 +38,27 @@ class PartBody {
   std::vector<float> bounds_;
 };
 
-/// Whether the world bounds of part `i` of `a` and part `j` of `b` overlap.
-[[nodiscard]] bool boundsOverlap(PartBody& a, int i, PartBody& b, int j);
+/// Tells whether the world bounds of parts of two bodies overlap, where the bodies are now.
+class BoundsTest {
+ public:
+  BoundsTest(PartBody& a, PartBody& b)
+      : a_(a.worldBounds().data()),
+        b_(b.worldBounds().data()),
+        roomA_(a.parts().paddedCount()),
+        roomB_(b.parts().paddedCount()) {}
+
+  [[nodiscard]] bool overlap(int i, int j) const {
+    const float* const a = a_ + i;
+    const float* const b = b_ + j;
+    return a[0] <= b[3 * roomB_] && a[3 * roomA_] >= b[0] && a[roomA_] <= b[4 * roomB_] &&
+           a[4 * roomA_] >= b[roomB_] && a[2 * roomA_] <= b[5 * roomB_] && a[5 * roomA_] >= b[2 * roomB_];
+  }
+
+ private:
+  const float* a_;
+  const float* b_;
+  std::ptrdiff_t roomA_;
+  std::ptrdiff_t roomB_;
+};
 
 }  // namespace scatter

@@ -28,7 +28,8 @@ ChildRule ruleOf(const PartList::Part& a, const PartList::Part& b, float thresho
   const auto isRound = [](PartKind kind) { return kind == PartKind::kSphere || kind == PartKind::kCapsule; };
   const float margin = a.margin + b.margin;
   if (a.kind == PartKind::kBox && b.kind == PartKind::kBox) return {a.sharp, b.sharp, 0.0F, 0.0F, false};
-  if (a.kind == PartKind::kSphere && b.kind == PartKind::kSphere) return {a.core, b.core, margin, 0.0F, false};
+  if (a.kind == PartKind::kSphere && b.kind == PartKind::kSphere)
+    return {a.core, b.core, margin, 0.0F, false};
   const bool enclosed = a.kind == PartKind::kEnclosed || b.kind == PartKind::kEnclosed;
   return {a.core, b.core, margin, threshold, !enclosed && !(isRound(a.kind) && isRound(b.kind))};
 }
@@ -89,7 +90,7 @@ void PartPair::follow(const PartBody& a, const PartBody& b) {
 
 // Six times the last motion has been good for slow and fast bodies alike; the exact number matters little.
 float PartPair::skin() const {
-  constexpr float kSteps = 6.0F;
+  constexpr float kSteps = 12.0F;
   if (!listed_) return 0.4F * threshold_;
   return std::clamp(kSteps * lastMotion_, 0.08F * threshold_, 2.5F * threshold_);
 }
@@ -103,9 +104,9 @@ void PartPair::rebuild(PartBody& a, PartBody& b, const PairSteps& steps, Neighbo
     return;
   }
   const float wide = steps.midphase == Midphase::kNeighbourList ? skin() : 0.0F;
-  const float apart = boxSeparation(a.parts().center(), a.parts().half(), b.parts().center(),
-                                    b.parts().half(), frameB_);
   const float limit = threshold_ + rounding_ + wide;
+  const float apart = boxSeparation(a.parts().center(), a.parts().half(), b.parts().center(),
+                                    b.parts().half(), frameB_, limit);
   if (apart > limit) {
     merge({});
   } else {

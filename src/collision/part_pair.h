@@ -45,9 +45,9 @@ struct ChildPair {
   std::uint16_t b = 0;
   WarmSimplex simplex{};
   bool hasAxis = false;
-  bool touching = false;  ///< Kept by the adapter: `contact` holds contact points.
-  Vec3 axis{0.0F};        ///< From A to B, in A's frame, of length 1: the last that told them apart.
-  float reachA = 0.0F;    ///< Of A's part along `axis`; infinite if not known.
+  bool touching = false;    ///< Kept by the adapter: `contact` holds contact points.
+  Vec3 axis{0.0F};          ///< From A to B, in A's frame, of length 1: the last that told them apart.
+  float reachA = 0.0F;      ///< Of A's part along `axis`; infinite if not known.
   void* contact = nullptr;  ///< The adapter's: its record of contacts. Not owned.
 
   /// They cannot be in contact while the pair's motion is less than this.
@@ -126,8 +126,8 @@ class PartPair {
   bool listed_ = false;
   bool motionBound_ = true;
   double motion_ = 0.0;
-  double listEnd_ = 0.0;       ///< The list is complete while the motion is less.
-  double quietUntil_ = 0.0;    ///< Nothing can be in contact while the bodies' travels add up to less.
+  double listEnd_ = 0.0;     ///< The list is complete while the motion is less.
+  double quietUntil_ = 0.0;  ///< Nothing can be in contact while the bodies' travels add up to less.
 };
 
 }  // namespace scatter

@@ -233,9 +233,22 @@ void btHybridDynamicsWorld::closeCounts()
 		m_stepInfo.m_standingRequests += m_hybrids[i]->m_request.isStanding();
 }
 
+bool btHybridDynamicsWorld::hasStandingRequest() const
+{
+	for (int i = 0; i < m_hybrids.size(); i++)
+		if (m_hybrids[i]->m_request.isStanding())
+			return true;
+	return false;
+}
+
 void btHybridDynamicsWorld::planSwitching()
 {
 	BT_PROFILE("planSwitching");
+	if (!m_switching.m_proximity && !hasStandingRequest())
+	{
+		closeCounts();
+		return;
+	}
 	m_neighbourhood->collectPairs(m_broadphasePairCache->getOverlappingPairCache()->getOverlappingPairArray(), m_hybrids.size());
 	if (m_switching.m_proximity)
 		m_neighbourhood->measureSpeeds(m_nonStaticRigidBodies);

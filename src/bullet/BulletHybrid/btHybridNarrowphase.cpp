@@ -182,14 +182,14 @@ void btHybridNarrowphase::replaceParts(btHybridPartBody* body, const btCollision
 bool btHybridNarrowphase::updateBody(btHybridPartBody* body, const btCollisionObjectWrapper* wrap)
 {
 	const btCollisionShape* shape = wrap->getCollisionShape();
-	const bool thorough = body->m_changes && body->m_checkedStep != m_step;
-	body->m_checkedStep = m_step;
-	if (shape != body->m_parts->getShape() || !body->m_parts->isCurrent(thorough))
+	const bool isChecked = body->m_checkedStep == m_step && shape == body->m_parts->getShape();
+	if (!isChecked && (shape != body->m_parts->getShape() || !body->m_parts->isCurrent(body->m_changes)))
 	{
 		if (!btHybridParts::isPartList(shape))
 			return false;
 		replaceParts(body, shape);
 	}
+	body->m_checkedStep = m_step;
 	body->moveTo(wrap->getWorldTransform());
 	return true;
 }

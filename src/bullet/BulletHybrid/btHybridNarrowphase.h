@@ -41,6 +41,7 @@ class btHybridNarrowphase
 	btHashMap<btHashPtr, btHybridPartBody*> m_bodies;
 	btHashMap<btHashPtr, btHybridParts*> m_parts;
 	scatter::NeighbourSearch m_search;
+	btAlignedObjectArray<int> m_scratch;
 	btAlignedObjectArray<scatter::PartPair*> m_pairs;      ///< in use
 	btAlignedObjectArray<scatter::PartPair*> m_freePairs;  ///< kept for their memory
 
@@ -91,6 +92,12 @@ public:
 	scatter::NeighbourSearch& getSearch()
 	{
 		return m_search;
+	}
+
+	/// Memory for the inside of one function.
+	btAlignedObjectArray<int>& getScratch()
+	{
+		return m_scratch;
 	}
 
 	btHybridPartBody* acquireBody(const btCollisionObjectWrapper* wrap);

@@ -22,6 +22,8 @@ struct btHybridPairAlgorithm::Pass
 	const btCollisionObjectWrapper* m_wraps[2];
 	const btDispatcherInfo& m_info;
 	btManifoldResult* m_result;
+	scatter::BoundsTest m_bounds;
+	btShapePairCallback m_filter;  ///< that a program may have set for the children of compounds
 };
 
 namespace
@@ -96,11 +98,23 @@ btVector3 toWorld(const scatter::Frame& frame, const scatter::Vec3& point)
 	return btVector3(world.x, world.y, world.z);
 }
 
-// A filter that a program may have set for the children of compounds.
-bool mayMeet(const btCollisionShape* root0, const btCollisionShape* root1, const btCollisionShape* child0, const btCollisionShape* child1)
+btShapePairCallback childFilter(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap)
 {
-	const btShapePairCallback filter = root0->isCompound() && root1->isCompound() ? gCompoundCompoundChildShapePairCallback : gCompoundChildShapePairCallback;
-	return !filter || filter(child0, child1);
+	const bool both = body0Wrap->getCollisionShape()->isCompound() && body1Wrap->getCollisionShape()->isCompound();
+	return both ? gCompoundCompoundChildShapePairCallback : gCompoundChildShapePairCallback;
+}
+
+// The manifolds of a pile do not fit into a cache: of one with a single point, what is looked at.
+void fetch(const void* manifold)
+{
+#if defined(__GNUC__)
+	const char* bytes = static_cast<const char*>(manifold);
+	for (size_t i = 0; i < sizeof(btManifoldPoint); i += 64)
+		__builtin_prefetch(bytes + i, 1);
+	__builtin_prefetch(bytes + sizeof(btPersistentManifold) - 64, 1);
+#else
+	(void)manifold;
+#endif
 }
 }  // namespace
 
@@ -130,12 +144,12 @@ void btHybridPairAlgorithm::releaseContacts()
 	m_pair->reset(0);
 }
 
-void btHybridPairAlgorithm::restart(const Pass& pass)
+void btHybridPairAlgorithm::restart(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap)
 {
 	releaseContacts();
 	btScalar threshold = gContactBreakingThreshold;
 	if (static_cast<btCollisionDispatcher*>(m_dispatcher)->getDispatcherFlags() & btCollisionDispatcher::CD_USE_RELATIVE_CONTACT_BREAKING_THRESHOLD)
-		threshold = btMin(pass.m_wraps[0]->getCollisionShape()->getContactBreakingThreshold(threshold), pass.m_wraps[1]->getCollisionShape()->getContactBreakingThreshold(threshold));
+		threshold = btMin(body0Wrap->getCollisionShape()->getContactBreakingThreshold(threshold), body1Wrap->getCollisionShape()->getContactBreakingThreshold(threshold));
 	m_pair->reset(threshold);
 	m_versions[0] = m_bodies[0]->getVersion();
 	m_versions[1] = m_bodies[1]->getVersion();
@@ -143,7 +157,6 @@ void btHybridPairAlgorithm::restart(const Pass& pass)
 
 void btHybridPairAlgorithm::processCollision(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut)
 {
-	const Pass pass = {{body0Wrap, body1Wrap}, dispatchInfo, resultOut};
 	if (!m_narrowphase->updateBody(m_bodies[0], body0Wrap) || !m_narrowphase->updateBody(m_bodies[1], body1Wrap))
 	{
 		releaseContacts();
@@ -151,7 +164,7 @@ void btHybridPairAlgorithm::processCollision(const btCollisionObjectWrapper* bod
 		return;
 	}
 	if (m_versions[0] != m_bodies[0]->getVersion() || m_versions[1] != m_bodies[1]->getVersion())
-		restart(pass);
+		restart(body0Wrap, body1Wrap);
 
 	scatter::PartBody& bodyA = m_bodies[0]->getBody();
 	scatter::PartBody& bodyB = m_bodies[1]->getBody();
@@ -160,24 +173,33 @@ void btHybridPairAlgorithm::processCollision(const btCollisionObjectWrapper* bod
 		m_dispatcher->releaseManifold(static_cast<btPersistentManifold*>(m_pair->dropped()[i]));
 	if (!isAwake)
 		return;
+	const Pass pass = {{body0Wrap, body1Wrap}, dispatchInfo, resultOut, scatter::BoundsTest(bodyA, bodyB), childFilter(body0Wrap, body1Wrap)};
+	processChildren(pass);
+	m_pair->settle(bodyA, bodyB, m_narrowphase->getSteps());
+}
+
+void btHybridPairAlgorithm::processChildren(const Pass& pass)
+{
 	std::vector<scatter::ChildPair>& children = m_pair->children();
-	m_narrowphase->getWork().childPairs += int(children.size());
+	btAlignedObjectArray<int>& awake = m_narrowphase->getScratch();
+	awake.resizeNoInitialize(0);
 	for (size_t i = 0; i < children.size(); i++)
 	{
 		if (m_pair->isAsleep(children[i]))
-			m_narrowphase->getWork().childPairsAsleep++;
-		else
-			processChild(children[i], pass);
+			continue;
+		if (children[i].touching)
+			fetch(children[i].contact);
+		awake.push_back(int(i));
 	}
-	m_pair->settle(bodyA, bodyB, m_narrowphase->getSteps());
+	m_narrowphase->getWork().childPairs += int(children.size());
+	m_narrowphase->getWork().childPairsAsleep += int(children.size()) - awake.size();
+	for (int i = 0; i < awake.size(); i++)
+		processChild(children[awake[i]], pass);
 }
 
 void btHybridPairAlgorithm::processChild(scatter::ChildPair& child, const Pass& pass)
 {
-	scatter::PartBody& bodyA = m_bodies[0]->getBody();
-	scatter::PartBody& bodyB = m_bodies[1]->getBody();
-	if (!scatter::boundsOverlap(bodyA, child.a, bodyB, child.b) ||
-	    !mayMeet(pass.m_wraps[0]->getCollisionShape(), pass.m_wraps[1]->getCollisionShape(), m_bodies[0]->getChildShape(child.a), m_bodies[1]->getChildShape(child.b)))
+	if (!pass.m_bounds.overlap(child.a, child.b) || (pass.m_filter && !pass.m_filter(m_bodies[0]->getChildShape(child.a), m_bodies[1]->getChildShape(child.b))))
 	{
 		m_narrowphase->getWork().boundsRejected++;
 		releaseManifold(child);
@@ -189,12 +211,22 @@ void btHybridPairAlgorithm::processChild(scatter::ChildPair& child, const Pass& 
 		manifold->refreshContactPoints(pass.m_wraps[0]->getCollisionObject()->getWorldTransform(), pass.m_wraps[1]->getCollisionObject()->getWorldTransform());
 		child.touching = manifold->getNumContacts() > 0;
 	}
-	if (!m_narrowphase->getInfo().m_lazyManifolds)
+	const bool isLazy = m_narrowphase->getInfo().m_lazyManifolds;
+	if (!isLazy)
 		manifoldOf(child, pass);
+	findContacts(child, pass);
+	if (!child.contact)
+		return;
+	child.touching = static_cast<btPersistentManifold*>(child.contact)->getNumContacts() > 0;
+	if (!child.touching && isLazy)
+		releaseManifold(child);
+}
 
+void btHybridPairAlgorithm::findContacts(scatter::ChildPair& child, const Pass& pass)
+{
 	scatter::PartContact contact;
 	const scatter::PairSteps& steps = m_narrowphase->getSteps();
-	switch (m_pair->judge(child, bodyA, bodyB, steps, contact, m_narrowphase->getWork()))
+	switch (m_pair->judge(child, m_bodies[0]->getBody(), m_bodies[1]->getBody(), steps, contact, m_narrowphase->getWork()))
 	{
 		case scatter::ChildVerdict::kContact:
 			manifoldOf(child, pass);
@@ -210,11 +242,6 @@ void btHybridPairAlgorithm::processChild(scatter::ChildPair& child, const Pass& 
 		case scatter::ChildVerdict::kApart:
 			break;
 	}
-	if (!child.contact)
-		return;
-	child.touching = static_cast<btPersistentManifold*>(child.contact)->getNumContacts() > 0;
-	if (!child.touching && m_narrowphase->getInfo().m_lazyManifolds)
-		releaseManifold(child);
 }
 
 btPersistentManifold* btHybridPairAlgorithm::manifoldOf(scatter::ChildPair& child, const Pass& pass)

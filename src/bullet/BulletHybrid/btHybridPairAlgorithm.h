@@ -20,9 +20,11 @@ class btHybridPairAlgorithm : public btCollisionAlgorithm
 
 	struct Pass;
 
-	void restart(const Pass& pass);
+	void restart(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap);
 	void releaseContacts();
+	void processChildren(const Pass& pass);
 	void processChild(scatter::ChildPair& child, const Pass& pass);
+	void findContacts(scatter::ChildPair& child, const Pass& pass);
 	void keepContact(const scatter::ChildPair& child, const scatter::PartContact& contact, const Pass& pass);
 	void detect(scatter::ChildPair& child, const Pass& pass);
 	void detectByGjk(scatter::ChildPair& child, const Pass& pass);
