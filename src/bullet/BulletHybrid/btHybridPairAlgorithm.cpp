@@ -1,11 +1,14 @@
 #include "btHybridPairAlgorithm.h"
 
+#include <BulletCollision/CollisionDispatch/btBoxBoxDetector.h>
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
 #include <BulletCollision/CollisionDispatch/btCompoundCollisionAlgorithm.h>
 #include <BulletCollision/CollisionDispatch/btCompoundCompoundCollisionAlgorithm.h>
 #include <BulletCollision/CollisionDispatch/btConvexConvexAlgorithm.h>
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
-#include <BulletCollision/CollisionShapes/btConvexShape.h>
+#include <BulletCollision/CollisionShapes/btBoxShape.h>
+#include <BulletCollision/CollisionShapes/btSphereShape.h>
+#include <BulletCollision/NarrowPhaseCollision/btDiscreteCollisionDetectorInterface.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
@@ -268,13 +271,52 @@ void btHybridPairAlgorithm::keepContact(const scatter::ChildPair& child, const s
 	pass.m_result->addContactPoint(btVector3(normal.x, normal.y, normal.z), toWorld(frameA, contact.pointB), contact.distance);
 }
 
-// Exactly what Bullet does with these two shapes, into this child pair's manifold.
+namespace
+{
+// As btSphereSphereCollisionAlgorithm does it.
+void collideSpheres(const btCollisionObjectWrapper* a, const btCollisionObjectWrapper* b, btManifoldResult* result)
+{
+	const btScalar radiusA = static_cast<const btSphereShape*>(a->getCollisionShape())->getRadius();
+	const btScalar radiusB = static_cast<const btSphereShape*>(b->getCollisionShape())->getRadius();
+	const btVector3 between = a->getWorldTransform().getOrigin() - b->getWorldTransform().getOrigin();
+	const btScalar length = between.length();
+	if (length > radiusA + radiusB)
+		return;
+	const btVector3 normal = length > SIMD_EPSILON ? between / length : btVector3(1, 0, 0);
+	result->addContactPoint(normal, b->getWorldTransform().getOrigin() + radiusB * normal, length - (radiusA + radiusB));
+}
+
+void collideBoxes(const btCollisionObjectWrapper* a, const btCollisionObjectWrapper* b, const btDispatcherInfo& info, btManifoldResult* result)
+{
+	btDiscreteCollisionDetectorInterface::ClosestPointInput input;
+	input.m_maximumDistanceSquared = BT_LARGE_FLOAT;
+	input.m_transformA = a->getWorldTransform();
+	input.m_transformB = b->getWorldTransform();
+	btBoxBoxDetector detector(static_cast<const btBoxShape*>(a->getCollisionShape()), static_cast<const btBoxShape*>(b->getCollisionShape()));
+	detector.getClosestPoints(input, *result, info.m_debugDraw);
+}
+
+bool areBoth(int type, const btCollisionObjectWrapper* a, const btCollisionObjectWrapper* b)
+{
+	return a->getCollisionShape()->getShapeType() == type && b->getCollisionShape()->getShapeType() == type;
+}
+}  // namespace
+
+// What Bullet does with these two shapes, into this child pair's manifold. The algorithms for boxes and spheres
+// insist on manifolds of their own, so their work is called directly.
 void btHybridPairAlgorithm::detect(scatter::ChildPair& child, const Pass& pass)
 {
 	btPersistentManifold* manifold = manifoldOf(child, pass);
 	ChildScope scope(pass.m_result, *m_bodies[0], child.a, *m_bodies[1], child.b);
-	btCollisionAlgorithm* algorithm = m_dispatcher->findAlgorithm(scope.getWrap(0), scope.getWrap(1), manifold, BT_CONTACT_POINT_ALGORITHMS);
-	algorithm->processCollision(scope.getWrap(0), scope.getWrap(1), pass.m_info, pass.m_result);
+	pass.m_result->setPersistentManifold(manifold);
+	const btCollisionObjectWrapper* a = scope.getWrap(0);
+	const btCollisionObjectWrapper* b = scope.getWrap(1);
+	if (areBoth(BOX_SHAPE_PROXYTYPE, a, b))
+		return collideBoxes(a, b, pass.m_info, pass.m_result);
+	if (areBoth(SPHERE_SHAPE_PROXYTYPE, a, b))
+		return collideSpheres(a, b, pass.m_result);
+	btCollisionAlgorithm* algorithm = m_dispatcher->findAlgorithm(a, b, manifold, BT_CONTACT_POINT_ALGORITHMS);
+	algorithm->processCollision(a, b, pass.m_info, pass.m_result);
 	algorithm->~btCollisionAlgorithm();
 	m_dispatcher->freeCollisionAlgorithm(algorithm);
 }
@@ -283,13 +325,9 @@ void btHybridPairAlgorithm::detect(scatter::ChildPair& child, const Pass& pass)
 void btHybridPairAlgorithm::detectByGjk(scatter::ChildPair& child, const Pass& pass)
 {
 	const btCollisionShape* shapes[2] = {m_bodies[0]->getChildShape(child.a), m_bodies[1]->getChildShape(child.b)};
-	const bool boxes = shapes[0]->getShapeType() == BOX_SHAPE_PROXYTYPE && shapes[1]->getShapeType() == BOX_SHAPE_PROXYTYPE;
-	const bool round = shapes[0]->getShapeType() == SPHERE_SHAPE_PROXYTYPE && shapes[1]->getShapeType() == SPHERE_SHAPE_PROXYTYPE;
-	if (boxes || round)
-	{
-		detect(child, pass);
-		return;
-	}
+	const int types[2] = {shapes[0]->getShapeType(), shapes[1]->getShapeType()};
+	if (types[0] == types[1] && (types[0] == BOX_SHAPE_PROXYTYPE || types[0] == SPHERE_SHAPE_PROXYTYPE))
+		return detect(child, pass);
 	ChildScope scope(pass.m_result, *m_bodies[0], child.a, *m_bodies[1], child.b);
 	btGjkPairDetector::ClosestPointInput input;
 	input.m_transformA = scope.getWrap(0)->getWorldTransform();
