@@ -86,9 +86,10 @@ Nearest onTetrahedron(const Difference* s) {
     const Vec3& corner = s[face[0]].w;
     const Vec3 normal = glm::cross(s[face[1]].w - corner, s[face[2]].w - corner);
     const float origin = -glm::dot(normal, corner);
-    const float opposite = glm::dot(normal, s[face[3]].w - corner);
-    const float flat = 1e-6F * glm::dot(normal, normal);
-    if (origin * opposite > 0.0F && opposite * opposite > flat * flat) continue;
+    const Vec3 across = s[face[3]].w - corner;
+    const float opposite = glm::dot(normal, across);
+    const bool isFlat = opposite * opposite <= 1e-10F * glm::dot(normal, normal) * glm::dot(across, across);
+    if (origin * opposite > 0.0F && !isFlat) continue;
     outside = true;
     const Nearest nearest = onTriangle(s, face[0], face[1], face[2]);
     const float distance2 = glm::dot(nearest.point, nearest.point);

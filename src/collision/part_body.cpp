@@ -1,5 +1,7 @@
 #include "collision/part_body.h"
 
+#include <cmath>
+
 namespace scatter {
 
 void PartBody::setParts(const PartList& parts) {
@@ -10,7 +12,12 @@ void PartBody::setParts(const PartList& parts) {
 void PartBody::moveTo(const Frame& frame) {
   if (placed_ && frame == frame_) return;
   if (placed_) {
-    travel_ += static_cast<double>(displacementBound(frame_, frame, parts_->center(), parts_->radius()));
+    const float moved = displacementBound(frame_, frame, parts_->center(), parts_->radius());
+    if (std::isfinite(moved)) {
+      travel_ += static_cast<double>(moved);
+    } else {
+      ++jumps_;
+    }
   }
   frame_ = frame;
   placed_ = true;

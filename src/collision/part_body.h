@@ -24,6 +24,9 @@ class PartBody {
   /// distance changes by no more than the sum of what is added to their travels.
   [[nodiscard]] double travel() const { return travel_; }
 
+  /// Counts the moves without a length, to or from a place that is no number: travel() does not hold across them.
+  [[nodiscard]] int jumps() const { return jumps_; }
+
   /// World bounds of the parts as PartList::worldBounds gives them, computed once per place.
   [[nodiscard]] const std::vector<float>& worldBounds();
 
@@ -33,6 +36,7 @@ class PartBody {
   const PartList* parts_;
   Frame frame_;
   double travel_ = 0.0;
+  int jumps_ = 0;
   bool placed_ = false;
   bool bounded_ = false;
   std::vector<float> bounds_;

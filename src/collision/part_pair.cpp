@@ -57,8 +57,10 @@ bool PartPair::advance(PartBody& a, PartBody& b, const PairSteps& steps, Neighbo
   ++work.pairs;
   dropped_.clear();
   motionBound_ = steps.motionBound;
-  const double travel = a.travel() + b.travel();
-  if (travel < quietUntil_) {
+  const int jumps = a.jumps() + b.jumps();
+  if (jumps != jumps_) forgetProofs();
+  jumps_ = jumps;
+  if (a.travel() + b.travel() < quietUntil_) {
     ++work.pairsSkipped;
     return false;
   }
@@ -73,6 +75,18 @@ bool PartPair::advance(PartBody& a, PartBody& b, const PairSteps& steps, Neighbo
     return false;
   }
   return true;
+}
+
+// After a move that has no length.
+void PartPair::forgetProofs() {
+  listed_ = false;
+  motion_ = 0.0;
+  quietUntil_ = kAwake;
+  for (ChildPair& child : children_) {
+    child.wake = kAwake;
+    child.hasAxis = false;
+    child.simplex.count = 0;
+  }
 }
 
 // Where B is in A's frame, and how far that is from where it was.

@@ -111,6 +111,7 @@ class PartPair {
 
  private:
   void follow(const PartBody& a, const PartBody& b);
+  void forgetProofs();
   void rebuild(PartBody& a, PartBody& b, const PairSteps& steps, NeighbourSearch& search);
   void merge(std::span<const Neighbours> found);
   [[nodiscard]] float skin() const;
@@ -123,6 +124,7 @@ class PartPair {
   float threshold_ = 0.0F;
   float rounding_ = 0.0F;  ///< Taken off every proven distance.
   float lastMotion_ = 0.0F;
+  int jumps_ = 0;  ///< Of both bodies, at the last advance().
   bool listed_ = false;
   bool motionBound_ = true;
   double motion_ = 0.0;
