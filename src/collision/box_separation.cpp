@@ -13,25 +13,26 @@ float boxSeparation(const Vec3& centerA, const Vec3& halfA, const Vec3& centerB,
                       {frameB.row[0].y, frameB.row[1].y, frameB.row[2].y},
                       {frameB.row[0].z, frameB.row[1].z, frameB.row[2].z}};
   float best = std::numeric_limits<float>::lowest();
-  const auto tryAxis = [&](const Vec3& unit) {
-    const Vec3 inB(glm::dot(unit, axesB[0]), glm::dot(unit, axesB[1]), glm::dot(unit, axesB[2]));
-    const float reach = glm::dot(glm::abs(unit), halfA) + glm::dot(glm::abs(inB), halfB);
-    best = std::max(best, std::abs(glm::dot(unit, between)) - reach);
-  };
   for (int i = 0; i < 3; ++i) {
-    Vec3 axisA(0.0F);
-    axisA[i] = 1.0F;
-    tryAxis(axisA);
-    tryAxis(axesB[i]);
+    const float alongA = std::abs(between[i]) - halfA[i] - glm::dot(glm::abs(frameB.row[i]), halfB);
+    const float alongB =
+        std::abs(glm::dot(between, axesB[i])) - halfB[i] - glm::dot(glm::abs(axesB[i]), halfA);
+    best = std::max(best, std::max(alongA, alongB));
   }
   if (best > enough) return best;
   for (int i = 0; i < 3; ++i) {
-    Vec3 axisA(0.0F);
-    axisA[i] = 1.0F;
-    for (const Vec3& axisB : axesB) {
-      const Vec3 across = glm::cross(axisA, axisB);
-      const float length = glm::length(across);
-      if (length > 1e-3F) tryAxis(across / length);
+    const int j = (i + 1) % 3;
+    const int k = (i + 2) % 3;
+    for (int m = 0; m < 3; ++m) {
+      // The axis is A's i-th across B's m-th.
+      const float length = std::sqrt(axesB[m][j] * axesB[m][j] + axesB[m][k] * axesB[m][k]);
+      if (length < 1e-3F) continue;
+      const int n = (m + 1) % 3;
+      const int o = (m + 2) % 3;
+      const float reachA = halfA[j] * std::abs(axesB[m][k]) + halfA[k] * std::abs(axesB[m][j]);
+      const float reachB = halfB[n] * std::abs(axesB[o][i]) + halfB[o] * std::abs(axesB[n][i]);
+      const float apart = std::abs(between[k] * axesB[m][j] - between[j] * axesB[m][k]);
+      best = std::max(best, (apart - reachA - reachB) / length);
     }
   }
   return best;

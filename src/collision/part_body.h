@@ -24,7 +24,8 @@ class PartBody {
   /// distance changes by no more than the sum of what is added to their travels.
   [[nodiscard]] double travel() const { return travel_; }
 
-  /// Counts the moves without a length, to or from a place that is no number: travel() does not hold across them.
+  /// Counts the moves without a length, to or from a place that is no number: travel() does not hold across
+  /// them.
   [[nodiscard]] int jumps() const { return jumps_; }
 
   /// World bounds of the parts as PartList::worldBounds gives them, computed once per place.

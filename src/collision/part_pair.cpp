@@ -44,7 +44,6 @@ Vec3 towards(const Vec3& from, const Vec3& to) {
 
 void PartPair::reset(float threshold) {
   children_.clear();
-  dropped_.clear();
   threshold_ = threshold;
   lastMotion_ = 0.0F;
   listed_ = false;
@@ -52,10 +51,10 @@ void PartPair::reset(float threshold) {
   quietUntil_ = kAwake;
 }
 
-bool PartPair::advance(PartBody& a, PartBody& b, const PairSteps& steps, NeighbourSearch& search,
+bool PartPair::advance(PartBody& a, PartBody& b, const PairSteps& steps, PairScratch& scratch,
                        PairWork& work) {
   ++work.pairs;
-  dropped_.clear();
+  scratch.dropped.clear();
   motionBound_ = steps.motionBound;
   const int jumps = a.jumps() + b.jumps();
   if (jumps != jumps_) forgetProofs();
@@ -68,7 +67,7 @@ bool PartPair::advance(PartBody& a, PartBody& b, const PairSteps& steps, Neighbo
   const bool complete = steps.midphase == Midphase::kNeighbourList && listed_ && motion_ < listEnd_;
   if (!complete) {
     ++work.rebuilds;
-    rebuild(a, b, steps, search);
+    rebuild(a, b, steps, scratch);
   }
   if (children_.empty()) {
     settle(a, b, steps);
@@ -109,10 +108,11 @@ float PartPair::skin() const {
   return std::clamp(kSteps * lastMotion_, 0.08F * threshold_, 2.5F * threshold_);
 }
 
-void PartPair::rebuild(PartBody& a, PartBody& b, const PairSteps& steps, NeighbourSearch& search) {
+void PartPair::rebuild(PartBody& a, PartBody& b, const PairSteps& steps, PairScratch& scratch) {
+  NeighbourSearch& search = scratch.search;
   if (steps.midphase == Midphase::kWorldBounds) {
     search.byWorldBounds(a, b);
-    merge(search.found());
+    merge(search.found(), scratch);
     listed_ = true;
     listEnd_ = kAwake;
     return;
@@ -122,43 +122,45 @@ void PartPair::rebuild(PartBody& a, PartBody& b, const PairSteps& steps, Neighbo
   const float apart = boxSeparation(a.parts().center(), a.parts().half(), b.parts().center(),
                                     b.parts().half(), frameB_, limit);
   if (apart > limit) {
-    merge({});
+    merge({}, scratch);
   } else {
     search.byPartBoxes(a.parts(), b.parts(), frameB_, limit);
-    merge(search.found());
+    merge(search.found(), scratch);
   }
   listed_ = true;
   listEnd_ = motion_ + static_cast<double>(apart > limit ? apart - threshold_ - rounding_ : wide);
 }
 
 // Both lists are in ascending order of (a, b).
-void PartPair::merge(std::span<const Neighbours> found) {
-  before_.swap(children_);
-  children_.clear();
-  auto old = before_.cbegin();
-  const auto drop = [this](const ChildPair& child) {
-    if (child.contact != nullptr) dropped_.push_back(child.contact);
+void PartPair::merge(std::span<const Neighbours> found, PairScratch& scratch) {
+  scratch.merged.clear();
+  auto old = children_.cbegin();
+  const auto drop = [&scratch](const ChildPair& child) {
+    if (child.contact != nullptr) scratch.dropped.push_back(child.contact);
   };
   for (const Neighbours& near : found) {
     const auto isBefore = [&near](const ChildPair& child) {
       return child.a < near.a || (child.a == near.a && child.b < near.b);
     };
-    for (; old != before_.cend() && isBefore(*old); ++old) drop(*old);
-    ChildPair child{near.a, near.b};
-    child.wake = kAwake;
-    if (old != before_.cend() && old->a == near.a && old->b == near.b) child = *old++;
-    const bool proven = near.separation > std::numeric_limits<float>::lowest();
-    const double wake =
-        motion_ + static_cast<double>(near.separation) - static_cast<double>(threshold_ + rounding_);
-    if (proven && (!child.hasAxis || wake > child.wake)) {
-      child.hasAxis = true;
-      child.axis = near.axis;
-      child.reachA = kUnknown;
-      if (motionBound_) child.wake = wake;
-    }
-    children_.push_back(child);
+    for (; old != children_.cend() && isBefore(*old); ++old) drop(*old);
+    const bool isKnown = old != children_.cend() && old->a == near.a && old->b == near.b;
+    ChildPair& child = scratch.merged.emplace_back(isKnown ? *old++ : ChildPair{near.a, near.b});
+    takeSeparation(child, near);
   }
-  for (; old != before_.cend(); ++old) drop(*old);
+  for (; old != children_.cend(); ++old) drop(*old);
+  children_.assign(scratch.merged.cbegin(), scratch.merged.cend());
+}
+
+// The boxes may prove more than what is known.
+void PartPair::takeSeparation(ChildPair& child, const Neighbours& near) const {
+  if (near.separation == std::numeric_limits<float>::lowest()) return;
+  const double wake =
+      motion_ + static_cast<double>(near.separation) - static_cast<double>(threshold_ + rounding_);
+  if (child.hasAxis && wake <= child.wake) return;
+  child.hasAxis = true;
+  child.axis = near.axis;
+  child.reachA = kUnknown;
+  if (motionBound_) child.wake = wake;
 }
 
 void PartPair::wakeAfter(ChildPair& child, float separation, float threshold) const {

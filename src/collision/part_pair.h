@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -51,7 +52,7 @@ struct ChildPair {
   void* contact = nullptr;  ///< The adapter's: its record of contacts. Not owned.
 
   /// They cannot be in contact while the pair's motion is less than this.
-  double wake = 0.0;
+  double wake = std::numeric_limits<double>::lowest();
 };
 
 enum class ChildVerdict : std::uint8_t {
@@ -67,6 +68,15 @@ struct PartContact {
   float distance = 0.0F;
 };
 
+/// Memory that pairs use in turn.
+struct PairScratch {
+  NeighbourSearch search{};
+  std::vector<ChildPair> merged{};
+
+  /// After PartPair::advance(): the contacts of child pairs that are not neighbours any more.
+  std::vector<void*> dropped{};
+};
+
 /// What two bodies, each a list of convex parts, know about which of their parts are near each other, from
 /// step to step. Each step: advance(); then, for each child pair that is awake, judge(); then settle().
 ///
@@ -79,13 +89,12 @@ class PartPair {
   void reset(float threshold);
 
   /// Takes in where the bodies are now. False if nothing can be in contact: the pair is done for this step.
-  /// Child pairs that are not neighbours any more are gone; the contacts they had are in dropped().
-  [[nodiscard]] bool advance(PartBody& a, PartBody& b, const PairSteps& steps, NeighbourSearch& search,
+  /// Child pairs that are not neighbours any more are gone; the contacts they had are in `scratch.dropped`.
+  [[nodiscard]] bool advance(PartBody& a, PartBody& b, const PairSteps& steps, PairScratch& scratch,
                              PairWork& work);
 
   [[nodiscard]] std::vector<ChildPair>& children() { return children_; }
   [[nodiscard]] std::span<const ChildPair> children() const { return children_; }
-  [[nodiscard]] const std::vector<void*>& dropped() const { return dropped_; }
 
   [[nodiscard]] bool isAsleep(const ChildPair& child) const {
     return !child.touching && child.wake > motion_;
@@ -106,20 +115,19 @@ class PartPair {
   /// B's frame in A's, at the last advance().
   [[nodiscard]] const Frame& frameB() const { return frameB_; }
 
-  [[nodiscard]] std::size_t bytes() const { return sizeof(*this) + sizeof(void*) * dropped_.capacity(); }
+  /// Of its child pairs, room for growth included.
   [[nodiscard]] std::size_t childBytes() const { return sizeof(ChildPair) * children_.capacity(); }
 
  private:
   void follow(const PartBody& a, const PartBody& b);
   void forgetProofs();
-  void rebuild(PartBody& a, PartBody& b, const PairSteps& steps, NeighbourSearch& search);
-  void merge(std::span<const Neighbours> found);
+  void rebuild(PartBody& a, PartBody& b, const PairSteps& steps, PairScratch& scratch);
+  void merge(std::span<const Neighbours> found, PairScratch& scratch);
+  void takeSeparation(ChildPair& child, const Neighbours& near) const;
   [[nodiscard]] float skin() const;
   void wakeAfter(ChildPair& child, float separation, float threshold) const;
 
   std::vector<ChildPair> children_;
-  std::vector<ChildPair> before_;
-  std::vector<void*> dropped_;
   Frame frameB_;
   float threshold_ = 0.0F;
   float rounding_ = 0.0F;  ///< Taken off every proven distance.

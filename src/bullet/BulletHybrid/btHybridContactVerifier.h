@@ -7,7 +7,8 @@
 
 class btDispatcher;
 
-/// Compares the contacts of hybrid bodies with what brute force finds.
+/// Compares the contacts of hybrid bodies with what brute force finds: Bullet's own algorithms, made anew
+/// for every child pair that Bullet's midphase would let through at the present poses.
 class btHybridContactVerifier
 {
 	btHybridContactReport m_report;
@@ -18,7 +19,9 @@ public:
 		m_report = btHybridContactReport();
 	}
 
-	/// Of all pairs with a hybrid. Leaves pairs, manifolds and the dispatcher as they are.
+	/// Of all pairs with a hybrid that the dispatcher processes and whose shapes are convex or compounds of
+	/// convex children. Call it after the narrowphase, before anything moves. Leaves pairs, manifolds, the
+	/// dispatcher and Bullet's global callbacks as they are, and calls no contact callback.
 	void verify(btBroadphasePairArray& pairs, btDispatcher* dispatcher);
 
 	const btHybridContactReport& getReport() const

@@ -100,7 +100,7 @@ btHybridCollisionMemory btHybridNarrowphase::getMemory() const
 	for (int i = 0; i < m_pairs.size(); i++)
 	{
 		memory.m_childPairs += int(m_pairs[i]->children().size());
-		memory.m_pairBytes += sizeof(btHybridPairAlgorithm) + m_pairs[i]->bytes();
+		memory.m_pairBytes += sizeof(btHybridPairAlgorithm) + sizeof(scatter::PartPair);
 		memory.m_childPairBytes += m_pairs[i]->childBytes();
 	}
 	for (int i = 0; i < m_bodies.size(); i++)

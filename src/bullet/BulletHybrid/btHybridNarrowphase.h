@@ -7,7 +7,6 @@
 #include "BulletHybrid/btHybridCollision.h"
 #include "btHybridPartBody.h"
 #include "btHybridParts.h"
-#include "collision/neighbour_search.h"
 #include "collision/part_pair.h"
 
 class btCollisionConfiguration;
@@ -40,7 +39,7 @@ class btHybridNarrowphase
 
 	btHashMap<btHashPtr, btHybridPartBody*> m_bodies;
 	btHashMap<btHashPtr, btHybridParts*> m_parts;
-	scatter::NeighbourSearch m_search;
+	scatter::PairScratch m_pairScratch;
 	btAlignedObjectArray<int> m_scratch;
 	btAlignedObjectArray<scatter::PartPair*> m_pairs;      ///< in use
 	btAlignedObjectArray<scatter::PartPair*> m_freePairs;  ///< kept for their memory
@@ -89,9 +88,9 @@ public:
 	const btHybridCollisionCounts& getCounts() const;
 	btHybridCollisionMemory getMemory() const;
 
-	scatter::NeighbourSearch& getSearch()
+	scatter::PairScratch& getPairScratch()
 	{
-		return m_search;
+		return m_pairScratch;
 	}
 
 	/// Memory for the inside of one function.

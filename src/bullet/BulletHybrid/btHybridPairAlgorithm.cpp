@@ -171,9 +171,10 @@ void btHybridPairAlgorithm::processCollision(const btCollisionObjectWrapper* bod
 
 	scatter::PartBody& bodyA = m_bodies[0]->getBody();
 	scatter::PartBody& bodyB = m_bodies[1]->getBody();
-	const bool isAwake = m_pair->advance(bodyA, bodyB, m_narrowphase->getSteps(), m_narrowphase->getSearch(), m_narrowphase->getWork());
-	for (size_t i = 0; i < m_pair->dropped().size(); i++)
-		m_dispatcher->releaseManifold(static_cast<btPersistentManifold*>(m_pair->dropped()[i]));
+	const bool isAwake = m_pair->advance(bodyA, bodyB, m_narrowphase->getSteps(), m_narrowphase->getPairScratch(), m_narrowphase->getWork());
+	const std::vector<void*>& dropped = m_narrowphase->getPairScratch().dropped;
+	for (size_t i = 0; i < dropped.size(); i++)
+		m_dispatcher->releaseManifold(static_cast<btPersistentManifold*>(dropped[i]));
 	if (!isAwake)
 		return;
 	const Pass pass = {{body0Wrap, body1Wrap}, dispatchInfo, resultOut, scatter::BoundsTest(bodyA, bodyB), childFilter(body0Wrap, body1Wrap)};
