@@ -118,7 +118,7 @@ Nearest nearestOf(const Difference* s, int count) {
 class Gjk {
  public:
   Gjk(const PolytopeView& a, const PolytopeView& b, const Frame& frameB, GjkResult& result)
-      : a_(a), b_(b), frameB_(frameB), result_(result) {}
+      : a_(a), b_(b), frameB_(frameB), result_(result), offset_(manhattan(frameB.origin)) {}
 
   void run(const Vec3& axis, float enough, WarmSimplex& warm) {
     result_.axis = axis;
@@ -161,7 +161,7 @@ class Gjk {
     const Vec3& axis = result_.axis;
     const float reachA = reach(a_, axis);
     const float reachB = reach(b_, frameB_.rotateBack(-axis));
-    const float rounding = kRounding * (std::abs(reachA) + std::abs(reachB) + manhattan(simplex_[0]));
+    const float rounding = roundingAt(simplex_[0]);
     const float proven = glm::dot(axis, frameB_.origin) - reachB - reachA - rounding;
     if (conclude(proven, rounding, enough)) ++result_.iterations;
   }
@@ -182,9 +182,13 @@ class Gjk {
     return done_;
   }
 
-  [[nodiscard]] static float manhattan(const Difference& d) {
-    return std::abs(d.a.x) + std::abs(d.a.y) + std::abs(d.a.z) + std::abs(d.b.x) + std::abs(d.b.y) +
-           std::abs(d.b.z);
+  [[nodiscard]] static float manhattan(const Vec3& v) {
+    return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+  }
+
+  // Coordinates in B's own frame are at most those in A's and the offset of the frames.
+  [[nodiscard]] float roundingAt(const Difference& d) const {
+    return kRounding * (manhattan(d.a) + manhattan(d.b) + offset_);
   }
 
   void iterate(float enough) {
@@ -193,7 +197,7 @@ class Gjk {
     const int vertexA = support(a_, axis).vertex;
     const int vertexB = support(b_, frameB_.rotateBack(-axis)).vertex;
     const Difference next = difference(vertexA, vertexB);
-    const float rounding = kRounding * manhattan(next);
+    const float rounding = roundingAt(next);
     if (conclude(-glm::dot(axis, next.w) - rounding, rounding, enough)) return;
     for (int i = 0; i < count_; ++i) {
       const bool again = simplex_[i].vertexA == next.vertexA && simplex_[i].vertexB == next.vertexB;
@@ -248,6 +252,7 @@ class Gjk {
   int stalled_ = 0;
   Nearest nearest_;
   GjkResult& result_;
+  float offset_;
   bool done_ = false;
 };
 

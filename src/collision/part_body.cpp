@@ -1,7 +1,5 @@
 #include "collision/part_body.h"
 
-#include <cmath>
-
 namespace scatter {
 
 void PartBody::setParts(const PartList& parts) {
@@ -13,7 +11,9 @@ void PartBody::moveTo(const Frame& frame) {
   if (placed_ && frame == frame_) return;
   if (placed_) {
     const float moved = displacementBound(frame_, frame, parts_->center(), parts_->radius());
-    if (std::isfinite(moved)) {
+    // Further, and the sum would lose the millimetres; this is also true of what is no number.
+    constexpr float kFar = 1e6F;
+    if (moved < kFar) {
       travel_ += static_cast<double>(moved);
     } else {
       ++jumps_;

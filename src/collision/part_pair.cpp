@@ -76,7 +76,7 @@ bool PartPair::advance(PartBody& a, PartBody& b, const PairSteps& steps, PairScr
   return true;
 }
 
-// After a move that has no length.
+// After a move that has no length, or too much of it to be added up.
 void PartPair::forgetProofs() {
   listed_ = false;
   motion_ = 0.0;
