@@ -56,6 +56,20 @@ void addCapsule(scatter::PartDef& part, const btTransform& transform, const btCa
 	part.core.push_back(vec3(transform(-end)));
 }
 
+// From the shape's own support function: getAabb is too small for a few (a cylinder of two radii, say).
+void addEnclosingBox(scatter::PartDef& part, const btTransform& transform, const btConvexShape* shape)
+{
+	btVector3 low, high;
+	for (int axis = 0; axis < 3; axis++)
+	{
+		btVector3 direction(0, 0, 0);
+		direction[axis] = 1;
+		high[axis] = shape->localGetSupportingVertex(direction)[axis];
+		low[axis] = shape->localGetSupportingVertex(-direction)[axis];
+	}
+	addCorners(part, transform, btScalar(0.5) * (low + high), btScalar(0.5) * (high - low));
+}
+
 // Bullet bounds every convex shape by its local box, turned; only of a sphere it does not turn it.
 void bound(scatter::PartDef& part, const btTransform& transform, const btConvexShape* shape)
 {
@@ -98,8 +112,7 @@ scatter::PartDef makePart(const btConvexShape* shape, const btTransform& transfo
 		default:
 			part.kind = scatter::PartKind::kEnclosed;
 			part.margin = 0;
-			for (int corner = 0; corner < 8; corner++)
-				part.core.push_back(part.boundsCenter + part.boundsAxes * (part.boundsHalf * scatter::Vec3((corner & 1) ? 1 : -1, (corner & 2) ? 1 : -1, (corner & 4) ? 1 : -1)));
+			addEnclosingBox(part, transform, shape);
 	}
 	return part;
 }

@@ -1,0 +1,133 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <new>
+
+#include "RandomShapes.h"
+
+// A program of its own, because it counts every allocation there is.
+
+namespace {
+
+long allocations = 0;
+
+void* countedAligned(std::size_t size, int alignment) {
+  ++allocations;
+  return std::aligned_alloc(static_cast<std::size_t>(alignment),
+                            (size + static_cast<std::size_t>(alignment) - 1) /
+                                static_cast<std::size_t>(alignment) * static_cast<std::size_t>(alignment));
+}
+void* counted(std::size_t size) {
+  ++allocations;
+  return std::malloc(size);
+}
+void release(void* memory) {
+  std::free(memory);
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) {
+  if (void* memory = counted(size)) return memory;
+  throw std::bad_alloc();
+}
+void* operator new[](std::size_t size) {
+  return operator new(size);
+}
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete[](void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+void operator delete[](void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
+#include <BulletHybrid/btHybridDynamicsWorld.h>
+#include <btBulletDynamicsCommon.h>
+
+namespace scatter::test {
+namespace {
+
+btDefaultCollisionConstructionInfo bigPools() {
+  btDefaultCollisionConstructionInfo info;
+  info.m_defaultMaxPersistentManifoldPoolSize = 1 << 16;
+  info.m_defaultMaxCollisionAlgorithmPoolSize = 1 << 14;
+  return info;
+}
+
+/// A clump of hybrids that keeps moving a little, over and over in the same way.
+class Swaying {
+ public:
+  explicit Swaying(int count) : shapes_(3) {
+    world.getSwitchingInfo().m_proximity = false;
+    const btHybridLevelSet& levels = shapes_.oneLevel(shapes_.plainCompound(20, 1));
+    for (int i = 0; i < count; ++i) {
+      rest_.push_back(shapes_.random.pose(0.8F));
+      btRigidBody::btRigidBodyConstructionInfo info(1, nullptr, levels.getLevelShape(1), btVector3(1, 1, 1));
+      bodies_.push_back(std::make_unique<btHybridRigidBody>(info, &levels));
+      bodies_.back()->setActivationState(DISABLE_DEACTIVATION);
+      bodies_.back()->setWorldTransform(rest_.back());
+      world.addRigidBody(bodies_.back().get());
+    }
+  }
+
+  ~Swaying() {
+    for (auto& body : bodies_) world.removeRigidBody(body.get());
+  }
+
+  Swaying(const Swaying&) = delete;
+  Swaying& operator=(const Swaying&) = delete;
+
+  static constexpr int kPeriod = 50;
+
+  /// The allocations of the narrowphase in one step.
+  long step(int number) {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      const float phase =
+          6.2831853F * (static_cast<float>(number % kPeriod) / kPeriod) + static_cast<float>(i);
+      const btTransform sway(btQuaternion(btVector3(0, 1, 0), 0.2F * std::sin(phase)),
+                             btVector3(0.1F * std::cos(phase), 0.05F * std::sin(2 * phase), 0));
+      bodies_[i]->setWorldTransform(sway * rest_[i]);
+    }
+    const long before = allocations;
+    world.performDiscreteCollisionDetection();
+    return allocations - before;
+  }
+
+  btDefaultCollisionConfiguration configuration{bigPools()};
+  btCollisionDispatcher dispatcher{&configuration};
+  btDbvtBroadphase broadphase;
+  btSequentialImpulseConstraintSolver solver;
+  btHybridDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
+
+ private:
+  RandomShapes shapes_;
+  std::vector<btTransform> rest_;
+  std::vector<std::unique_ptr<btHybridRigidBody>> bodies_;
+};
+
+TEST(Allocations, TheNarrowphaseMakesNoneAfterWarmUp) {
+  btAlignedAllocSetCustom(counted, release);
+  btAlignedAllocSetCustomAligned(countedAligned, release);
+  {
+    Swaying w(20);
+    long warmUp = 0;
+    for (int i = 0; i < 3 * Swaying::kPeriod; ++i) warmUp += w.step(i);
+    EXPECT_GT(warmUp, 0);
+    long later = 0;
+    for (int i = 0; i < 3 * Swaying::kPeriod; ++i) later += w.step(i);
+    EXPECT_EQ(later, 0);
+    EXPECT_GT(w.dispatcher.getNumManifolds(), 100);
+  }
+  btAlignedAllocSetCustom(nullptr, nullptr);
+  btAlignedAllocSetCustomAligned(nullptr, nullptr);
+}
+
+}  // namespace
+}  // namespace scatter::test
