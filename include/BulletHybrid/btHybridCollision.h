@@ -79,15 +79,20 @@ struct btHybridMissedContact
 /// What brute force found, over all verified steps since the verification was turned on.
 struct btHybridContactReport
 {
-	int m_steps;                                               ///< verified
-	long m_childPairs;                                         ///< tested by brute force
-	long m_expected;                                           ///< child pairs that should be in contact
-	long m_missed;                                             ///< of those, without a contact in the world
-	long m_extra;                                              ///< child pairs in contact that Bullet's own midphase would have left out
+	int m_steps;        ///< verified
+	long m_childPairs;  ///< tested by brute force
+	long m_expected;    ///< child pairs that should be in contact
+	long m_missed;      ///< of those, without a contact in the world
+	long m_extra;       ///< child pairs in contact that Bullet's own midphase would have left out
+
+	/// Counted in none of these: no contact in the world, and Bullet's detector finds one in one order of the
+	/// shapes only, or finds one that a separating plane disproves.
+	long m_doubtful;
+
 	btAlignedObjectArray<btHybridMissedContact> m_lastMissed;  ///< of the last verified step
 
 	btHybridContactReport()
-	    : m_steps(0), m_childPairs(0), m_expected(0), m_missed(0), m_extra(0)
+	    : m_steps(0), m_childPairs(0), m_expected(0), m_missed(0), m_extra(0), m_doubtful(0)
 	{
 	}
 };
