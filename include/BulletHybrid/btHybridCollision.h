@@ -83,7 +83,7 @@ struct btHybridContactReport
 	long m_childPairs;  ///< tested by brute force
 	long m_expected;    ///< child pairs that should be in contact
 	long m_missed;      ///< of those, without a contact in the world
-	long m_extra;       ///< child pairs in contact that Bullet's own midphase would have left out
+	long m_extra;       ///< child pairs in contact that Bullet's midphase would not have let come into contact, or would have parted
 
 	/// Counted in none of these: no contact in the world, and Bullet's detector finds one in one order of the
 	/// shapes only, or finds one that a separating plane disproves.

@@ -23,8 +23,7 @@ float displacementBound(const Frame& before, const Frame& after, const Vec3& cen
     moved[i] += glm::dot(change, center);
   }
   const float turned = std::sqrt(0.5F * squares) * 1.0001F + kRounding;
-  const float reach =
-      radius + glm::length(center) + glm::length(before.origin) + glm::length(after.origin);
+  const float reach = radius + glm::length(center) + glm::length(before.origin) + glm::length(after.origin);
   return glm::length(moved) + turned * radius + kRounding * reach;
 }
 

@@ -90,6 +90,9 @@ void PartPair::forgetProofs() {
 
 // Where B is in A's frame, and how far that is from where it was.
 void PartPair::follow(const PartBody& a, const PartBody& b) {
+  // So long a sum would lose the millimetres.
+  constexpr double kLongest = 1e6;
+  if (!(motion_ < kLongest)) forgetProofs();
   const Frame now = relativeFrame(a.frame(), b.frame());
   const PartList& parts = b.parts();
   lastMotion_ = listed_ ? displacementBound(frameB_, now, parts.center(), parts.radius()) : 0.0F;

@@ -124,11 +124,11 @@ bool btHybridConvexSide::collect(const btCollisionObject* object)
 	return true;
 }
 
-bool btHybridMidphaseKeeps(const btHybridConvexSide& a, const btHybridConvexChild& childA, const btHybridConvexSide& b, const btHybridConvexChild& childB, btScalar slack)
+bool btHybridMidphaseKeeps(const btHybridConvexSide& a, const btHybridConvexChild& childA, const btHybridConvexSide& b, const btHybridConvexChild& childB, bool isNew, btScalar slack)
 {
 	if (!a.m_compound && !b.m_compound)
 		return true;
-	return overlap(childA.m_min, childA.m_max, childB.m_min, childB.m_max, slack) && leavesOverlap(a, childA, b, childB, slack) && userLetsThrough(a, childA, b, childB);
+	return overlap(childA.m_min, childA.m_max, childB.m_min, childB.m_max, slack) && (!isNew || leavesOverlap(a, childA, b, childB, slack)) && userLetsThrough(a, childA, b, childB);
 }
 
 bool btHybridAreBoxes(const btHybridConvexChild& childA, const btHybridConvexChild& childB)

@@ -34,8 +34,8 @@ struct btHybridConvexSide
 };
 
 /// Whether Bullet's midphase hands a child pair on to a detector. Rounding must not decide: the sign of the
-/// slack says which way doubt goes.
-bool btHybridMidphaseKeeps(const btHybridConvexSide& a, const btHybridConvexChild& childA, const btHybridConvexSide& b, const btHybridConvexChild& childB, btScalar slack);
+/// slack says which way doubt goes. One that is new must pass the tree of leaves as well as the world bounds.
+bool btHybridMidphaseKeeps(const btHybridConvexSide& a, const btHybridConvexChild& childA, const btHybridConvexSide& b, const btHybridConvexChild& childB, bool isNew, btScalar slack);
 
 bool btHybridAreBoxes(const btHybridConvexChild& childA, const btHybridConvexChild& childB);
 

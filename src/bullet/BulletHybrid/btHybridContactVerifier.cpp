@@ -9,11 +9,13 @@ namespace
 struct ContactKey
 {
 	int m_key[4];  // two bodies, two children
+	bool m_isNew;  // the point was not there before this step
 
 	ContactKey()
 	{
 	}
-	ContactKey(int body0, int body1, int child0, int child1)
+	ContactKey(int body0, int body1, int child0, int child1, bool isNew = false)
+	    : m_isNew(isNew)
 	{
 		const bool swap = body0 > body1;
 		m_key[0] = swap ? body1 : body0;
@@ -45,6 +47,10 @@ public:
 			m_keys.quickSort(ContactKey::less);
 	}
 
+	int size() const
+	{
+		return m_keys.size();
+	}
 	const ContactKey& operator[](int i) const
 	{
 		return m_keys[i];
@@ -78,6 +84,12 @@ public:
 	}
 
 private:
+	// A step adds one to the age of every point that it finds; a contact-added callback may have done so too.
+	static bool isNew(const btManifoldPoint& point)
+	{
+		return point.getLifeTime() <= 1;
+	}
+
 	void add(const btPersistentManifold& manifold)
 	{
 		const btBroadphaseProxy* proxy0 = manifold.getBody0()->getBroadphaseHandle();
@@ -87,7 +99,7 @@ private:
 		for (int i = 0; i < manifold.getNumContacts(); i++)
 		{
 			const btManifoldPoint& point = manifold.getContactPoint(i);
-			m_keys.push_back(ContactKey(proxy0->m_uniqueId, proxy1->m_uniqueId, point.m_index0, point.m_index1));
+			m_keys.push_back(ContactKey(proxy0->m_uniqueId, proxy1->m_uniqueId, point.m_index0, point.m_index1, isNew(point)));
 		}
 	}
 };
@@ -130,7 +142,7 @@ private:
 
 	void verifyChildPair(const btHybridConvexChild& childA, const btHybridConvexChild& childB)
 	{
-		if (!btHybridMidphaseKeeps(m_a, childA, m_b, childB, -(childA.m_rounding + childB.m_rounding)))
+		if (!btHybridMidphaseKeeps(m_a, childA, m_b, childB, true, -(childA.m_rounding + childB.m_rounding)))
 			return;
 		m_report.m_childPairs++;
 		btHybridMissedContact contact;
@@ -169,26 +181,25 @@ private:
 		const int body0 = bodies.m_key[0];
 		const int body1 = bodies.m_key[1];
 		const bool swapped = body0 != m_a.m_object->getBroadphaseHandle()->m_uniqueId;
-		int before = -1;
-		for (int i = m_contacts.lowerBound(bodies); m_contacts.isOfBodies(i, body0, body1); before = i++)
+		for (int i = m_contacts.lowerBound(bodies); m_contacts.isOfBodies(i, body0, body1);)
 		{
+			const ContactKey& key = m_contacts[i];
+			bool isNew = true;
 			// One child pair has up to four points.
-			if (before >= 0 && !ContactKey::less(m_contacts[before], m_contacts[i]))
-				continue;
-			const int first = m_contacts[i].m_key[2];
-			const int second = m_contacts[i].m_key[3];
-			m_report.m_extra += isExtra(swapped ? second : first, swapped ? first : second);
+			for (; i < m_contacts.size() && !ContactKey::less(key, m_contacts[i]); i++)
+				isNew &= m_contacts[i].m_isNew;
+			m_report.m_extra += isExtra(key.m_key[swapped ? 3 : 2], key.m_key[swapped ? 2 : 3], isNew);
 		}
 	}
 
-	bool isExtra(int childA, int childB) const
+	bool isExtra(int childA, int childB, bool isNew) const
 	{
 		// Without a child it is not of the narrowphase: Bullet's continuous detection predicts such contacts.
 		if ((m_a.m_compound && childA < 0) || (m_b.m_compound && childB < 0))
 			return false;
 		const btHybridConvexChild* a = findChild(m_a, childA);
 		const btHybridConvexChild* b = findChild(m_b, childB);
-		return !a || !b || !btHybridMidphaseKeeps(m_a, *a, m_b, *b, a->m_rounding + b->m_rounding);
+		return !a || !b || !btHybridMidphaseKeeps(m_a, *a, m_b, *b, isNew, a->m_rounding + b->m_rounding);
 	}
 
 	static const btHybridConvexChild* findChild(const btHybridConvexSide& side, int index)

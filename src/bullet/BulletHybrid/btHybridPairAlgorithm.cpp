@@ -13,6 +13,7 @@
 #include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 #include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
+#include <LinearMath/btAabbUtil2.h>
 
 #include "btHybridNarrowphase.h"
 #include "btHybridPartBody.h"
@@ -226,11 +227,34 @@ void btHybridPairAlgorithm::processChild(scatter::ChildPair& child, const Pass& 
 		releaseManifold(child);
 }
 
+// The test of the leaves that Bullet's compound algorithms make before a child pair comes into contact.
+bool btHybridPairAlgorithm::leavesOverlap(const scatter::ChildPair& child, const Pass& pass) const
+{
+	const btTransform& frameA = pass.m_wraps[0]->getWorldTransform();
+	const btTransform& frameB = pass.m_wraps[1]->getWorldTransform();
+	const bool isInA = m_bodies[0]->getChildIndex(child.a) >= 0;
+	btVector3 minA, maxA, minB, maxB;
+	if (isInA)
+	{
+		m_bodies[0]->getLeaf(child.a, minA, maxA);
+		m_bodies[1]->getLeafIn(child.b, frameA.inverseTimes(frameB), minB, maxB);
+	}
+	else
+	{
+		m_bodies[0]->getLeafIn(child.a, frameB.inverseTimes(frameA), minA, maxA);
+		m_bodies[1]->getLeaf(child.b, minB, maxB);
+	}
+	return TestAabbAgainstAabb2(minA, maxA, minB, maxB);
+}
+
 void btHybridPairAlgorithm::findContacts(scatter::ChildPair& child, const Pass& pass)
 {
 	scatter::PartContact contact;
 	const scatter::PairSteps& steps = m_narrowphase->getSteps();
-	switch (m_pair->judge(child, m_bodies[0]->getBody(), m_bodies[1]->getBody(), steps, contact, m_narrowphase->getWork()))
+	const scatter::ChildVerdict verdict = m_pair->judge(child, m_bodies[0]->getBody(), m_bodies[1]->getBody(), steps, contact, m_narrowphase->getWork());
+	if (verdict != scatter::ChildVerdict::kApart && !child.touching && !leavesOverlap(child, pass))
+		return;
+	switch (verdict)
 	{
 		case scatter::ChildVerdict::kContact:
 			manifoldOf(child, pass);

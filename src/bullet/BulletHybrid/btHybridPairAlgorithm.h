@@ -24,6 +24,7 @@ class btHybridPairAlgorithm : public btCollisionAlgorithm
 	void releaseContacts();
 	void processChildren(const Pass& pass);
 	void processChild(scatter::ChildPair& child, const Pass& pass);
+	bool leavesOverlap(const scatter::ChildPair& child, const Pass& pass) const;
 	void findContacts(scatter::ChildPair& child, const Pass& pass);
 	void keepContact(const scatter::ChildPair& child, const scatter::PartContact& contact, const Pass& pass);
 	void detect(scatter::ChildPair& child, const Pass& pass);

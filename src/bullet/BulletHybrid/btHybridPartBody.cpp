@@ -1,5 +1,7 @@
 #include "btHybridPartBody.h"
 
+#include <LinearMath/btAabbUtil2.h>
+
 #include "BulletHybrid/btHybridRigidBody.h"
 
 btHybridPartBody::btHybridPartBody(const btCollisionObject* object, btHybridParts* parts)
@@ -30,4 +32,21 @@ btTransform btHybridPartBody::getChildTransform(int part, const btTransform& bod
 {
 	const btCollisionShape* shape = m_parts->getShape();
 	return shape->isCompound() ? body * static_cast<const btCompoundShape*>(shape)->getChildTransform(part) : body;
+}
+
+void btHybridPartBody::getLeaf(int part, btVector3& aabbMin, btVector3& aabbMax) const
+{
+	getChildShape(part)->getAabb(getChildTransform(part, btTransform::getIdentity()), aabbMin, aabbMax);
+}
+
+void btHybridPartBody::getLeafIn(int part, const btTransform& body, btVector3& aabbMin, btVector3& aabbMax) const
+{
+	if (getChildIndex(part) < 0)
+	{
+		getChildShape(part)->getAabb(body, aabbMin, aabbMax);
+		return;
+	}
+	btVector3 leafMin, leafMax;
+	getLeaf(part, leafMin, leafMax);
+	btTransformAabb(leafMin, leafMax, 0, body, aabbMin, aabbMax);
 }
