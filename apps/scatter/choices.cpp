@@ -6,10 +6,14 @@ namespace scatter::app {
 
 const std::vector<WorldChoice>& worldChoices() {
   static const std::vector<WorldChoice> choices{
-      {"hybrid", "switches levels, as the policy says", WorldKind::kHybrid, std::nullopt},
-      {"standard", "the plain engine, always at the finest level", WorldKind::kStandard, std::nullopt},
+      {"hybrid", "switches levels, as the policy says", WorldKind::kHybrid},
+      {"standard", "the plain engine, always at the finest level", WorldKind::kStandard},
       {"finest", "a hybrid world with the policy finest", WorldKind::kHybrid, Policy::kFinest},
       {"coarsest", "a hybrid world with the policy coarsest", WorldKind::kHybrid, Policy::kCoarsest},
+      {"hybrid-bullet", "the world hybrid with Bullet's own collision", WorldKind::kHybrid, std::nullopt,
+       Narrowphase::kEngine},
+      {"finest-bullet", "the world finest with Bullet's own collision", WorldKind::kHybrid, Policy::kFinest,
+       Narrowphase::kEngine},
   };
   return choices;
 }
@@ -20,6 +24,14 @@ const std::vector<PolicyChoice>& policyChoices() {
       {"finest", "everything at level n, always", Policy::kFinest},
       {"coarsest", "everything at level 1, always", Policy::kCoarsest},
       {"none", "only what the scene asks for", Policy::kNone},
+  };
+  return choices;
+}
+
+const std::vector<CollisionChoice>& collisionChoices() {
+  static const std::vector<CollisionChoice> choices{
+      {"scatter", "hybrid bodies meet by Scatter's pair algorithm", Narrowphase::kScatter},
+      {"bullet", "all bodies meet by Bullet's own algorithms", Narrowphase::kEngine},
   };
   return choices;
 }

@@ -12,18 +12,25 @@
 
 namespace scatter::app {
 
-/// What the command line calls a world. A world may bring its policy with it.
+/// What the command line calls a world. A world may bring its policy and its narrowphase with it.
 struct WorldChoice {
   std::string name;
   std::string summary;
   WorldKind kind = WorldKind::kStandard;
-  std::optional<Policy> policy;
+  std::optional<Policy> policy{};
+  std::optional<Narrowphase> narrowphase{};
 };
 
 struct PolicyChoice {
   std::string name;
   std::string summary;
   Policy policy = Policy::kProximity;
+};
+
+struct CollisionChoice {
+  std::string name;
+  std::string summary;
+  Narrowphase narrowphase = Narrowphase::kScatter;
 };
 
 struct EngineChoice {
@@ -40,6 +47,7 @@ struct SwitchingChoice {
 /// The first of each is the default.
 [[nodiscard]] const std::vector<WorldChoice>& worldChoices();
 [[nodiscard]] const std::vector<PolicyChoice>& policyChoices();
+[[nodiscard]] const std::vector<CollisionChoice>& collisionChoices();
 [[nodiscard]] const std::vector<EngineChoice>& engineChoices();
 [[nodiscard]] const std::vector<SwitchingChoice>& switchingChoices();
 

@@ -28,4 +28,10 @@ Command addRunCommand(CLI::App& program);
 /// `commandLine` is for the report.
 Command addCompareCommand(CLI::App& program, std::string commandLine);
 
+/// `bench` and the commands below it.
+Command addBenchCommand(CLI::App& program);
+Command addBenchCollisionCommand(CLI::App& bench);
+Command addBenchContactsCommand(CLI::App& bench);
+Command addBenchSpreadCommand(CLI::App& bench);
+
 }  // namespace scatter::app

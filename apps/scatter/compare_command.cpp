@@ -12,6 +12,7 @@
 #include "messages.h"
 #include "progress_line.h"
 #include "run_arguments.h"
+#include "run_report.h"
 
 namespace scatter::app {
 
@@ -24,11 +25,6 @@ struct Arguments {
   std::optional<std::string> out;
   std::string commandLine;
 };
-
-ExitStatus refuse(const Error& error) {
-  printError(error.message);
-  return ExitStatus::kBadInput;
-}
 
 Result<Comparison> compareWithProgress(const CompareOptions& options, bool quiet, bool& started) {
   ProgressLine line(quiet);
@@ -44,6 +40,21 @@ Result<Comparison> compareWithProgress(const CompareOptions& options, bool quiet
 // What can be known before the long run is checked before it.
 Result<void> checkOutput(const std::filesystem::path& folder) {
   return checkGnuplot().and_then([&folder] { return prepareOutputFolder(folder); });
+}
+
+// Repeats are the same run: one of them speaks for all.
+ExitStatus reportContactChecks(const Comparison& comparison) {
+  ExitStatus status = ExitStatus::kOk;
+  for (const ComparedWorld& world : comparison.worlds) {
+    const Summary& summary = world.run().summary;
+    if (summary.contactCheck.steps > 0) {
+      fmt::print("{}", formatContactCheck(summary));
+    }
+    if (summary.contactCheck.missed > 0) {
+      status = ExitStatus::kFailedCheck;
+    }
+  }
+  return status;
 }
 
 ExitStatus compare(const Arguments& arguments) {
@@ -71,7 +82,7 @@ ExitStatus compare(const Arguments& arguments) {
   for (const ComparedWorld& world : comparison->worlds) {
     fmt::print("every frame: {}/{}/frames.csv\n", out, world.label());
   }
-  return ExitStatus::kOk;
+  return reportContactChecks(*comparison);
 }
 
 }  // namespace
@@ -84,7 +95,7 @@ Command addCompareCommand(CLI::App& program, std::string commandLine) {
   addRunArguments(*command, arguments->run);
   command
       ->add_option("--worlds", arguments->worlds,
-                   "What to compare, the first being what the others are compared to")
+                   "What to compare, the first being what the others are compared to; see `scatter list`")
       ->type_name("NAME,NAME…")
       ->delimiter(',')
       ->capture_default_str();

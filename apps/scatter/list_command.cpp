@@ -16,7 +16,7 @@ template <class Choice>
 void printChoices(const char* heading, const std::vector<Choice>& choices) {
   fmt::print("\n{}\n", heading);
   for (const Choice& choice : choices) {
-    fmt::print("  {:<12}  {}{}\n", choice.name, choice.summary,
+    fmt::print("  {:<13}  {}{}\n", choice.name, choice.summary,
                &choice == &choices.front() && choices.size() > 1 ? " (default)" : "");
   }
 }
@@ -24,7 +24,7 @@ void printChoices(const char* heading, const std::vector<Choice>& choices) {
 void printScenes() {
   fmt::print("Scenes (frames of 1/60 s)\n");
   for (const SceneInfo* scene : SceneRegistry::instance().all()) {
-    fmt::print("  {:<12}  {} ({} frames)\n", scene->name, scene->summary, scene->frames);
+    fmt::print("  {:<13}  {} ({} frames)\n", scene->name, scene->summary, scene->frames);
   }
 }
 
@@ -33,6 +33,7 @@ ExitStatus list() {
   printChoices("Worlds (--world)", worldChoices());
   printChoices("Policies of a hybrid world (--policy)", policyChoices());
   printChoices("Switching modes of a hybrid world (--switching)", switchingChoices());
+  printChoices("Collision of hybrid bodies in a hybrid world (--collision)", collisionChoices());
   printChoices("Engines (--engine)", engineChoices());
   return ExitStatus::kOk;
 }
@@ -40,7 +41,8 @@ ExitStatus list() {
 }  // namespace
 
 Command addListCommand(CLI::App& program) {
-  return {program.add_subcommand("list", "Show the scenes, worlds, policies, switching modes and engines"),
+  return {program.add_subcommand(
+              "list", "Show the scenes, worlds, policies, switching modes, collision algorithms and engines"),
           list};
 }
 

@@ -40,4 +40,14 @@ void printNote(const std::string& message) {
   logger().info("{}", onOneLine(message));
 }
 
+ExitStatus refuse(const Error& error) {
+  printError(error.message);
+  return ExitStatus::kBadInput;
+}
+
+ExitStatus failed(const Error& error) {
+  printError(error.message);
+  return ExitStatus::kFailedCheck;
+}
+
 }  // namespace scatter::app

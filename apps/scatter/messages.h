@@ -1,6 +1,10 @@
 #pragma once
 
+#include <scatter/result.h>
+
 #include <string>
+
+#include "command.h"
 
 namespace scatter::app {
 
@@ -9,5 +13,11 @@ void printError(const std::string& message);
 
 /// The same, for what is not an error.
 void printNote(const std::string& message);
+
+/// Prints the error; the status is that of wrong input.
+[[nodiscard]] ExitStatus refuse(const Error& error);
+
+/// Prints the error; the status is that of a failed check.
+[[nodiscard]] ExitStatus failed(const Error& error);
 
 }  // namespace scatter::app

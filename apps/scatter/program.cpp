@@ -50,17 +50,32 @@ std::vector<std::string> optionNames(const CLI::App& command) {
   return names;
 }
 
+// The command or command's command that the arguments name.
+const CLI::App& innermost(const CLI::App& program) {
+  const auto used = program.get_subcommands();
+  return used.empty() ? program : innermost(*used.front());
+}
+
+// Such as "scatter bench spread".
+std::string fullName(const CLI::App& command) {
+  const CLI::App* above = command.get_parent();
+  return above == nullptr ? "scatter" : fullName(*above) + " " + command.get_name();
+}
+
 // What is left over, said better than by the parser.
 std::string describeLeftover(const CLI::App& program) {
-  const auto used = program.get_subcommands();
-  const CLI::App& command = used.empty() ? program : *used.front();
+  const CLI::App& command = innermost(program);
   for (const std::string& argument : program.remaining(true)) {
     if (isOption(argument)) {
       return unknownName("option", argument, optionNames(command));
     }
   }
-  const std::string name = used.empty() ? "scatter" : "scatter " + command.get_name();
-  return "unexpected argument \"" + program.remaining(true).front() + "\"; see " + name + " --help";
+  const std::string argument = program.remaining(true).front();
+  const std::vector<std::string> below = commandNames(command);
+  if (&command != &program && !below.empty()) {
+    return unknownName(command.get_name() + " command", argument, below);
+  }
+  return "unexpected argument \"" + argument + "\"; see " + fullName(command) + " --help";
 }
 
 // Nothing if there is a command to execute.
@@ -84,7 +99,7 @@ std::optional<ExitStatus> parse(CLI::App& program, int argc, char** argv) {
     program.exit(asked);
     return ExitStatus::kOk;
   } catch (const CLI::RequiredError& error) {
-    printError(std::string(error.what()) + "; see scatter " + std::string(argv[1]) + " --help");
+    printError(std::string(error.what()) + "; see " + fullName(innermost(program)) + " --help");
     return ExitStatus::kBadInput;
   } catch (const CLI::ParseError& error) {
     printError(error.what());
@@ -141,7 +156,8 @@ int runProgram(int argc, char** argv) {
   program.footer(kFooter);
   program.set_version_flag("--version", version(), "Show the version, build and compiler");
   const std::vector<Command> commands{addListCommand(program), addRunCommand(program),
-                                      addCompareCommand(program, commandLineOf(argc, argv))};
+                                      addCompareCommand(program, commandLineOf(argc, argv)),
+                                      addBenchCommand(program)};
   const std::optional<ExitStatus> parsed = parse(program, argc, argv);
   return static_cast<int>(checkStandardOutput(parsed ? *parsed : execute(commands)));
 }

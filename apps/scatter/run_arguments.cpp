@@ -4,45 +4,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <limits>
+
+#include "number_checks.h"
 
 namespace scatter::app {
 
 namespace {
-
-template <class Number>
-std::optional<Number> parseNumber(const std::string& text) {
-  Number number{};
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, number);
-  return error == std::errc() && stop == end ? std::optional(number) : std::nullopt;
-}
-
-// Refuses all but whole numbers from `least` on.
-template <class Integer>
-auto wholeNumber(Integer least) {
-  return [least](const std::string& text) -> std::string {
-    const auto number = parseNumber<Integer>(text);
-    if (number && *number >= least) {
-      return {};
-    }
-    return fmt::format("needs a whole number from {} to {}, not \"{}\"", least,
-                       std::numeric_limits<Integer>::max(), text);
-  };
-}
-
-// Refuses all but finite numbers above `bound`.
-auto numberAbove(double bound) {
-  return [bound](const std::string& text) -> std::string {
-    const auto number = parseNumber<double>(text);
-    if (number && std::isfinite(*number) && *number > bound && *number < 1e30) {
-      return {};
-    }
-    return fmt::format("needs a number above {}, not \"{}\"", bound, text);
-  };
-}
 
 template <class Choice>
 std::string namesOf(const std::vector<Choice>& choices) {
@@ -85,10 +52,30 @@ void addSwitchingArguments(CLI::App& command, RunArguments& arguments) {
                    "Switch without the safety conditions, to see what they prevent");
 }
 
+void addCollisionArguments(CLI::App& command, RunArguments& arguments) {
+  command
+      .add_option("--collision", arguments.collision,
+                  fmt::format("How hybrid bodies meet in a hybrid world: {} [{}]",
+                              namesOf(collisionChoices()), collisionChoices().front().name))
+      ->type_name("NAME");
+  command
+      .add_option("--verify-contacts", arguments.verifyEvery,
+                  "Compare the contacts of hybrid bodies with brute force every N frames; slow, and part of "
+                  "those frames' times; status 1 if any is missed")
+      ->check(wholeNumber<int>(1))
+      ->type_name("N");
+}
+
 // Arguments that were given although only a hybrid world has a use for them.
-std::string switchingArgumentOf(const RunArguments& arguments) {
+std::string hybridArgumentOf(const RunArguments& arguments) {
   if (arguments.policy) {
     return "--policy";
+  }
+  if (arguments.collision) {
+    return "--collision";
+  }
+  if (arguments.verifyEvery) {
+    return "--verify-contacts";
   }
   if (arguments.proximitySteps) {
     return "--proximity-steps";
@@ -103,7 +90,7 @@ std::string switchingArgumentOf(const RunArguments& arguments) {
 }
 
 Result<void> checkMeaning(const RunArguments& arguments, const std::vector<WorldChoice>& worlds) {
-  const std::string given = switchingArgumentOf(arguments);
+  const std::string given = hybridArgumentOf(arguments);
   const auto isHybrid = [](const WorldChoice& world) { return world.kind == WorldKind::kHybrid; };
   if (!given.empty() && std::none_of(worlds.begin(), worlds.end(), isHybrid)) {
     return fail(given + " has no meaning in a standard world; leave it out or use the hybrid world");
@@ -112,6 +99,11 @@ Result<void> checkMeaning(const RunArguments& arguments, const std::vector<World
   if (arguments.policy && std::none_of(worlds.begin(), worlds.end(), takesPolicy)) {
     return fail("the world " + worlds.back().name +
                 " has its own policy; leave --policy out or use the hybrid world");
+  }
+  const auto takesCollision = [&](const WorldChoice& world) { return isHybrid(world) && !world.narrowphase; };
+  if (arguments.collision && std::none_of(worlds.begin(), worlds.end(), takesCollision)) {
+    return fail("the world " + worlds.back().name +
+                " has its own collision; leave --collision out or use the hybrid world");
   }
   return {};
 }
@@ -136,11 +128,29 @@ Result<SwitchingDef> makeSwitching(const RunArguments& arguments, const WorldCho
   return switching;
 }
 
+Result<CollisionDef> makeCollision(const RunArguments& arguments, const WorldChoice& world) {
+  CollisionDef collision;
+  if (arguments.collision) {
+    const auto choice = choose(collisionChoices(), "collision", *arguments.collision);
+    if (!choice) {
+      return tl::unexpected(choice.error());
+    }
+    collision.narrowphase = choice->narrowphase;
+  }
+  collision.narrowphase = world.narrowphase.value_or(collision.narrowphase);
+  collision.verifyEvery = arguments.verifyEvery.value_or(0);
+  return collision;
+}
+
 Result<RunOptions> makeRun(const RunArguments& arguments, const EngineChoice& engine,
                            const WorldChoice& world) {
   const auto switching = makeSwitching(arguments, world);
   if (!switching) {
     return tl::unexpected(switching.error());
+  }
+  const auto collision = makeCollision(arguments, world);
+  if (!collision) {
+    return tl::unexpected(collision.error());
   }
   RunOptions options;
   options.scene = arguments.scene;
@@ -149,6 +159,7 @@ Result<RunOptions> makeRun(const RunArguments& arguments, const EngineChoice& en
   options.physics.profiling = !arguments.noProfiling;
   if (world.kind == WorldKind::kHybrid) {
     options.physics.switching = *switching;
+    options.physics.collision = *collision;
   }
   options.frames = arguments.frames.value_or(0);
   options.seed = arguments.seed;
@@ -165,6 +176,7 @@ void addRunArguments(CLI::App& command, RunArguments& arguments) {
       ->type_name("NAME")
       ->capture_default_str();
   addSwitchingArguments(command, arguments);
+  addCollisionArguments(command, arguments);
   command.add_option("--frames", arguments.frames, "Steps of 1/60 s [as many as the scene's story takes]")
       ->check(wholeNumber<int>(1))
       ->type_name("N");

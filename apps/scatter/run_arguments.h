@@ -22,6 +22,8 @@ struct RunArguments {
   std::string engine = engineChoices().front().name;
   std::string switching = switchingChoices().front().name;
   std::optional<std::string> policy;
+  std::optional<std::string> collision;
+  std::optional<int> verifyEvery;
   std::optional<int> frames;
   std::uint64_t seed = 1;
   double budgetMs = 1000.0 / 60.0;

@@ -22,11 +22,6 @@ struct Arguments {
   std::optional<std::string> out;
 };
 
-ExitStatus refuse(const Error& error) {
-  printError(error.message);
-  return ExitStatus::kBadInput;
-}
-
 ExitStatus run(const Arguments& arguments) {
   auto runs = makeRuns(arguments.run, {arguments.world});
   if (!runs) {
@@ -52,11 +47,15 @@ ExitStatus run(const Arguments& arguments) {
     printError(result.error().message);
     return started ? ExitStatus::kFailedCheck : ExitStatus::kBadInput;
   }
-  fmt::print("{}", formatSummary(result->summary));
+  const Summary& summary = result->summary;
+  fmt::print("{}", formatSummary(summary));
+  if (summary.contactCheck.steps > 0) {
+    fmt::print("{}", formatContactCheck(summary));
+  }
   if (arguments.out) {
     fmt::print("\nevery frame: {0}/frames.csv\nthe summary: {0}/summary.json\n", *arguments.out);
   }
-  return ExitStatus::kOk;
+  return summary.contactCheck.missed > 0 ? ExitStatus::kFailedCheck : ExitStatus::kOk;
 }
 
 }  // namespace
@@ -65,7 +64,9 @@ Command addRunCommand(CLI::App& program) {
   CLI::App* command = program.add_subcommand("run", "Run a scene in one world");
   auto arguments = std::make_shared<Arguments>();
   addRunArguments(*command, arguments->run);
-  command->add_option("--world", arguments->world, "hybrid, standard, finest or coarsest; see `scatter list`")
+  command
+      ->add_option("--world", arguments->world,
+                   "hybrid, standard, finest, coarsest and more; see `scatter list`")
       ->type_name("NAME")
       ->capture_default_str();
   command->add_option("--out", arguments->out, "Write frames.csv and summary.json into this folder")

@@ -1,5 +1,6 @@
 #include "run_report.h"
 
+#include <scatter/lab/contact_survey.h>
 #include <spdlog/fmt/fmt.h>
 
 namespace scatter::app {
@@ -37,6 +38,10 @@ std::string counts(const Summary& summary) {
             countRow(summary, "switches to finer", "switches_finer") +
             countRow(summary, "retractions", "retractions");
   }
+  if (summary.counter("child_pairs").total > 0) {
+    text += countRow(summary, "child pairs", "child_pairs") + countRow(summary, "GJK runs", "gjk_runs") +
+            countRow(summary, "detector runs", "detector_runs");
+  }
   return text;
 }
 
@@ -47,6 +52,13 @@ std::string formatSummary(const Summary& summary) {
                      summary.frames, summary.seed) +
          times(summary) + "\n" + counts(summary) +
          fmt::format("\nstate hash of the last frame: {:016x}\n", summary.stateHash);
+}
+
+std::string formatContactCheck(const Summary& summary) {
+  const ContactCheck& check = summary.contactCheck;
+  return fmt::format("contacts, {} world: {} frames verified, {} expected, {} missed, {} extra\n",
+                     summary.label, check.steps, check.expected, check.missed, check.extra) +
+         formatMisses(check);
 }
 
 }  // namespace scatter::app

@@ -82,7 +82,8 @@ TimeRatios ratios(const ComparedWorld& world, const ComparedWorld& first, TimeSt
   return {.peak = ratio(world, first, channel, &TimeStatistics::peak),
           .p99 = ratio(world, first, channel, &TimeStatistics::p99),
           .median = ratio(world, first, channel, &TimeStatistics::median),
-          .total = ratio(world, first, channel, &TimeStatistics::total)};
+          .total = ratio(world, first, channel, &TimeStatistics::total),
+          .lastHundred = ratio(world, first, channel, &TimeStatistics::lastHundred)};
 }
 
 std::size_t typicalRepeat(const std::vector<Run>& repeats) {

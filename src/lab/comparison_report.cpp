@@ -23,7 +23,8 @@ lab::Json ratiosJson(const TimeRatios& ratios) {
   return {{"peak", spreadJson(ratios.peak)},
           {"p99", spreadJson(ratios.p99)},
           {"median", spreadJson(ratios.median)},
-          {"total", spreadJson(ratios.total)}};
+          {"total", spreadJson(ratios.total)},
+          {"last_100_mean", spreadJson(ratios.lastHundred)}};
 }
 
 lab::Json worldJson(const ComparedWorld& world) {

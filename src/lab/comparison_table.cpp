@@ -1,31 +1,14 @@
 #include "lab/comparison_table.h"
 
 #include "lab/text.h"
+#include "lab/text_table.h"
 
-#include <algorithm>
-#include <cmath>
 #include <functional>
+#include <utility>
 
 namespace scatter {
 
 namespace {
-
-// Two significant digits also where little is left of the first world's figure.
-std::string ratioNumber(double ratio, double scale) {
-  return lab::fixedNumber(ratio, scale > 0.0 && scale < 0.1 ? 3 : 2);
-}
-
-std::string ratioText(const Spread& spread, bool withExtremes) {
-  if (std::isnan(spread.median)) {
-    return "-";
-  }
-  const std::string median = ratioNumber(spread.median, spread.median);
-  if (!withExtremes) {
-    return median;
-  }
-  return median + " (" + ratioNumber(spread.min, spread.median) + "-" +
-         ratioNumber(spread.max, spread.median) + ")";
-}
 
 double medianOver(const ComparedWorld& world, const std::function<double(const Summary&)>& figure) {
   std::vector<double> values;
@@ -52,6 +35,8 @@ constexpr TimeFigure kTimeFigures[] = {
      &TimeRatios::median},
     {"physics CPU ms, total", &Summary::physicsCpuMs, &TimeStatistics::total, &ComparedWorld::physicsCpuMs,
      &TimeRatios::total},
+    {"physics CPU ms, mean of last 100", &Summary::physicsCpuMs, &TimeStatistics::lastHundred,
+     &ComparedWorld::physicsCpuMs, &TimeRatios::lastHundred},
     {"physics wall ms, peak", &Summary::physicsMs, &TimeStatistics::peak, &ComparedWorld::physicsMs,
      &TimeRatios::peak},
     {"physics wall ms, total", &Summary::physicsMs, &TimeStatistics::total, &ComparedWorld::physicsMs,
@@ -64,7 +49,7 @@ lab::ComparisonRow timeRow(const Comparison& comparison, const TimeFigure& time)
     row.values.push_back(lab::readableNumber(
         medianOver(world, [&time](const Summary& run) { return run.*time.channel.*time.figure; })));
     if (&world != &comparison.worlds.front()) {
-      row.ratios.push_back(ratioText(world.*time.ratios.*time.ratio, comparison.options.repeat > 1));
+      row.ratios.push_back(lab::ratioText(world.*time.ratios.*time.ratio, comparison.options.repeat > 1));
     }
   }
   return row;
@@ -78,24 +63,10 @@ lab::ComparisonRow countRow(const Comparison& comparison, std::string name,
     const double value = medianOver(world, count);
     row.values.push_back(lab::fixedNumber(value, 0));
     if (&world != &comparison.worlds.front()) {
-      row.ratios.push_back(first > 0.0 ? ratioNumber(value / first, value / first) : "-");
+      row.ratios.push_back(first > 0.0 ? lab::ratioNumber(value / first, value / first) : "-");
     }
   }
   return row;
-}
-
-std::string padded(const std::string& text, std::size_t width, bool right) {
-  const std::string space(width - std::min(width, text.size()), ' ');
-  return right ? space + text : text + space;
-}
-
-std::string lineOf(const std::vector<std::string>& cells, const std::vector<std::size_t>& widths) {
-  std::string line;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    line += i == 0 ? "" : "  ";
-    line += padded(cells[i], widths[i], i > 0);
-  }
-  return line + '\n';
 }
 
 std::vector<std::string> headerOf(const Comparison& comparison) {
@@ -151,24 +122,7 @@ std::string formatTable(const Comparison& comparison) {
     cells.insert(cells.end(), row.ratios.begin(), row.ratios.end());
     lines.push_back(std::move(cells));
   }
-  std::vector<std::size_t> widths(lines.front().size(), 0);
-  for (const auto& line : lines) {
-    for (std::size_t i = 0; i < line.size(); ++i) {
-      widths[i] = std::max(widths[i], line[i].size());
-    }
-  }
-  std::string text;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    text += lineOf(lines[i], widths);
-    if (i == 0) {
-      std::size_t width = 0;
-      for (const std::size_t column : widths) {
-        width += column + 2;
-      }
-      text += std::string(width - 2, '-') + '\n';
-    }
-  }
-  return text + lab::comparisonNote(comparison) + '\n';
+  return lab::textTable(lines) + lab::comparisonNote(comparison) + '\n';
 }
 
 }  // namespace scatter

@@ -20,6 +20,22 @@ std::string nameOf(Policy policy) {
   return "unknown";
 }
 
+std::string nameOf(Narrowphase narrowphase) {
+  return narrowphase == Narrowphase::kScatter ? "scatter" : "engine";
+}
+
+std::string nameOf(Midphase midphase) {
+  switch (midphase) {
+    case Midphase::kWorldBoxes:
+      return "world_boxes";
+    case Midphase::kPartBoxes:
+      return "part_boxes";
+    case Midphase::kNeighbourList:
+      return "neighbour_list";
+  }
+  return "unknown";
+}
+
 std::string nameOf(LevelEventKind kind) {
   switch (kind) {
     case LevelEventKind::kRequested:

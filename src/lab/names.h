@@ -10,6 +10,8 @@ namespace scatter::lab {
 /// As on the command line and in summary.json.
 [[nodiscard]] std::string nameOf(WorldKind kind);
 [[nodiscard]] std::string nameOf(Policy policy);
+[[nodiscard]] std::string nameOf(Narrowphase narrowphase);
+[[nodiscard]] std::string nameOf(Midphase midphase);
 [[nodiscard]] std::string nameOf(LevelEventKind kind);
 
 }  // namespace scatter::lab

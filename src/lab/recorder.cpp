@@ -29,6 +29,15 @@ constexpr std::array kCounters{
     CounterColumn{"retractions", &StepCounters::retractions},
     CounterColumn{"credited_pairs", &StepCounters::creditedPairs},
     CounterColumn{"finest_pairs", &StepCounters::finestPairs},
+    CounterColumn{"pairs_skipped", &StepCounters::pairsSkipped},
+    CounterColumn{"list_rebuilds", &StepCounters::listRebuilds},
+    CounterColumn{"child_pairs", &StepCounters::childPairs},
+    CounterColumn{"child_pairs_asleep", &StepCounters::childPairsAsleep},
+    CounterColumn{"bounds_rejected", &StepCounters::boundsRejected},
+    CounterColumn{"axis_rejected", &StepCounters::axisRejected},
+    CounterColumn{"gjk_runs", &StepCounters::gjkRuns},
+    CounterColumn{"gjk_iterations", &StepCounters::gjkIterations},
+    CounterColumn{"detector_runs", &StepCounters::detectorRuns},
 };
 
 }  // namespace

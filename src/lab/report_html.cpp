@@ -140,6 +140,7 @@ std::string optionsOf(const RunOptions& run) {
   if (run.physics.world == WorldKind::kHybrid) {
     text += ", policy " + nameOf(run.physics.switching.policy);
     text += run.physics.switching.safetyConditions ? "" : ", safety conditions off";
+    text += ", collision " + nameOf(run.physics.collision.narrowphase);
   }
   return text + ", " + std::to_string(run.frames) + " frames, seed " + std::to_string(run.seed) +
          ", budget " + readableNumber(run.budgetMs) + " ms, " + std::to_string(run.physics.solverIterations) +

@@ -57,6 +57,20 @@ void countEvents(const Physics& physics, LevelEventCounts& counts) {
   }
 }
 
+// What no column holds.
+void observe(const World& world, Run& run, std::uint32_t& mostChildPairs) {
+  const Physics& physics = world.physics();
+  countEvents(physics, run.summary.levelEvents);
+  const std::uint32_t childPairs = physics.counters().childPairs;
+  if (childPairs > mostChildPairs) {
+    mostChildPairs = childPairs;
+    run.summary.collisionMemory = physics.collisionMemory();
+  }
+  if (run.options.physics.collision.verifyEvery > 0) {
+    run.summary.contactCheck.follow(world.frame(), physics.contactReport());
+  }
+}
+
 // One run under way: what every frame touches.
 class Runner {
  public:
@@ -77,6 +91,9 @@ class Runner {
       return tl::unexpected(recorded.error());
     }
     describe(run);
+    if (options_.inspect) {
+      options_.inspect(world_);
+    }
     if (auto finished = finish(run, *csv); !finished) {
       return tl::unexpected(finished.error());
     }
@@ -90,13 +107,14 @@ class Runner {
   // A state that is no longer finite ends the loop without an error, so that what there is can be kept.
   Result<void> record(Run& run, std::optional<FrameCsv>& csv, const Progress& progress) {
     const double start = wallSeconds();
+    std::uint32_t mostChildPairs = 0;
     for (int frame = 1; frame <= options_.frames && run.summary.stopped.empty(); ++frame) {
       scene_.update(world_);
       if (auto stepped = recorder_.step(); !stepped) {
         run.summary.stopped =
             "scene '" + options_.scene + "', " + options_.label + " world, " + stepped.error().message;
       }
-      countEvents(world_.physics(), run.summary.levelEvents);
+      observe(world_, run, mostChildPairs);
       run.table.append(data_);
       if (csv) {
         if (auto written = csv->write(data_); !written) {

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <numeric>
 #include <string_view>
 #include <utility>
@@ -17,6 +19,14 @@ namespace {
 // Whole numbers that are no counts of what the physics did.
 bool isCounter(const Channel& channel) {
   return channel.kind == ChannelKind::kInteger && channel.name != "frame";
+}
+
+constexpr std::ptrdiff_t kLastFrames = 100;
+
+double meanOf(const std::vector<double>& values) {
+  return values.empty()
+             ? 0.0
+             : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 }  // namespace
@@ -46,11 +56,13 @@ double medianOf(std::vector<double> values) {
 TimeStatistics timeStatistics(const std::vector<double>& milliseconds, double budgetMs) {
   const auto over = std::count_if(milliseconds.begin(), milliseconds.end(),
                                   [budgetMs](double value) { return value > budgetMs; });
+  const auto last = milliseconds.end() - std::min<std::ptrdiff_t>(kLastFrames, std::ssize(milliseconds));
   return {.peak = nearestRank(milliseconds, 1.0),
           .p999 = nearestRank(milliseconds, 0.999),
           .p99 = nearestRank(milliseconds, 0.99),
           .median = nearestRank(milliseconds, 0.5),
           .total = std::accumulate(milliseconds.begin(), milliseconds.end(), 0.0),
+          .lastHundred = meanOf({last, milliseconds.end()}),
           .framesOverBudget = static_cast<std::uint64_t>(over)};
 }
 

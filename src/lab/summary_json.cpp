@@ -10,8 +10,27 @@ namespace scatter::lab {
 namespace {
 
 Json timesJson(const TimeStatistics& times) {
-  return {{"peak", times.peak},     {"p999", times.p999},   {"p99", times.p99},
-          {"median", times.median}, {"total", times.total}, {"frames_over_budget", times.framesOverBudget}};
+  return {{"peak", times.peak},
+          {"p999", times.p999},
+          {"p99", times.p99},
+          {"median", times.median},
+          {"total", times.total},
+          {"last_100_mean", times.lastHundred},
+          {"frames_over_budget", times.framesOverBudget}};
+}
+
+Json collisionJson(const CollisionDef& collision) {
+  const PairAlgorithmDef& steps = collision.pairAlgorithm;
+  Json json{{"narrowphase", nameOf(collision.narrowphase)}, {"verify_every", collision.verifyEvery}};
+  if (collision.narrowphase == Narrowphase::kScatter) {
+    json["pair_algorithm"] = {{"midphase", nameOf(steps.midphase)},
+                              {"motion_bound", steps.motionBound},
+                              {"cached_axis", steps.cachedAxis},
+                              {"lazy_manifolds", steps.lazyManifolds},
+                              {"own_gjk", steps.ownGjk},
+                              {"warm_simplex", steps.warmSimplex}};
+  }
+  return json;
 }
 
 Json optionsJson(const Summary& summary) {
@@ -25,6 +44,7 @@ Json optionsJson(const Summary& summary) {
                {"solver_iterations", physics.solverIterations},
                {"gravity", {physics.gravity.x, physics.gravity.y, physics.gravity.z}}};
   if (physics.world == WorldKind::kHybrid) {
+    options["collision"] = collisionJson(physics.collision);
     options["switching"] = {{"policy", nameOf(switching.policy)},
                             {"proximity_steps", switching.proximitySteps},
                             {"retry_interval", switching.retryInterval},
@@ -51,6 +71,31 @@ Json eventsJson(const LevelEventCounts& counts) {
     events[nameOf(static_cast<LevelEventKind>(i))] = counts[i];
   }
   return events;
+}
+
+Json memoryJson(const CollisionMemory& memory) {
+  return {{"is", "what the pair algorithm held in the frame with the most child pairs"},
+          {"pairs", memory.pairs},
+          {"child_pairs", memory.childPairs},
+          {"pair_bytes", memory.pairBytes},
+          {"child_pair_bytes", memory.childPairBytes},
+          {"body_bytes", memory.bodyBytes},
+          {"part_bytes", memory.partBytes}};
+}
+
+Json contactsJson(const ContactCheck& check) {
+  Json first = Json::array();
+  for (const FrameMiss& miss : check.firstMissed) {
+    first.push_back({{"frame", miss.frame},
+                     {"body_a", miss.contact.bodyA},
+                     {"part_a", miss.contact.childA},
+                     {"body_b", miss.contact.bodyB},
+                     {"part_b", miss.contact.childB},
+                     {"distance", miss.contact.distance}});
+  }
+  return {{"frames_verified", check.steps}, {"child_pairs", check.childPairs},
+          {"expected", check.expected},     {"missed", check.missed},
+          {"extra", check.extra},           {"first_missed", first}};
 }
 
 }  // namespace
@@ -82,6 +127,12 @@ Json summaryJson(const Summary& summary) {
             {"peaks", countersJson(summary, &CounterStatistics::peak)},
             {"level_events", eventsJson(summary.levelEvents)},
             {"state_hash", hexNumber(summary.stateHash)}};
+  if (summary.collisionMemory.pairs > 0) {
+    json["collision_memory"] = memoryJson(summary.collisionMemory);
+  }
+  if (summary.contactCheck.steps > 0) {
+    json["contact_check"] = contactsJson(summary.contactCheck);
+  }
   if (!summary.stopped.empty()) {
     json["stopped"] = summary.stopped;
   }

@@ -1,5 +1,8 @@
 #include <scatter/world/scene.h>
 
+#include <string>
+#include <utility>
+
 #include "scenes/ships.h"
 
 namespace scatter {
@@ -10,10 +13,11 @@ constexpr float kAcceleration = 2.0F;  // m/s²: the first ships meet after abou
 /// The report's Scene 2 at today's size: detailed ships and asteroids drawn to one point.
 class Fleet final : public Scene {
  public:
-  explicit Fleet(const SwarmDef& swarm) : swarm_(swarm) {}
+  /// `models` is the suffix of the ships' models.
+  Fleet(const SwarmDef& swarm, std::string models) : swarm_(swarm), models_(std::move(models)) {}
 
   Result<void> build(World& world, const SceneOptions& options) override {
-    auto models = loadShips("_hulls");
+    auto models = loadShips(models_);
     if (!models) return fail(models.error().message);
     Random random(options.seed);
     if (auto added = addSwarm(world, *models, swarm_, random); !added) return added;
@@ -24,6 +28,7 @@ class Fleet final : public Scene {
 
  private:
   SwarmDef swarm_;
+  std::string models_;
 };
 
 const SwarmDef kFleet{
@@ -35,14 +40,21 @@ const SceneRegistration kRegisterFleet({
     "fleet",
     "200 ships of about 64 convex hulls each and 100 asteroids, drawn to one point",
     1600,
-    [] { return std::make_unique<Fleet>(kFleet); },
+    [] { return std::make_unique<Fleet>(kFleet, "_hulls"); },
+});
+
+const SceneRegistration kRegisterFleetBoxes({
+    "fleet_boxes",
+    "the fleet with ships of 18 and 22 boxes each",
+    1600,
+    [] { return std::make_unique<Fleet>(kFleet, ""); },
 });
 
 const SceneRegistration kRegisterArmada({
     "armada",
     "1000 ships of about 64 convex hulls each and 500 asteroids, drawn to one point",
     1600,
-    [] { return std::make_unique<Fleet>(kArmada); },
+    [] { return std::make_unique<Fleet>(kArmada, "_hulls"); },
 });
 
 }  // namespace

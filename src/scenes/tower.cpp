@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "scenes/ground.h"
+
 namespace scatter {
 namespace {
 
@@ -17,12 +19,7 @@ constexpr int kKnockedLayer = 4;            // one whose blocks lie along x
 class Tower final : public Scene {
  public:
   Result<void> build(World& world, const SceneOptions& /*options*/) override {
-    world.physics().setGravity(Vec3(0.0F, -9.81F, 0.0F));
-    BodyDef ground;
-    ground.name = "ground";
-    ground.shape = Plane{};
-    ground.motion = Motion::kStatic;
-    if (auto added = world.add(std::move(ground)); !added) return fail(added.error().message);
+    if (auto added = addGround(world); !added) return added;
     for (int layer = 0; layer < kLayers; ++layer) {
       for (int i = 0; i < kBlocksPerLayer; ++i) {
         auto block = addBlock(world, layer, i);

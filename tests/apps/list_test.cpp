@@ -11,8 +11,10 @@ TEST_F(ProgramTest, ListShowsEverythingThatCanBeNamed) {
   const Outcome outcome = scatter({"list"});
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.errors, "");
-  for (const char* name : {"armada", "convergence", "duel", "fleet", "tower", "standard", "hybrid",
-                           "proximity", "finest", "coarsest", "none", "body", "bullet 3"}) {
+  for (const char* name :
+       {"armada",        "convergence",  "duel",  "fleet",    "fleet_boxes", "pile",          "quiet_apart",
+        "quiet_hybrids", "quiet_stacks", "tower", "standard", "hybrid",      "finest-bullet", "proximity",
+        "finest",        "coarsest",     "none",  "body",     "bullet 3",    "--collision"}) {
     EXPECT_THAT(outcome.output, HasSubstr(name));
   }
 }
@@ -22,7 +24,7 @@ TEST_F(ProgramTest, ListShowsHowLongAScenesStoryIs) {
 }
 
 TEST_F(ProgramTest, EveryCommandHasHelp) {
-  for (const char* command : {"list", "run", "compare"}) {
+  for (const char* command : {"list", "run", "compare", "bench"}) {
     const Outcome outcome = scatter({command, "--help"});
     EXPECT_EQ(outcome.status, 0) << command;
     EXPECT_EQ(outcome.errors, "");
@@ -30,7 +32,8 @@ TEST_F(ProgramTest, EveryCommandHasHelp) {
   }
   const Outcome outcome = scatter({"--help"});
   EXPECT_EQ(outcome.status, 0);
-  EXPECT_THAT(outcome.output, testing::AllOf(HasSubstr("list"), HasSubstr("run"), HasSubstr("compare")));
+  EXPECT_THAT(outcome.output,
+              testing::AllOf(HasSubstr("list"), HasSubstr("run"), HasSubstr("compare"), HasSubstr("bench")));
 }
 
 TEST_F(ProgramTest, VersionIsOneLine) {

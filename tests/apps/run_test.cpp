@@ -16,7 +16,9 @@ constexpr const char* kHeader =
     "load,"
     "objects,hybrids,overlapping_pairs,narrowphase_pairs,pairs_with_hybrid,pairs_without_hybrid,manifolds,"
     "contacts,"
-    "new_contacts,requests,switches_coarser,switches_finer,retractions,credited_pairs,finest_pairs,budget_ms,"
+    "new_contacts,requests,switches_coarser,switches_finer,retractions,credited_pairs,finest_pairs,"
+    "pairs_skipped,list_rebuilds,child_pairs,child_pairs_asleep,bounds_rejected,axis_rejected,gjk_runs,"
+    "gjk_iterations,detector_runs,budget_ms,"
     "kinetic_energy,max_penetration,state_hash";
 
 class RunTest : public ProgramTest {
@@ -82,6 +84,34 @@ TEST_F(RunTest, TheWorldCoarsestIsTheHybridWorldWithThatPolicy) {
   const auto shorthand = hashes({"run", "duel", "--world", "coarsest", "--frames", "5"}, "shorthand");
   EXPECT_EQ(shorthand, hashes({"run", "duel", "--policy", "coarsest", "--frames", "5"}, "policy"));
   EXPECT_NE(shorthand, hashes({"run", "duel", "--policy", "finest", "--frames", "5"}, "finest"));
+}
+
+TEST_F(RunTest, BulletsCollisionIsTheStandardWorldAtTheFinestLevel) {
+  const std::vector<std::string> duel{"run", "duel", "--frames", "400", "--world"};
+  const auto with = [&](std::vector<std::string> more, const std::string& out) {
+    more.insert(more.begin(), duel.begin(), duel.end());
+    return hashes(std::move(more), out);
+  };
+  const auto bullet = with({"finest", "--collision", "bullet"}, "bullet");
+  EXPECT_EQ(bullet, with({"finest-bullet"}, "finest-bullet"));
+  EXPECT_EQ(bullet, with({"standard"}, "standard"));
+  EXPECT_THAT(columnOf(folder / "bullet/frames.csv", "child_pairs"), testing::Each("0"));
+  // The two ships have met by then.
+  EXPECT_EQ(with({"finest", "--collision", "scatter"}, "scatter"), with({"finest"}, "finest"));
+  EXPECT_THAT(columnOf(folder / "scatter/frames.csv", "child_pairs"), testing::Contains(Not("0")));
+}
+
+TEST_F(RunTest, VerifyingContactsSaysWhatItFoundAndChangesNothing) {
+  const std::vector<std::string> arguments{"run", "quiet_hybrids", "--world", "finest", "--frames", "20"};
+  const auto plain = hashes(arguments, "plain");
+  std::vector<std::string> verified = arguments;
+  verified.insert(verified.end(), {"--verify-contacts", "10", "--out", "verified"});
+  const Outcome outcome = scatter(verified);
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_THAT(outcome.output,
+              testing::ContainsRegex("2 frames verified, [1-9][0-9]* expected, 0 missed, [0-9]+ extra"));
+  EXPECT_EQ(plain, columnOf(folder / "verified/frames.csv", "state_hash"));
+  EXPECT_THAT(readText(folder / "verified/summary.json"), HasSubstr("\"contact_check\""));
 }
 
 TEST_F(RunTest, TheBudgetIsWhatFramesAreCountedAgainst) {

@@ -118,9 +118,9 @@ TEST(FormatTable, HasAColumnForEachWorldAndTheRatio) {
   EXPECT_THAT(table, testing::ContainsRegex("narrowphase pairs, peak +80 +80 +1.00"));
   EXPECT_THAT(table, testing::ContainsRegex("switches to coarser +0 +1 +-"));
   EXPECT_THAT(table, testing::ContainsRegex("requests made +0 +1 +-"));
-  for (const char* row :
-       {"CPU ms, peak", "CPU ms, p99", "CPU ms, median", "CPU ms, total", "wall ms, peak", "wall ms, total",
-        "frames over 16.7 ms", "contacts, peak", "switches to finer", "retracted"}) {
+  for (const char* row : {"CPU ms, peak", "CPU ms, p99", "CPU ms, median", "CPU ms, total",
+                          "CPU ms, mean of last 100", "wall ms, peak", "wall ms, total",
+                          "frames over 16.7 ms", "contacts, peak", "switches to finer", "retracted"}) {
     EXPECT_THAT(table, HasSubstr(row));
   }
   std::size_t longest = 0;

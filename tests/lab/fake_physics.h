@@ -3,6 +3,7 @@
 #include <scatter/lab/run.h>
 #include <scatter/world/physics.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -18,6 +19,8 @@ namespace scatter::test {
 struct FakeBehaviour {
   std::uint64_t hashFlipStep = 0;  ///< From this step on the state hash is another one; 0: never.
   std::uint64_t invalidStep = 0;   ///< In this step the first body's position is lost; 0: never.
+  std::uint64_t missedStep = 0;    ///< In this step, if verified, three contacts are missed; 0: never.
+  double penetration = 0.25;       ///< In every step.
 };
 
 /// Moves bodies in straight lines and reports numbers that follow from the step count alone.
@@ -38,7 +41,11 @@ class FakePhysics final : public Physics {
     return static_cast<BodyId>(states_.size() - 1);
   }
   void destroyBody(BodyId /*body*/) override {}
-  BodyState state(BodyId body) const override { return states_[static_cast<std::size_t>(body)]; }
+  BodyState state(BodyId body) const override {
+    BodyState state = states_[static_cast<std::size_t>(body)];
+    state.centerOfMass = state.pose.position;
+    return state;
+  }
   void setPose(BodyId body, const Transform& pose) override {
     states_[static_cast<std::size_t>(body)].pose = pose;
   }
@@ -80,13 +87,23 @@ class FakePhysics final : public Physics {
   const StepCounters& counters() const override { return counters_; }
   const StageTimes& stageTimes() const override { return stageTimes_; }
   void setProfiling(bool on) override { def_.profiling = on; }
+  ContactReport contactReport() const override { return contacts_; }
+  CollisionMemory collisionMemory() const override {
+    const std::uint64_t pairs = counters_.childPairs / 5;
+    return {.pairs = pairs,
+            .childPairs = counters_.childPairs,
+            .pairBytes = 900 * pairs,
+            .childPairBytes = 56 * std::uint64_t{counters_.childPairs},
+            .bodyBytes = 7,
+            .partBytes = 8};
+  }
 
   std::uint64_t stateHash() const override {
     const bool flipped = behaviour_.hashFlipStep != 0 && steps_ >= behaviour_.hashFlipStep;
     return steps_ * 0x9E3779B97F4A7C15ULL + (flipped ? 1 : 0);
   }
   double kineticEnergy() const override { return static_cast<double>(steps_) / 3.0; }
-  double maxPenetration() const override { return 0.25; }
+  double maxPenetration() const override { return behaviour_.penetration; }
   std::optional<BodyId> findInvalidState() const override {
     for (std::size_t i = 0; i < states_.size(); ++i) {
       if (!std::isfinite(states_[i].pose.position.x)) {
@@ -105,6 +122,15 @@ class FakePhysics final : public Physics {
     counters_.manifolds = hybrid ? step : 4 * step;
     counters_.narrowphasePairs = 2 * step;
     counters_.contacts = 3 * step;
+    if (hybrid && def_.collision.narrowphase == Narrowphase::kScatter) {
+      // The most in the middle of ten steps.
+      counters_.childPairs = 5 * (step <= 5 ? step : 10 - std::min(step, 10U));
+      counters_.gjkRuns = 2 * step;
+    }
+    if (hybrid && def_.collision.verifyEvery > 0 &&
+        steps_ % static_cast<std::uint64_t>(def_.collision.verifyEvery) == 0) {
+      verify();
+    }
     events_.clear();
     if (hybrid && step == 2) {
       counters_.switchesCoarser = 1;
@@ -115,12 +141,26 @@ class FakePhysics final : public Physics {
     }
   }
 
+  void verify() {
+    ++contacts_.steps;
+    contacts_.childPairs += 100;
+    contacts_.expected += 10;
+    contacts_.extra += 1;
+    contacts_.lastMissed.clear();
+    if (steps_ == behaviour_.missedStep) {
+      contacts_.missed += 3;
+      contacts_.lastMissed.assign(
+          3, {.bodyA = "left", .bodyB = "right", .childA = 4, .childB = -1, .distance = -0.5F});
+    }
+  }
+
   PhysicsDef def_;
   FakeBehaviour behaviour_;
   std::uint64_t steps_ = 0;
   std::vector<BodyState> states_;
   StepCounters counters_;
   StageTimes stageTimes_{};
+  ContactReport contacts_;
   std::vector<LevelEvent> events_;
 };
 

@@ -30,7 +30,9 @@ TEST(FrameRecorder, HasExactlyTheAgreedColumnsInOrder) {
       "islands_ms,noncontact_constraints_ms,contact_constraints_ms,integrate_ms,vehicles_ms,activation_ms,"
       "plan_ms,cpu_load,objects,hybrids,overlapping_pairs,narrowphase_pairs,pairs_with_hybrid,"
       "pairs_without_hybrid,manifolds,contacts,new_contacts,requests,switches_coarser,switches_finer,"
-      "retractions,credited_pairs,finest_pairs,budget_ms,kinetic_energy,max_penetration,state_hash");
+      "retractions,credited_pairs,finest_pairs,pairs_skipped,list_rebuilds,child_pairs,child_pairs_asleep,"
+      "bounds_rejected,axis_rejected,gjk_runs,gjk_iterations,detector_runs,budget_ms,kinetic_energy,max_"
+      "penetration,state_hash");
 }
 
 TEST(FrameRecorder, FillsAFrameFromOneStep) {

@@ -109,6 +109,14 @@ TEST(RunScene, RefusesAFolderThatCannotBeWrittenBeforeTheFirstFrame) {
   EXPECT_EQ(frames, 0);
 }
 
+TEST(RunScene, ShowsTheWorldAfterTheLastFrame) {
+  RunOptions options = fakeRun(WorldKind::kStandard, 6);
+  std::uint64_t frame = 0;
+  options.inspect = [&frame](const World& world) { frame = world.frame(); };
+  ASSERT_TRUE(runScene(options));
+  EXPECT_EQ(frame, 6U);
+}
+
 TEST(RunScene, SameSeedSameHashes) {
   const auto a = runScene(fakeRun(WorldKind::kHybrid, 20));
   const auto b = runScene(fakeRun(WorldKind::kHybrid, 20));

@@ -64,6 +64,17 @@ TEST(TimeStatistics, CountsFramesOverBudgetStrictly) {
   EXPECT_EQ(times.total, 16.0);
 }
 
+TEST(TimeStatistics, LastHundredIsTheMeanOfTheLastFramesOnly) {
+  // 50 slow frames, then 100 that take 1 and 2 ms in turn.
+  std::vector<double> milliseconds(50, 900.0);
+  for (int i = 0; i < 100; ++i) {
+    milliseconds.push_back(i % 2 == 0 ? 1.0 : 2.0);
+  }
+  EXPECT_DOUBLE_EQ(timeStatistics(milliseconds, 1.0).lastHundred, 1.5);
+  EXPECT_DOUBLE_EQ(timeStatistics({4.0, 8.0}, 1.0).lastHundred, 6.0);
+  EXPECT_EQ(timeStatistics({}, 1.0).lastHundred, 0.0);
+}
+
 TEST(Environment, IsKnown) {
   EXPECT_GE(machineInfo().cores, 1);
   EXPECT_GT(machineInfo().memoryBytes, 0U);
@@ -85,7 +96,8 @@ TEST(WriteSummary, HoldsEverythingAReaderNeeds) {
   EXPECT_EQ(json["options"]["switching"]["policy"], "proximity");
   EXPECT_EQ(json["options"]["profiling"], true);
   for (const char* channel : {"physics_ms", "physics_cpu_ms"}) {
-    for (const char* figure : {"peak", "p999", "p99", "median", "total", "frames_over_budget"}) {
+    for (const char* figure :
+         {"peak", "p999", "p99", "median", "total", "last_100_mean", "frames_over_budget"}) {
       EXPECT_TRUE(json[channel][figure].is_number()) << channel << ' ' << figure;
     }
   }
@@ -97,6 +109,42 @@ TEST(WriteSummary, HoldsEverythingAReaderNeeds) {
   EXPECT_TRUE(json["machine"]["cores"].is_number());
   EXPECT_TRUE(json["build"]["compiler"].is_string());
   EXPECT_FALSE(json.contains("stopped"));
+  EXPECT_EQ(json["options"]["collision"]["narrowphase"], "scatter");
+  EXPECT_EQ(json["options"]["collision"]["pair_algorithm"]["midphase"], "neighbour_list");
+  EXPECT_FALSE(json.contains("contact_check"));
+}
+
+TEST(WriteSummary, HoldsTheContactCheckAndTheMemoryOfTheFrameWithTheMostChildPairs) {
+  RunOptions options = test::fakeRun(WorldKind::kHybrid, 9, {.missedStep = 6});
+  options.physics.collision.verifyEvery = 3;
+  const auto run = runScene(options);
+  ASSERT_TRUE(run);
+  test::TemporaryFolder folder;
+  ASSERT_TRUE(writeSummary(folder.path() / "summary.json", run->summary));
+  const auto json = nlohmann::json::parse(test::contentOf(folder.path() / "summary.json"));
+  // Frames 3, 6 and 9 are verified; the fake expects 10 contacts in each and misses 3 in frame 6.
+  EXPECT_EQ(json["contact_check"]["frames_verified"], 3);
+  EXPECT_EQ(json["contact_check"]["expected"], 30);
+  EXPECT_EQ(json["contact_check"]["missed"], 3);
+  ASSERT_EQ(json["contact_check"]["first_missed"].size(), 3U);
+  EXPECT_EQ(json["contact_check"]["first_missed"][0]["frame"], 6);
+  EXPECT_EQ(json["contact_check"]["first_missed"][0]["body_b"], "right");
+  // The fake has the most child pairs, 25 in 5 pairs, in step 5.
+  EXPECT_EQ(json["collision_memory"]["child_pairs"], 25);
+  EXPECT_EQ(json["collision_memory"]["pair_bytes"], 4500);
+}
+
+TEST(WriteSummary, TheEnginesOwnCollisionHasNoSteps) {
+  RunOptions options = test::fakeRun(WorldKind::kHybrid, 2);
+  options.physics.collision.narrowphase = Narrowphase::kEngine;
+  const auto run = runScene(options);
+  ASSERT_TRUE(run);
+  test::TemporaryFolder folder;
+  ASSERT_TRUE(writeSummary(folder.path() / "summary.json", run->summary));
+  const auto json = nlohmann::json::parse(test::contentOf(folder.path() / "summary.json"));
+  EXPECT_EQ(json["options"]["collision"]["narrowphase"], "engine");
+  EXPECT_FALSE(json["options"]["collision"].contains("pair_algorithm"));
+  EXPECT_FALSE(json.contains("collision_memory"));
 }
 
 }  // namespace

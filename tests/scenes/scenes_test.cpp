@@ -16,7 +16,8 @@ TEST(Scenes, AllOfThemAreRegisteredWithASummary) {
     EXPECT_FALSE(info->summary.empty()) << info->name;
     EXPECT_GT(info->frames, 0) << info->name;
   }
-  EXPECT_THAT(names, testing::IsSupersetOf({"armada", "convergence", "duel", "fleet", "tower"}));
+  EXPECT_THAT(names, testing::IsSupersetOf({"armada", "convergence", "duel", "fleet", "fleet_boxes", "pile",
+                                            "quiet_apart", "quiet_hybrids", "quiet_stacks", "tower"}));
 }
 
 struct SceneCase {
@@ -52,12 +53,14 @@ TEST_P(EveryScene, IsTheSameForTheSameSeedInBothWorlds) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene,
-                         testing::Values(SceneCase{"duel", 2, 2, false}, SceneCase{"tower", 37, 0, false},
-                                         SceneCase{"convergence", 31, 20, true},
-                                         SceneCase{"fleet", 300, 200, true},
-                                         SceneCase{"armada", 1500, 1000, true}),
-                         [](const auto& instance) { return std::string(instance.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, EveryScene,
+    testing::Values(SceneCase{"duel", 2, 2, false}, SceneCase{"tower", 37, 0, false},
+                    SceneCase{"convergence", 31, 20, true}, SceneCase{"fleet", 300, 200, true},
+                    SceneCase{"fleet_boxes", 300, 200, true}, SceneCase{"armada", 1500, 1000, true},
+                    SceneCase{"pile", 1005, 1000, true}, SceneCase{"quiet_apart", 300, 300, true},
+                    SceneCase{"quiet_stacks", 505, 4, true}, SceneCase{"quiet_hybrids", 301, 300, true}),
+    [](const auto& instance) { return std::string(instance.param.name); });
 
 struct SwarmOutcome {
   std::uint32_t peakManifolds = 0;

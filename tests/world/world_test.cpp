@@ -55,6 +55,8 @@ class FakePhysics final : public Physics {
   const StepCounters& counters() const override { return counters_; }
   const StageTimes& stageTimes() const override { return times_; }
   void setProfiling(bool) override {}
+  ContactReport contactReport() const override { return {}; }
+  CollisionMemory collisionMemory() const override { return {}; }
   std::uint64_t stateHash() const override { return 0; }
   double kineticEnergy() const override { return 0.0; }
   double maxPenetration() const override { return 0.0; }

@@ -37,6 +37,7 @@ struct TimeRatios {
   Spread p99;
   Spread median;
   Spread total;
+  Spread lastHundred;
 };
 
 struct ComparedWorld {

@@ -31,6 +31,9 @@ struct RunOptions {
   /// Where frames.csv and summary.json go; made if it does not exist. Nothing is written without it.
   std::optional<std::filesystem::path> out{};
 
+  /// Called with the world after the last frame.
+  std::function<void(const World&)> inspect{};
+
   /// The world's name in tables, figures and folders: letters, digits, '-', '_' and '.'. Empty: the
   /// world's kind.
   std::string label{};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <scatter/lab/contact_check.h>
 #include <scatter/lab/environment.h>
 #include <scatter/lab/frame_table.h>
 #include <scatter/result.h>
@@ -21,6 +22,7 @@ struct TimeStatistics {
   double p99 = 0.0;
   double median = 0.0;
   double total = 0.0;
+  double lastHundred = 0.0;  ///< Mean of the last hundred frames, or of all if there are fewer.
   std::uint64_t framesOverBudget = 0;
 };
 
@@ -56,8 +58,10 @@ struct Summary {
   TimeStatistics physicsCpuMs;  ///< Processor time of the physics thread.
   std::vector<CounterStatistics> counters;
   LevelEventCounts levelEvents{};
-  std::uint64_t stateHash = 0;  ///< After the last frame.
-  std::string stopped;          ///< Why the run ended before its last frame; empty if it did not.
+  CollisionMemory collisionMemory;  ///< In the frame with the most child pairs.
+  ContactCheck contactCheck;        ///< Empty unless the physics verified its contacts.
+  std::uint64_t stateHash = 0;      ///< After the last frame.
+  std::string stopped;              ///< Why the run ended before its last frame; empty if it did not.
   BuildInfo build;
   MachineInfo machine;
 

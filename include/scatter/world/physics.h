@@ -3,6 +3,7 @@
 #include <scatter/math.h>
 #include <scatter/result.h>
 #include <scatter/world/body.h>
+#include <scatter/world/collision.h>
 #include <scatter/world/joint.h>
 #include <scatter/world/level_event.h>
 #include <scatter/world/step_report.h>
@@ -53,6 +54,7 @@ struct PhysicsDef {
   int solverIterations = 10;
   bool profiling = true;
   SwitchingDef switching{};
+  CollisionDef collision{};
 };
 
 struct RayHit {
@@ -128,6 +130,11 @@ class Physics {
   [[nodiscard]] virtual const StepCounters& counters() const = 0;
   [[nodiscard]] virtual const StageTimes& stageTimes() const = 0;
   virtual void setProfiling(bool on) = 0;
+
+  /// Empty unless PhysicsDef::collision asks for verification.
+  [[nodiscard]] virtual ContactReport contactReport() const = 0;
+  [[nodiscard]] virtual CollisionMemory collisionMemory()
+      const = 0;  ///< All zero without the pair algorithm.
 
   /// Of the exact bits of every body's pose, velocities and level, in order of creation.
   [[nodiscard]] virtual std::uint64_t stateHash() const = 0;

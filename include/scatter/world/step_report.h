@@ -45,6 +45,17 @@ struct StepCounters {
   std::uint32_t retractions = 0;
   std::uint32_t creditedPairs = 0;
   std::uint32_t finestPairs = 0;  ///< Narrowphase pairs whose bodies are both at their finest level.
+
+  // The pair algorithm's work; zero without it.
+  std::uint32_t pairsSkipped = 0;      ///< Pairs left at once: neither body has moved enough.
+  std::uint32_t listRebuilds = 0;      ///< Neighbour lists made anew.
+  std::uint32_t childPairs = 0;        ///< Pairs of parts looked at.
+  std::uint32_t childPairsAsleep = 0;  ///< Of those, skipped by the motion bound.
+  std::uint32_t boundsRejected = 0;    ///< Of those, by their world bounds.
+  std::uint32_t axisRejected = 0;      ///< Of those, by the cached axis.
+  std::uint32_t gjkRuns = 0;
+  std::uint32_t gjkIterations = 0;
+  std::uint32_t detectorRuns = 0;  ///< Child pairs that the engine's own detectors decided.
 };
 
 }  // namespace scatter

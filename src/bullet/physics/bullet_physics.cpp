@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "bullet/physics/collision_report.h"
 #include "bullet/physics/contact_summary.h"
 #include "bullet/physics/conversions.h"
 #include "bullet/physics/joints.h"
@@ -253,6 +254,7 @@ void BulletPhysics::countStep(std::uint32_t newContacts) {
     counters_.switchesCoarser = static_cast<std::uint32_t>(info.m_switchesCoarser);
     counters_.switchesFiner = static_cast<std::uint32_t>(info.m_switchesFiner);
     counters_.retractions = static_cast<std::uint32_t>(info.m_retractions);
+    addCollisionCounts(hybrid->getCollisionCounts(), counters_);
   }
 }
 
@@ -283,6 +285,16 @@ void BulletPhysics::retractAllRequests() {
 void BulletPhysics::setProfiling(bool on) {
   def_.profiling = on;
   if (!on) stageTimes_ = {};
+}
+
+ContactReport BulletPhysics::contactReport() const {
+  const btHybridDynamicsWorld* hybrid = engine_.switching();
+  return hybrid != nullptr ? fromBullet(hybrid->getContactReport()) : ContactReport{};
+}
+
+CollisionMemory BulletPhysics::collisionMemory() const {
+  const btHybridDynamicsWorld* hybrid = engine_.switching();
+  return hybrid != nullptr ? fromBullet(hybrid->getCollisionMemory()) : CollisionMemory{};
 }
 
 std::uint64_t BulletPhysics::stateHash() const {

@@ -53,6 +53,8 @@ class BulletPhysics final : public Physics {
   [[nodiscard]] const StepCounters& counters() const override { return counters_; }
   [[nodiscard]] const StageTimes& stageTimes() const override { return stageTimes_; }
   void setProfiling(bool on) override;
+  [[nodiscard]] ContactReport contactReport() const override;
+  [[nodiscard]] CollisionMemory collisionMemory() const override;
 
   [[nodiscard]] std::uint64_t stateHash() const override;
   [[nodiscard]] double kineticEnergy() const override;

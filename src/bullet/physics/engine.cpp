@@ -19,6 +19,20 @@ btHybridSwitchingInfo switchingInfo(const SwitchingDef& def) {
   return info;
 }
 
+btHybridCollisionInfo collisionInfo(const CollisionDef& def) {
+  constexpr btHybridMidphase kMidphases[]{BT_HYBRID_WORLD_BOXES, BT_HYBRID_PART_BOXES,
+                                          BT_HYBRID_NEIGHBOUR_LIST};
+  btHybridCollisionInfo info;
+  info.m_pairAlgorithm = def.narrowphase == Narrowphase::kScatter;
+  info.m_midphase = kMidphases[static_cast<int>(def.pairAlgorithm.midphase)];
+  info.m_motionBound = def.pairAlgorithm.motionBound;
+  info.m_cachedAxis = def.pairAlgorithm.cachedAxis;
+  info.m_lazyManifolds = def.pairAlgorithm.lazyManifolds;
+  info.m_ownGjk = def.pairAlgorithm.ownGjk;
+  info.m_warmSimplex = def.pairAlgorithm.warmSimplex;
+  return info;
+}
+
 }  // namespace
 
 BulletEngine::BulletEngine(const PhysicsDef& def) : dispatcher_(&configuration_), solver_(timer_) {
@@ -27,6 +41,8 @@ BulletEngine::BulletEngine(const PhysicsDef& def) : dispatcher_(&configuration_)
     auto hybrid =
         std::make_unique<btHybridDynamicsWorld>(&dispatcher_, &broadphase_, &solver_, &configuration_);
     hybrid->getSwitchingInfo() = switchingInfo(def.switching);
+    hybrid->setCollisionInfo(collisionInfo(def.collision));
+    hybrid->verifyContacts(def.collision.verifyEvery);
     switching_ = hybrid.get();
     world_ = std::move(hybrid);
   } else {

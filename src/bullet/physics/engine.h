@@ -28,6 +28,7 @@ class BulletEngine {
 
   /// Null in a standard world.
   [[nodiscard]] btHybridDynamicsWorld* switching() { return switching_; }
+  [[nodiscard]] const btHybridDynamicsWorld* switching() const { return switching_; }
 
   /// Drops what is known about how the two objects touch.
   void forgetContacts(btCollisionObject& a, btCollisionObject& b);

@@ -96,8 +96,9 @@ TEST(BulletWorld, HybridWorldWithoutHybridsIsTheStandardWorld) {
   }
 }
 
-TEST(BulletWorld, FinestPolicyIsTheStandardWorld) {
+TEST(BulletWorld, FinestPolicyWithTheEnginesCollisionIsTheStandardWorld) {
   PhysicsDef def;
+  def.collision.narrowphase = Narrowphase::kEngine;
   def.gravity = kEarth;
   auto standard = makeBulletPhysics(def);
   def.world = WorldKind::kHybrid;

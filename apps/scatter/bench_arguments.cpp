@@ -1,0 +1,81 @@
+#include "bench_arguments.h"
+
+#include <scatter/io/file.h>
+#include <scatter/lab/output_folder.h>
+#include <spdlog/fmt/fmt.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <utility>
+
+#include "interrupt.h"
+#include "number_checks.h"
+#include "progress_line.h"
+#include "run_arguments.h"
+
+namespace scatter::app {
+
+void addBenchArguments(CLI::App& command, BenchArguments& arguments) {
+  command.add_option("--frames", arguments.frames, "Steps of 1/60 s [as many as the scene's story takes]")
+      ->check(wholeNumber<int>(1))
+      ->type_name("N");
+  command.add_option("--csv", arguments.csv, "Write the numbers into this file")->type_name("FILE");
+  command.add_flag("--quiet", arguments.quiet, "No progress on standard error");
+}
+
+void addSceneArgument(CLI::App& command, std::string& scene) {
+  command.add_option("--scene", scene, "The scene's name, as `scatter list` shows it")
+      ->type_name("NAME")
+      ->capture_default_str();
+}
+
+Result<RunOptions> makeBenchRun(const BenchArguments& arguments, const std::string& scene,
+                                const std::string& world) {
+  RunArguments run;
+  run.scene = scene;
+  run.frames = arguments.frames;
+  auto runs = makeRuns(run, {world});
+  if (!runs) {
+    return tl::unexpected(runs.error());
+  }
+  return std::move(runs->front());
+}
+
+Result<void> prepareCsv(const BenchArguments& arguments) {
+  if (!arguments.csv) {
+    return {};
+  }
+  const std::filesystem::path file(*arguments.csv);
+  if (!file.has_filename() || std::filesystem::is_directory(file)) {
+    return fail("--csv \"" + *arguments.csv + "\" does not name a file; give it a name such as table.csv");
+  }
+  return prepareOutputFolder(file.has_parent_path() ? file.parent_path() : ".");
+}
+
+ExitStatus report(const BenchArguments& arguments, const std::string& table, const std::string& csv) {
+  fmt::print("{}", table);
+  if (!arguments.csv) {
+    return ExitStatus::kOk;
+  }
+  const std::filesystem::path file(*arguments.csv);
+  std::error_code error;
+  std::filesystem::create_directories(file.parent_path(), error);
+  if (auto written = writeFile(file, csv); !written) {
+    return refuse(written.error());
+  }
+  fmt::print("the numbers: {}\n", *arguments.csv);
+  return ExitStatus::kOk;
+}
+
+std::function<void(const CompareProgress&)> benchProgress(const BenchArguments& arguments, std::string work) {
+  auto line = std::make_shared<ProgressLine>(arguments.quiet);
+  return [line = std::move(line), work = std::move(work)](const CompareProgress& progress) {
+    throwIfInterrupted();
+    line->update(fmt::format("{}, {}, run {} of {}", work, progress.label, progress.run + 1, progress.runs),
+                 progress.inside);
+  };
+}
+
+}  // namespace scatter::app

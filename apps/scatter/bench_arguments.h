@@ -1,0 +1,43 @@
+#pragma once
+
+#include <scatter/lab/comparison.h>
+#include <scatter/result.h>
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "command.h"
+#include "messages.h"
+
+namespace scatter::app {
+
+/// The arguments that all commands of `bench` take.
+struct BenchArguments {
+  std::optional<int> frames;
+  std::optional<std::string> csv;
+  bool quiet = false;
+};
+
+/// `arguments` must outlive the parsing.
+void addBenchArguments(CLI::App& command, BenchArguments& arguments);
+void addSceneArgument(CLI::App& command, std::string& scene);
+
+/// A run of the scene in the named world (see worldChoices()) as the arguments say. Fails on an unknown
+/// scene.
+[[nodiscard]] Result<RunOptions> makeBenchRun(const BenchArguments& arguments, const std::string& scene,
+                                              const std::string& world);
+
+/// Proves, before the long run, that the CSV file can be written; nothing to do without one.
+[[nodiscard]] Result<void> prepareCsv(const BenchArguments& arguments);
+
+/// Prints `table`, and writes `csv` if the arguments name a file. Status 2 if it cannot be written.
+[[nodiscard]] ExitStatus report(const BenchArguments& arguments, const std::string& table,
+                                const std::string& csv);
+
+/// Says on standard error how far the runs are, and ends them on an interrupt. `work` names the work.
+[[nodiscard]] std::function<void(const CompareProgress&)> benchProgress(const BenchArguments& arguments,
+                                                                        std::string work);
+
+}  // namespace scatter::app

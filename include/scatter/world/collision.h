@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace scatter {
+
+/// What decides how hybrid bodies touch others in a hybrid world. Pairs without a hybrid are always the
+/// engine's own.
+enum class Narrowphase : std::uint8_t {
+  kScatter,  ///< The pair algorithm for two lists of convex parts.
+  kEngine,   ///< The engine's own algorithms.
+};
+
+/// How the pair algorithm finds the child pairs (a part of one body and a part of the other) that are near.
+enum class Midphase : std::uint8_t {
+  kWorldBoxes,     ///< World bounds of all parts, every step.
+  kPartBoxes,      ///< The parts' boxes in the bodies' frames, every step.
+  kNeighbourList,  ///< The same with a skin, and only when the skin is used up.
+};
+
+/// The steps of the pair algorithm, to be left out one by one when measuring what each is worth. None of
+/// them changes which child pairs are in contact.
+struct PairAlgorithmDef {
+  Midphase midphase = Midphase::kNeighbourList;
+  bool motionBound = true;    ///< Skip child pairs that cannot have met since they were measured.
+  bool cachedAxis = true;     ///< Try the axis that separated a child pair first.
+  bool lazyManifolds = true;  ///< A contact cache only for child pairs in contact.
+  bool ownGjk = true;         ///< Off: the engine's.
+  bool warmSimplex = true;    ///< GJK starts from where it ended.
+};
+
+/// The narrowphase of hybrid bodies. Has no meaning in a standard world.
+struct CollisionDef {
+  Narrowphase narrowphase = Narrowphase::kScatter;
+  PairAlgorithmDef pairAlgorithm{};
+
+  /// Compares the contacts of hybrid bodies with what brute force finds, every so many steps; 0: never. Slow,
+  /// and its time counts as the step's; changes nothing else.
+  int verifyEvery = 0;
+};
+
+/// A child pair that should be in contact and is not.
+struct MissedContact {
+  std::string bodyA;
+  std::string bodyB;
+  int childA = -1;  ///< Index of the part at the level in use; -1 for a body of one shape.
+  int childB = -1;
+  float distance = 0.0F;  ///< Metres, negative if deep.
+};
+
+/// What brute force found in all verified steps so far.
+struct ContactReport {
+  std::uint64_t steps = 0;  ///< Verified.
+  std::uint64_t childPairs = 0;
+  std::uint64_t expected = 0;  ///< Child pairs that should be in contact.
+  std::uint64_t missed = 0;    ///< Of those, without a contact in the world.
+  std::uint64_t extra = 0;     ///< In contact, although the engine's own algorithms would have left them out.
+  std::vector<MissedContact> lastMissed;  ///< Of the last verified step.
+};
+
+/// What the pair algorithm holds at the moment, without contact caches.
+struct CollisionMemory {
+  std::uint64_t pairs = 0;
+  std::uint64_t childPairs = 0;
+  std::uint64_t pairBytes = 0;       ///< Of all pairs, without their child pairs.
+  std::uint64_t childPairBytes = 0;  ///< Of all child pairs, room for growth included.
+  std::uint64_t bodyBytes = 0;
+  std::uint64_t partBytes = 0;  ///< Of all part lists.
+};
+
+}  // namespace scatter

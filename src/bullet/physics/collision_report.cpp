@@ -1,0 +1,58 @@
+#include "bullet/physics/collision_report.h"
+
+#include "bullet/physics/body.h"
+
+namespace scatter {
+
+namespace {
+
+template <class Count>
+std::uint64_t wide(Count count) {
+  return static_cast<std::uint64_t>(count);
+}
+
+MissedContact fromBullet(const btHybridMissedContact& missed) {
+  return {.bodyA = BulletBody::of(*missed.m_bodyA).name(),
+          .bodyB = BulletBody::of(*missed.m_bodyB).name(),
+          .childA = missed.m_childA,
+          .childB = missed.m_childB,
+          .distance = missed.m_distance};
+}
+
+}  // namespace
+
+void addCollisionCounts(const btHybridCollisionCounts& counts, StepCounters& counters) {
+  counters.pairsSkipped = static_cast<std::uint32_t>(counts.m_pairsSkipped);
+  counters.listRebuilds = static_cast<std::uint32_t>(counts.m_rebuilds);
+  counters.childPairs = static_cast<std::uint32_t>(counts.m_childPairs);
+  counters.childPairsAsleep = static_cast<std::uint32_t>(counts.m_childPairsAsleep);
+  counters.boundsRejected = static_cast<std::uint32_t>(counts.m_boundsRejected);
+  counters.axisRejected = static_cast<std::uint32_t>(counts.m_axisRejected);
+  counters.gjkRuns = static_cast<std::uint32_t>(counts.m_gjkRuns);
+  counters.gjkIterations = static_cast<std::uint32_t>(counts.m_gjkIterations);
+  counters.detectorRuns = static_cast<std::uint32_t>(counts.m_detectorRuns);
+}
+
+ContactReport fromBullet(const btHybridContactReport& report) {
+  ContactReport result{.steps = wide(report.m_steps),
+                       .childPairs = wide(report.m_childPairs),
+                       .expected = wide(report.m_expected),
+                       .missed = wide(report.m_missed),
+                       .extra = wide(report.m_extra),
+                       .lastMissed = {}};
+  for (int i = 0; i < report.m_lastMissed.size(); ++i) {
+    result.lastMissed.push_back(fromBullet(report.m_lastMissed[i]));
+  }
+  return result;
+}
+
+CollisionMemory fromBullet(const btHybridCollisionMemory& memory) {
+  return {.pairs = wide(memory.m_pairs),
+          .childPairs = wide(memory.m_childPairs),
+          .pairBytes = wide(memory.m_pairBytes),
+          .childPairBytes = wide(memory.m_childPairBytes),
+          .bodyBytes = wide(memory.m_bodyBytes),
+          .partBytes = wide(memory.m_partBytes)};
+}
+
+}  // namespace scatter

@@ -1,0 +1,210 @@
+#include <scatter/lab/spread_study.h>
+
+#include "lab/text.h"
+#include "lab/text_table.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+namespace scatter {
+
+namespace {
+
+using Cells = std::vector<std::string>;
+
+enum Quantity : std::size_t {
+  kDeepest,
+  kP99,
+  kEnergyPeak,
+  kEnergyEnd,
+  kRadius,
+  kMedianDistance,
+  kQuantityCount
+};
+
+struct PileSize {
+  double radius = 0.0;
+  double medianDistance = 0.0;
+};
+
+PileSize pileSize(const World& world) {
+  std::vector<glm::dvec3> centers;
+  glm::dvec3 mean(0.0);
+  for (const auto& object : world.objects()) {
+    if (dynamic_cast<const HybridObject*>(object.get()) != nullptr) {
+      centers.emplace_back(object->state().centerOfMass);
+      mean += centers.back();
+    }
+  }
+  if (centers.empty()) {
+    return {};
+  }
+  mean /= static_cast<double>(centers.size());
+  std::vector<double> distances;
+  double squares = 0.0;
+  for (const glm::dvec3& center : centers) {
+    distances.push_back(glm::length(center - mean));
+    squares += distances.back() * distances.back();
+  }
+  return {.radius = std::sqrt(squares / static_cast<double>(centers.size())),
+          .medianDistance = medianOf(std::move(distances))};
+}
+
+std::vector<double> measure(const Run& run, const PileSize& pile) {
+  const auto& depths = run.table.values("max_penetration");
+  const auto& energies = run.table.values("kinetic_energy");
+  std::vector<double> values(kQuantityCount);
+  values[kDeepest] = nearestRank(depths, 1.0);
+  values[kP99] = nearestRank(depths, 0.99);
+  values[kEnergyPeak] = nearestRank(energies, 1.0);
+  values[kEnergyEnd] = energies.back();
+  values[kRadius] = pile.radius;
+  values[kMedianDistance] = pile.medianDistance;
+  return values;
+}
+
+Result<std::vector<double>> runOnce(RunOptions options, std::uint64_t seed, const Progress& progress) {
+  PileSize pile;
+  options.seed = seed;
+  options.inspect = [&pile](const World& world) { pile = pileSize(world); };
+  const auto run = runScene(options, progress);
+  if (!run) {
+    return tl::unexpected(run.error());
+  }
+  return measure(*run, pile);
+}
+
+void addSpreads(WorldSpread& world) {
+  for (std::size_t quantity = 0; quantity < kQuantityCount; ++quantity) {
+    std::vector<double> values;
+    for (const auto& seed : world.values) {
+      values.push_back(seed[quantity]);
+    }
+    const auto [min, max] = std::minmax_element(values.begin(), values.end());
+    const Spread extremes{.median = 0.0, .min = *min, .max = *max};
+    world.spreads.push_back(extremes);
+    world.spreads.back().median = medianOf(std::move(values));
+  }
+}
+
+Result<SpreadStudy> prepare(const SpreadOptions& options) {
+  if (options.worlds.empty() || options.seeds.empty()) {
+    return fail("a study of spreads needs at least one world and one seed; name some");
+  }
+  SpreadStudy study{.seeds = options.seeds, .worlds = {}};
+  for (const RunOptions& world : options.worlds) {
+    const auto resolved = resolveRun(world);
+    if (!resolved) {
+      return tl::unexpected(resolved.error());
+    }
+    study.worlds.push_back({.label = resolved->label, .values = {}, .spreads = {}});
+  }
+  return study;
+}
+
+std::string spreadText(const Spread& spread) {
+  return lab::readableNumber(spread.median) + " (" + lab::readableNumber(spread.min) + "-" +
+         lab::readableNumber(spread.max) + ")";
+}
+
+}  // namespace
+
+const std::vector<SpreadQuantity>& spreadQuantities() {
+  static const std::vector<SpreadQuantity> quantities{
+      {"deepest_penetration", "m", "deepest penetration"},
+      {"p99_penetration", "m", "deepest of a frame, p99"},
+      {"kinetic_energy_peak", "J", "kinetic energy, peak"},
+      {"kinetic_energy_end", "J", "kinetic energy at the end"},
+      {"pile_radius", "m", "pile radius (RMS)"},
+      {"pile_median_distance", "m", "pile radius (median)"},
+  };
+  return quantities;
+}
+
+bool SpreadStudy::isWithin(std::size_t world, std::size_t quantity) const {
+  const Spread& first = worlds.front().spreads[quantity];
+  const double median = worlds[world].spreads[quantity].median;
+  return median >= first.min && median <= first.max;
+}
+
+Result<SpreadStudy> studySpread(const SpreadOptions& options,
+                                const std::function<void(const CompareProgress&)>& progress) {
+  auto study = prepare(options);
+  if (!study) {
+    return study;
+  }
+  CompareProgress report{.label = {},
+                         .run = 0,
+                         .runs = static_cast<int>(options.worlds.size() * options.seeds.size()),
+                         .inside = {}};
+  for (const std::uint64_t seed : options.seeds) {
+    for (std::size_t i = 0; i < options.worlds.size(); ++i) {
+      WorldSpread& world = study->worlds[i];
+      report.label = world.label;
+      auto values = runOnce(options.worlds[i], seed, [&](const RunProgress& inside) {
+        report.inside = inside;
+        if (progress) {
+          progress(report);
+        }
+      });
+      if (!values) {
+        return tl::unexpected(values.error());
+      }
+      world.values.push_back(std::move(*values));
+      ++report.run;
+    }
+  }
+  for (WorldSpread& world : study->worlds) {
+    addSpreads(world);
+  }
+  return study;
+}
+
+std::string formatSpread(const SpreadStudy& study) {
+  Cells header{"over " + std::to_string(study.seeds.size()) + " seeds"};
+  for (std::size_t i = 0; i < study.worlds.size(); ++i) {
+    header.push_back(study.worlds[i].label);
+    if (i > 0) {
+      header.emplace_back("within");
+    }
+  }
+  std::vector<Cells> lines{std::move(header)};
+  for (std::size_t quantity = 0; quantity < kQuantityCount; ++quantity) {
+    const SpreadQuantity& about = spreadQuantities()[quantity];
+    Cells cells{about.what + ", " + about.unit};
+    for (std::size_t i = 0; i < study.worlds.size(); ++i) {
+      cells.push_back(spreadText(study.worlds[i].spreads[quantity]));
+      if (i > 0) {
+        cells.emplace_back(study.isWithin(i, quantity) ? "yes" : "no");
+      }
+    }
+    lines.push_back(std::move(cells));
+  }
+  return lab::textTable(lines) +
+         "Median (smallest-largest). Within: the median lies between the extremes of the " +
+         study.worlds.front().label + " world.\n";
+}
+
+std::string spreadCsv(const SpreadStudy& study) {
+  Cells header{"world", "seed"};
+  for (const SpreadQuantity& quantity : spreadQuantities()) {
+    header.push_back(quantity.name);
+  }
+  std::vector<Cells> lines{std::move(header)};
+  for (const WorldSpread& world : study.worlds) {
+    for (std::size_t seed = 0; seed < study.seeds.size(); ++seed) {
+      Cells cells{world.label, std::to_string(study.seeds[seed])};
+      for (const double value : world.values[seed]) {
+        cells.push_back(lab::shortestNumber(value));
+      }
+      lines.push_back(std::move(cells));
+    }
+  }
+  return lab::csvText(lines);
+}
+
+}  // namespace scatter

@@ -1,0 +1,138 @@
+#include <scatter/world/scene.h>
+
+#include <utility>
+
+#include "scenes/ground.h"
+#include "scenes/rocks.h"
+#include "scenes/ships.h"
+
+// Scenes without an overload: what detail and switching cost where they have nothing to gain.
+
+namespace scatter {
+namespace {
+
+constexpr int kFrames = 300;
+constexpr float kHalf = 0.5F;  // of a block, metres
+constexpr float kPi = 3.14159265F;
+
+/// Ships that fly away from one another and never meet.
+class Apart final : public Scene {
+ public:
+  Result<void> build(World& world, const SceneOptions& options) override {
+    constexpr int kShipsOfEach = 150;
+    constexpr float kRate = 0.05F;  // of the distance from the centre, per second
+    auto models = loadShips("_hulls");
+    if (!models) return fail(models.error().message);
+    Random random(options.seed);
+    ShellPlacement shell(random, Vec3(0.0F), 20.0F, 80.0F);
+    for (const auto& model : {models->hunter, models->fighter}) {
+      for (int i = 0; i < kShipsOfEach; ++i) {
+        const Transform pose{shell.place(boundingRadius(*model)), random.orientation()};
+        BodyDef def = shipBody(*model, model->name + "-" + std::to_string(i + 1), pose);
+        // Everything moves apart at the same rate, so that no two balls around ships ever meet.
+        def.linearVelocity = kRate * pose.position;
+        def.angularVelocity = 0.5F * random.insideUnitBall();
+        if (auto added = world.add(std::move(def)); !added) return fail(added.error().message);
+      }
+    }
+    return {};
+  }
+};
+
+/// Blocks in stacks on a square, each stack turned another way. Nothing may fall asleep.
+Result<void> addStacks(World& world, int columns, int height, const BodyDef& block, Random& random) {
+  constexpr float kSpacing = 3.0F;
+  for (int stack = 0; stack < columns * columns; ++stack) {
+    const float x = kSpacing * (static_cast<float>(stack % columns) - 0.5F * static_cast<float>(columns - 1));
+    const float z = kSpacing * (static_cast<float>(stack / columns) - 0.5F * static_cast<float>(columns - 1));
+    const Quat turn = glm::angleAxis(random.uniform(0.0F, kPi), Vec3(0.0F, 1.0F, 0.0F));
+    for (int i = 0; i < height; ++i) {
+      BodyDef def = block;
+      def.name = "block-" + std::to_string(stack + 1) + "-" + std::to_string(i + 1);
+      def.pose = {{x, kHalf * static_cast<float>(2 * i + 1), z}, turn};
+      def.mass = 100.0F;
+      def.material.friction = 0.6F;
+      def.mayRest = false;
+      if (auto added = world.add(std::move(def)); !added) return fail(added.error().message);
+    }
+  }
+  return {};
+}
+
+/// Stacks of plain boxes, and four rocks that lie far from them and from one another.
+class Stacks final : public Scene {
+ public:
+  Result<void> build(World& world, const SceneOptions& options) override {
+    Random random(options.seed);
+    if (auto added = addGround(world); !added) return added;
+    BodyDef block;
+    block.shape = Box{Vec3(kHalf)};
+    if (auto added = addStacks(world, 10, 5, block, random); !added) return added;
+    const auto forms = makeRocks(4, random);
+    if (!forms) return fail(forms.error().message);
+    for (std::size_t i = 0; i < forms->size(); ++i) {
+      const Transform pose{{40.0F + 10.0F * static_cast<float>(i), 1.1F * kRockRadius, 0.0F},
+                           random.orientation()};
+      auto added = world.add(rockBody((*forms)[i], "rock-" + std::to_string(i + 1), pose));
+      if (!added) return fail(added.error().message);
+    }
+    return {};
+  }
+};
+
+/// A block of eight boxes in one that just holds them.
+Result<std::shared_ptr<const LevelSet>> makeBrick() {
+  constexpr float kGap = 0.01F;  // half of what is between the boxes
+  constexpr float kSide = 0.5F * (kHalf - kGap);
+  Level finest;
+  for (const float x : {-1.0F, 1.0F}) {
+    for (const float y : {-1.0F, 1.0F}) {
+      for (const float z : {-1.0F, 1.0F}) {
+        finest.parts.push_back(
+            {.shape = Box{Vec3(kSide)}, .pose = {(kGap + kSide) * Vec3(x, y, z), kNoRotation}});
+      }
+    }
+  }
+  LevelSetDef def;
+  def.name = "brick";
+  def.levels = {Level{{{.shape = Box{Vec3(kHalf)}, .pose = {}}}}, std::move(finest)};
+  return LevelSet::create(std::move(def));
+}
+
+/// Low stacks of hybrids at rest.
+class Hybrids final : public Scene {
+ public:
+  Result<void> build(World& world, const SceneOptions& options) override {
+    Random random(options.seed);
+    if (auto added = addGround(world); !added) return added;
+    auto brick = makeBrick();
+    if (!brick) return fail(brick.error().message);
+    BodyDef block;
+    block.shape = std::move(*brick);
+    return addStacks(world, 10, 3, block, random);
+  }
+};
+
+const SceneRegistration kRegisterApart({
+    "quiet_apart",
+    "300 ships of about 64 convex hulls each drift apart and never touch",
+    kFrames,
+    [] { return std::make_unique<Apart>(); },
+});
+
+const SceneRegistration kRegisterStacks({
+    "quiet_stacks",
+    "100 stacks of plain boxes at rest, and four rocks far from them",
+    kFrames,
+    [] { return std::make_unique<Stacks>(); },
+});
+
+const SceneRegistration kRegisterHybrids({
+    "quiet_hybrids",
+    "100 low stacks of bricks of 8 boxes each, at rest",
+    kFrames,
+    [] { return std::make_unique<Hybrids>(); },
+});
+
+}  // namespace
+}  // namespace scatter

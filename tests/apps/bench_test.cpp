@@ -1,0 +1,68 @@
+#include <gmock/gmock.h>
+
+#include "apps/program.h"
+
+namespace scatter::test {
+namespace {
+
+using testing::ContainsRegex;
+using testing::HasSubstr;
+
+class BenchTest : public ProgramTest {
+ protected:
+  /// The output of `bench` with these arguments, which must succeed.
+  [[nodiscard]] std::string bench(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), "bench");
+    const Outcome outcome = scatter(std::move(arguments));
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    return outcome.output;
+  }
+
+  [[nodiscard]] std::size_t linesOfCsv(const std::string& name) const {
+    return linesOf(readText(folder / name)).size();
+  }
+};
+
+TEST_F(BenchTest, ListShowsWhatCanBeMeasured) {
+  const std::string output = bench({"--list"});
+  for (const char* name : {"collision", "contacts", "spread"}) {
+    EXPECT_THAT(output, HasSubstr(name));
+  }
+}
+
+TEST_F(BenchTest, EveryBenchCommandHasHelp) {
+  for (const char* name : {"collision", "contacts", "spread"}) {
+    EXPECT_THAT(bench({name, "--help"}), HasSubstr(std::string("scatter bench ") + name));
+  }
+}
+
+TEST_F(BenchTest, CollisionShowsEveryStep) {
+  const std::string output =
+      bench({"collision", "--scene", "duel", "--frames", "20", "--repeat", "2", "--csv", "new/steps.csv"});
+  for (const char* step : {"plain engine", "part boxes in", "warm simplex", "level 1"}) {
+    EXPECT_THAT(output, HasSubstr(step));
+  }
+  EXPECT_THAT(output, HasSubstr("new/steps.csv"));
+  EXPECT_EQ(linesOfCsv("new/steps.csv"), 11U);
+  EXPECT_EQ(columnOf(folder / "new/steps.csv", "total_ratio").front(), "1");
+}
+
+TEST_F(BenchTest, ContactsVerifiesEveryScene) {
+  const std::string output = bench({"contacts", "--scenes", "duel,quiet_apart", "--frames", "20",
+                                    "--verify-every", "10", "--csv", "contacts.csv"});
+  // 20 frames, of which two are verified.
+  EXPECT_THAT(output, ContainsRegex("duel +20 +2 "));
+  EXPECT_THAT(output, ContainsRegex("all +40 +4 "));
+  EXPECT_EQ(linesOfCsv("contacts.csv"), 3U);
+}
+
+TEST_F(BenchTest, SpreadHasALineForEveryWorldAndSeed) {
+  const std::string output =
+      bench({"spread", "--scene", "convergence", "--frames", "5", "--seeds", "2", "--csv", "spread.csv"});
+  EXPECT_THAT(output, HasSubstr("over 2 seeds"));
+  EXPECT_THAT(output, HasSubstr("pile radius"));
+  EXPECT_EQ(linesOfCsv("spread.csv"), 5U);
+}
+
+}  // namespace
+}  // namespace scatter::test
