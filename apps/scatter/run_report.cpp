@@ -56,8 +56,9 @@ std::string formatSummary(const Summary& summary) {
 
 std::string formatContactCheck(const Summary& summary) {
   const ContactCheck& check = summary.contactCheck;
-  return fmt::format("contacts, {} world: {} frames verified, {} expected, {} missed, {} extra\n",
-                     summary.label, check.steps, check.expected, check.missed, check.extra) +
+  return fmt::format(
+             "contacts, {} world: {} frames verified, {} expected, {} missed, {} extra, {} doubtful\n",
+             summary.label, check.steps, check.expected, check.missed, check.extra, check.doubtful) +
          formatMisses(check);
 }
 

@@ -15,6 +15,7 @@ void ContactCheck::follow(std::uint64_t frame, const ContactReport& report) {
   expected = report.expected;
   missed = report.missed;
   extra = report.extra;
+  doubtful = report.doubtful;
 }
 
 }  // namespace scatter

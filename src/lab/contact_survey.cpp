@@ -14,7 +14,7 @@ using Cells = std::vector<std::string>;
 Cells countsOf(const ContactCheck& check) {
   Cells cells;
   for (const std::uint64_t count :
-       {check.steps, check.childPairs, check.expected, check.missed, check.extra}) {
+       {check.steps, check.childPairs, check.expected, check.missed, check.extra, check.doubtful}) {
     cells.push_back(std::to_string(count));
   }
   return cells;
@@ -68,13 +68,14 @@ ContactCheck totalOf(const std::vector<SceneContacts>& scenes) {
     total.expected += scene.check.expected;
     total.missed += scene.check.missed;
     total.extra += scene.check.extra;
+    total.doubtful += scene.check.doubtful;
   }
   return total;
 }
 
 std::string formatContacts(const std::vector<SceneContacts>& scenes) {
-  std::vector<Cells> lines{
-      {"scene", "frames", "verified", "child pairs", "expected", "missed", "extra", "extra share"}};
+  std::vector<Cells> lines{{"scene", "frames", "verified", "child pairs", "expected", "missed", "extra",
+                            "doubtful", "extra share"}};
   std::uint64_t frames = 0;
   for (const SceneContacts& scene : scenes) {
     lines.push_back(rowOf(scene.scene, scene.frames, scene.check));
@@ -84,12 +85,14 @@ std::string formatContacts(const std::vector<SceneContacts>& scenes) {
   return lab::textTable(lines) +
          "Expected: child pairs that brute force finds in contact. Missed: of those, without a contact in "
          "the "
-         "world.\nExtra: in contact, although the engine's own algorithms would have left them out.\n";
+         "world.\nExtra: in contact, although the engine's own algorithms would have left them out.\n"
+         "Doubtful, in none of these: not in contact, and the engine's own detector is not sure of it "
+         "either.\n";
 }
 
 std::string contactsCsv(const std::vector<SceneContacts>& scenes) {
   std::vector<Cells> lines{
-      {"scene", "frames", "frames_verified", "child_pairs", "expected", "missed", "extra"}};
+      {"scene", "frames", "frames_verified", "child_pairs", "expected", "missed", "extra", "doubtful"}};
   for (const SceneContacts& scene : scenes) {
     Cells cells = rowOf(scene.scene, scene.frames, scene.check);
     cells.pop_back();

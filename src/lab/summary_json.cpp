@@ -95,7 +95,8 @@ Json contactsJson(const ContactCheck& check) {
   }
   return {{"frames_verified", check.steps}, {"child_pairs", check.childPairs},
           {"expected", check.expected},     {"missed", check.missed},
-          {"extra", check.extra},           {"first_missed", first}};
+          {"extra", check.extra},           {"doubtful", check.doubtful},
+          {"first_missed", first}};
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ RunOptions verifiedRun(std::string scene, int every, test::FakeBehaviour behavio
 TEST(ContactCheck, KeepsTheFirstMissedWithTheirFramesAndTheLatestSums) {
   ContactCheck check;
   ContactReport report{
-      .steps = 1, .childPairs = 50, .expected = 20, .missed = 0, .extra = 2, .lastMissed = {}};
+      .steps = 1, .childPairs = 50, .expected = 20, .missed = 0, .extra = 2, .doubtful = 3, .lastMissed = {}};
   check.follow(4, report);
   EXPECT_TRUE(check.firstMissed.empty());
   report.missed = 30;
@@ -36,6 +36,7 @@ TEST(ContactCheck, KeepsTheFirstMissedWithTheirFramesAndTheLatestSums) {
   EXPECT_EQ(check.missed, 30U);
   EXPECT_EQ(check.expected, 20U);
   EXPECT_EQ(check.extra, 2U);
+  EXPECT_EQ(check.doubtful, 3U);
 }
 
 TEST(SurveyContacts, AddsUpWhatBruteForceFoundInEachScene) {
@@ -55,6 +56,7 @@ TEST(SurveyContacts, AddsUpWhatBruteForceFoundInEachScene) {
   EXPECT_EQ(total.expected, 60U);
   EXPECT_EQ(total.missed, 3U);
   EXPECT_EQ(total.extra, 6U);
+  EXPECT_EQ(total.doubtful, 12U);
 }
 
 TEST(SurveyContacts, FailsAsARunDoes) {
@@ -66,13 +68,13 @@ TEST(FormatContacts, HasALineForEachSceneAndTheSum) {
   const auto scenes = surveyContacts({verifiedRun("one", 3, {.missedStep = 6}), verifiedRun("two", 5)});
   ASSERT_TRUE(scenes);
   const std::string table = formatContacts(*scenes);
-  EXPECT_THAT(table, ContainsRegex("one +12 +4 +400 +40 +3 +4 +10.00 %"));
-  EXPECT_THAT(table, ContainsRegex("two +12 +2 +200 +20 +0 +2 +10.00 %"));
-  EXPECT_THAT(table, ContainsRegex("all +24 +6 +600 +60 +3 +6 +10.00 %"));
+  EXPECT_THAT(table, ContainsRegex("one +12 +4 +400 +40 +3 +4 +8 +10.00 %"));
+  EXPECT_THAT(table, ContainsRegex("two +12 +2 +200 +20 +0 +2 +4 +10.00 %"));
+  EXPECT_THAT(table, ContainsRegex("all +24 +6 +600 +60 +3 +6 +12 +10.00 %"));
   EXPECT_EQ(contactsCsv(*scenes),
-            "scene,frames,frames_verified,child_pairs,expected,missed,extra\n"
-            "one,12,4,400,40,3,4\n"
-            "two,12,2,200,20,0,2\n");
+            "scene,frames,frames_verified,child_pairs,expected,missed,extra,doubtful\n"
+            "one,12,4,400,40,3,4,8\n"
+            "two,12,2,200,20,0,2,4\n");
   // The fake misses part 5 of "left" and the only part of "right".
   EXPECT_THAT(formatMisses((*scenes)[0].check),
               HasSubstr("missed in frame 6: left part 5 and right, distance -0.5000 m\n"));

@@ -146,6 +146,7 @@ class FakePhysics final : public Physics {
     contacts_.childPairs += 100;
     contacts_.expected += 10;
     contacts_.extra += 1;
+    contacts_.doubtful += 2;
     contacts_.lastMissed.clear();
     if (steps_ == behaviour_.missedStep) {
       contacts_.missed += 3;

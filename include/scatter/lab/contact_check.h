@@ -22,6 +22,7 @@ struct ContactCheck {
   std::uint64_t expected = 0;
   std::uint64_t missed = 0;
   std::uint64_t extra = 0;
+  std::uint64_t doubtful = 0;
   std::vector<FrameMiss> firstMissed;  ///< At most kMissesKept.
 
   /// Takes in the report after the step of `frame`; call it after every step.

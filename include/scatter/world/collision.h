@@ -58,6 +58,10 @@ struct ContactReport {
   std::uint64_t expected = 0;  ///< Child pairs that should be in contact.
   std::uint64_t missed = 0;    ///< Of those, without a contact in the world.
   std::uint64_t extra = 0;     ///< In contact, although the engine's own algorithms would have left them out.
+
+  /// Counted in none of these: not in contact, and the engine's own detector finds a contact that a plane
+  /// disproves, or finds it in one order of the two only.
+  std::uint64_t doubtful = 0;
   std::vector<MissedContact> lastMissed;  ///< Of the last verified step.
 };
 

@@ -39,6 +39,7 @@ ContactReport fromBullet(const btHybridContactReport& report) {
                        .expected = wide(report.m_expected),
                        .missed = wide(report.m_missed),
                        .extra = wide(report.m_extra),
+                       .doubtful = wide(report.m_doubtful),
                        .lastMissed = {}};
   for (int i = 0; i < report.m_lastMissed.size(); ++i) {
     result.lastMissed.push_back(fromBullet(report.m_lastMissed[i]));
