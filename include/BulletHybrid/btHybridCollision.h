@@ -50,7 +50,8 @@ struct btHybridCollisionCounts
 	}
 };
 
-/// What the pair algorithm holds at the moment, without contact manifolds.
+/// What the pair algorithm holds at the moment, without contact manifolds. Pairs that have ended leave their
+/// memory, which is not counted, to pairs to come.
 struct btHybridCollisionMemory
 {
 	int m_pairs;              ///< broadphase pairs that have a pair algorithm

@@ -66,7 +66,6 @@ class btHybridDynamicsWorld : public btDiscreteDynamicsWorld
 	btHybridNarrowphase* m_narrowphase;
 	btHybridContactVerifier* m_verifier;
 	int m_verifyEvery;
-	btCollisionConfiguration* m_collisionConfiguration;
 
 	bool hasStandingRequest() const;
 	void planSwitching();
@@ -125,9 +124,16 @@ public:
 		return m_stepInfo;
 	}
 
-	/// The pair algorithm of hybrid bodies. It is registered with the dispatcher by the constructor, which
-	/// needs a btCollisionDispatcher for it, and in the place of create functions that were registered for
-	/// pairs with a compound or convex shape; pairs without a hybrid go on to those of the collision configuration.
+	/// The pair algorithm of hybrid bodies. The constructor registers it with the dispatcher for pairs of a
+	/// compound with a compound or convex shape, in the place of create functions that were registered before;
+	/// pairs without a hybrid go on to those of the dispatcher's configuration. At most one hybrid world a
+	/// dispatcher. Not with a btCollisionDispatcherMt or a dispatcher of another kind: there Bullet's own
+	/// algorithms run.
+	///
+	/// Levels must not change in place. Shapes of other bodies may: what Bullet counts, places, scaling, margins,
+	/// bounds and numbers of points are compared once a step; clean the pairs of a body after any other change,
+	/// and after one of gContactBreakingThreshold. Detectors registered for two boxes, two spheres or two hulls,
+	/// and Bullet's multipoint settings, are not asked.
 	const btHybridCollisionInfo& getCollisionInfo() const;
 
 	/// Drops the contacts of all pairs with a hybrid. Not inside a step.

@@ -8,6 +8,7 @@ namespace scatter {
 
 float boxSeparation(const Vec3& centerA, const Vec3& halfA, const Vec3& centerB, const Vec3& halfB,
                     const Frame& frameB, float enough) {
+  constexpr float kRounding = 4e-7F;  // what the axes lack of being orthonormal
   const Vec3 between = frameB(centerB) - centerA;
   const Vec3 axesB[3]{{frameB.row[0].x, frameB.row[1].x, frameB.row[2].x},
                       {frameB.row[0].y, frameB.row[1].y, frameB.row[2].y},
@@ -26,13 +27,15 @@ float boxSeparation(const Vec3& centerA, const Vec3& halfA, const Vec3& centerB,
     for (int m = 0; m < 3; ++m) {
       // The axis is A's i-th across B's m-th.
       const float length = std::sqrt(axesB[m][j] * axesB[m][j] + axesB[m][k] * axesB[m][k]);
-      if (length < 1e-3F) continue;
+      // Of edges nearly parallel the axis is nearly a face's, and too inexact.
+      if (length < 0.03F) continue;
       const int n = (m + 1) % 3;
       const int o = (m + 2) % 3;
       const float reachA = halfA[j] * std::abs(axesB[m][k]) + halfA[k] * std::abs(axesB[m][j]);
       const float reachB = halfB[n] * std::abs(axesB[o][i]) + halfB[o] * std::abs(axesB[n][i]);
       const float apart = std::abs(between[k] * axesB[m][j] - between[j] * axesB[m][k]);
-      best = std::max(best, (apart - reachA - reachB) / length);
+      const float rounding = kRounding * (halfA[j] + halfA[k] + halfB[n] + halfB[o]);
+      best = std::max(best, (apart - reachA - reachB - rounding) / length);
     }
   }
   return best;

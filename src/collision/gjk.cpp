@@ -1,5 +1,6 @@
 #include "collision/gjk.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -117,8 +118,13 @@ Nearest nearestOf(const Difference* s, int count) {
 
 class Gjk {
  public:
-  Gjk(const PolytopeView& a, const PolytopeView& b, const Frame& frameB, GjkResult& result)
-      : a_(a), b_(b), frameB_(frameB), result_(result), offset_(manhattan(frameB.origin)) {}
+  Gjk(const PolytopeView& a, const PolytopeView& b, const Frame& frameB, float tolerance, GjkResult& result)
+      : a_(a),
+        b_(b),
+        frameB_(frameB),
+        result_(result),
+        tolerance_(tolerance),
+        offset_(manhattan(frameB.origin)) {}
 
   void run(const Vec3& axis, float enough, WarmSimplex& warm) {
     result_.axis = axis;
@@ -176,7 +182,7 @@ class Gjk {
       finish(State::kApart);
     } else if (count_ > 0 && result_.distance <= kContactRounding * rounding) {
       finish(State::kOverlap);
-    } else if (count_ > 0 && result_.distance - proven <= kTolerance * result_.distance + 2.0F * rounding) {
+    } else if (count_ > 0 && result_.distance - proven <= tolerance() + 2.0F * rounding) {
       finish(State::kConverged);
     }
     return done_;
@@ -209,8 +215,10 @@ class Gjk {
 
   // Without a tight bound the distance might be too large.
   [[nodiscard]] bool isTight(float rounding) const {
-    return result_.distance - result_.provenDistance <= 1e-2F * result_.distance + 8.0F * rounding;
+    return result_.distance - result_.provenDistance <= 100.0F * tolerance() + 8.0F * rounding;
   }
+
+  [[nodiscard]] float tolerance() const { return std::min(kTolerance * result_.distance, tolerance_); }
 
   // Keeps the corners that hold the nearest point, which gives the next axis.
   void reduce() {
@@ -252,6 +260,7 @@ class Gjk {
   int stalled_ = 0;
   Nearest nearest_;
   GjkResult& result_;
+  float tolerance_;
   float offset_;
   bool done_ = false;
 };
@@ -259,9 +268,9 @@ class Gjk {
 }  // namespace
 
 GjkResult gjkDistance(const PolytopeView& a, const PolytopeView& b, const Frame& frameB, const Vec3& axis,
-                      float enough, WarmSimplex& warm) {
+                      float enough, float tolerance, WarmSimplex& warm) {
   GjkResult result;
-  Gjk(a, b, frameB, result).run(axis, enough, warm);
+  Gjk(a, b, frameB, tolerance, result).run(axis, enough, warm);
   return result;
 }
 

@@ -38,6 +38,9 @@ class PartList {
  public:
   /// At most 65535 parts of at most 65535 points each.
   explicit PartList(std::span<const PartDef> parts);
+  PartList(const PartList&) = delete;  // its parts point into its vertices
+  PartList& operator=(const PartList&) = delete;
+  ~PartList() = default;
 
   /// One array a coordinate; padded to a multiple of simd::kPadding with boxes that are nowhere near.
   struct Boxes {

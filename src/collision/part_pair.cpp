@@ -104,7 +104,7 @@ void PartPair::follow(const PartBody& a, const PartBody& b) {
                            glm::length(parts.center()) + glm::length(now.origin));
 }
 
-// Six times the last motion has been good for slow and fast bodies alike; the exact number matters little.
+// A dozen steps at the last motion: good for slow and fast bodies alike, and the exact number matters little.
 float PartPair::skin() const {
   constexpr float kSteps = 12.0F;
   if (!listed_) return 0.4F * threshold_;
@@ -193,7 +193,8 @@ ChildVerdict PartPair::judge(ChildPair& child, const PartBody& a, const PartBody
   const Vec3 start = child.hasAxis ? child.axis : towards(partA.center, frameB_(partB.center));
   // Proving some more than needed lets the child pair sleep longer.
   const float enough = rule.margin + rule.threshold + rounding_ + threshold_;
-  const GjkResult result = gjkDistance(rule.a, rule.b, frameB_, start, enough, child.simplex);
+  const GjkResult result =
+      gjkDistance(rule.a, rule.b, frameB_, start, enough, 1e-3F * threshold_, child.simplex);
   ++work.gjkRuns;
   work.gjkIterations += result.iterations;
   const float proven = result.provenDistance - rule.margin;

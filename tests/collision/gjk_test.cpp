@@ -28,7 +28,7 @@ const Vec3 kAlongX(1.0F, 0.0F, 0.0F);
 GjkResult coldGjk(const PolytopeView& a, const PolytopeView& b, const Frame& frameB, const Vec3& axis,
                   float enough) {
   WarmSimplex cold;
-  return gjkDistance(a, b, frameB, axis, enough, cold);
+  return gjkDistance(a, b, frameB, axis, enough, 1e9F, cold);
 }
 
 /// Two polytopes with a gap along a direction that is about their distance, or less than none.
@@ -226,8 +226,8 @@ TEST(Gjk, EndsOnWhatIsNoNumber) {
                                    coldGjk(box.view(), broken.view(), away, kAlongX, 1.0F),
                                    coldGjk(box.view(), box.view(), nowhere, kAlongX, 1.0F),
                                    coldGjk(box.view(), box.view(), twisted, kAlongX, 1.0F),
-                                   gjkDistance(box.view(), box.view(), away, Vec3(wrong), 1.0F, warm),
-                                   gjkDistance(box.view(), box.view(), nowhere, kAlongX, 1.0F, warm)}) {
+                                   gjkDistance(box.view(), box.view(), away, Vec3(wrong), 1.0F, 1e9F, warm),
+                                   gjkDistance(box.view(), box.view(), nowhere, kAlongX, 1.0F, 1e9F, warm)}) {
       EXPECT_LE(found.iterations, 41);
       EXPECT_FALSE(found.state == State::kConverged && !std::isfinite(found.distance));
     }

@@ -46,7 +46,8 @@ TEST(GjkWarm, StaleVerticesChangeNothing) {
     const Frame frameB = testing::randomFrame(random, distance);
     const DistanceBounds truth = referenceDistance(placed(Frame{}, a.view()), placed(frameB, b.view()));
     WarmSimplex stale = staleSimplex(random, a.view(), b.view());
-    const GjkResult found = gjkDistance(a.view(), b.view(), frameB, random.direction(), kNever, stale);
+    const GjkResult found =
+        gjkDistance(a.view(), b.view(), frameB, random.direction(), kNever, kNever, stale);
     const double rounding = 1e-5 * static_cast<double>(size + distance);
     const auto tell = [&] {
       return ::testing::Message() << "round " << round << ", size " << size << ", true " << truth.upper
@@ -83,8 +84,8 @@ TEST(GjkWarm, OverASlowMotionIsAsGoodAsColdAndQuicker) {
       const float time = static_cast<float>(step) / 200.0F;
       const Frame frameB = frameOf(glm::angleAxis(time, spin) * start, 2.3F * side + time * drift);
       WarmSimplex cold;
-      const GjkResult again = gjkDistance(a.view(), b.view(), frameB, side, kNever, warm);
-      const GjkResult fresh = gjkDistance(a.view(), b.view(), frameB, side, kNever, cold);
+      const GjkResult again = gjkDistance(a.view(), b.view(), frameB, side, kNever, kNever, warm);
+      const GjkResult fresh = gjkDistance(a.view(), b.view(), frameB, side, kNever, kNever, cold);
       ASSERT_EQ(again.state, State::kConverged) << "round " << round << ", step " << step;
       ASSERT_EQ(fresh.state, State::kConverged) << "round " << round << ", step " << step;
       EXPECT_NEAR(again.distance, fresh.distance, 2e-3F * fresh.distance) << "round " << round;
@@ -100,8 +101,8 @@ TEST(GjkWarm, TheSameQuestionAgainTakesOneIteration) {
   const OwnedPolytope box(testing::boxCorners(Vec3(1.0F)));
   const Frame frameB = frameOf(kNoRotation, Vec3(0.5F, 4.0F, 0.3F));
   WarmSimplex warm;
-  const GjkResult first = gjkDistance(box.view(), box.view(), frameB, Vec3(0, 1, 0), kNever, warm);
-  const GjkResult second = gjkDistance(box.view(), box.view(), frameB, Vec3(0, 1, 0), kNever, warm);
+  const GjkResult first = gjkDistance(box.view(), box.view(), frameB, Vec3(0, 1, 0), kNever, kNever, warm);
+  const GjkResult second = gjkDistance(box.view(), box.view(), frameB, Vec3(0, 1, 0), kNever, kNever, warm);
   ASSERT_EQ(second.state, State::kConverged);
   EXPECT_LE(second.iterations, 2);
   EXPECT_LE(second.iterations, first.iterations);
@@ -113,7 +114,7 @@ TEST(GjkWarm, KeepsNothingOfAnOverlap) {
   WarmSimplex warm;
   warm.count = 1;
   const GjkResult found = gjkDistance(box.view(), box.view(), frameOf(kNoRotation, Vec3(0.5F, 0.2F, 0.1F)),
-                                      Vec3(1, 0, 0), kNever, warm);
+                                      Vec3(1, 0, 0), kNever, kNever, warm);
   EXPECT_EQ(found.state, State::kOverlap);
   EXPECT_EQ(warm.count, 0);
 }
@@ -132,7 +133,8 @@ TEST(GjkWarm, ProvenDistanceHoldsForPartsFarFromTheirFramesOrigin) {
     frameB.origin = random.direction() * random.uniform(1.0F, 4.0F) - frameB.rotate(offset);
     const DistanceBounds truth = referenceDistance(placed(Frame{}, a.view()), placed(frameB, b.view()));
     WarmSimplex stale = staleSimplex(random, a.view(), b.view());
-    const GjkResult found = gjkDistance(a.view(), b.view(), frameB, random.direction(), kNever, stale);
+    const GjkResult found =
+        gjkDistance(a.view(), b.view(), frameB, random.direction(), kNever, kNever, stale);
     EXPECT_LE(static_cast<double>(found.provenDistance), truth.upper) << "round " << round << ", far " << far;
   }
 }

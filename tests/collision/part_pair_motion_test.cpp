@@ -185,7 +185,7 @@ class MotionLaw {
     WarmSimplex cold;
     const Vec3 start = length > 0.0F ? between / length : Vec3(1.0F, 0.0F, 0.0F);
     const GjkResult quick =
-        gjkDistance(truth.a, truth.b, frameB, start, below + 1e-3F * size_ + 1e-5F * length, cold);
+        gjkDistance(truth.a, truth.b, frameB, start, below + 1e-3F * size_ + 1e-5F * length, 1e9F, cold);
     if (quick.state == GjkResult::State::kApart) return false;
     const auto exact = referenceDistance(placed(a_.frame(), truth.a), placed(b_.frame(), truth.b));
     return exact.upper <= truth.contactBelow - 1e-7 * static_cast<double>(size_);

@@ -178,6 +178,8 @@ void btHybridBruteForce::silenceCallbacks()
 	m_combiners[1] = gCalculateCombinedFrictionCallback;
 	m_combiners[2] = gCalculateCombinedRollingFrictionCallback;
 	m_combiners[3] = gCalculateCombinedSpinningFrictionCallback;
+	m_combiners[4] = gCalculateCombinedContactDampingCallback;
+	m_combiners[5] = gCalculateCombinedContactStiffnessCallback;
 	gContactAddedCallback = 0;
 	gContactProcessedCallback = 0;
 	gContactDestroyedCallback = 0;
@@ -187,6 +189,8 @@ void btHybridBruteForce::silenceCallbacks()
 	gCalculateCombinedFrictionCallback = &btManifoldResult::calculateCombinedFriction;
 	gCalculateCombinedRollingFrictionCallback = &btManifoldResult::calculateCombinedRollingFriction;
 	gCalculateCombinedSpinningFrictionCallback = &btManifoldResult::calculateCombinedSpinningFriction;
+	gCalculateCombinedContactDampingCallback = &btManifoldResult::calculateCombinedContactDamping;
+	gCalculateCombinedContactStiffnessCallback = &btManifoldResult::calculateCombinedContactStiffness;
 }
 
 btHybridBruteForce::~btHybridBruteForce()
@@ -201,6 +205,8 @@ btHybridBruteForce::~btHybridBruteForce()
 	gCalculateCombinedFrictionCallback = m_combiners[1];
 	gCalculateCombinedRollingFrictionCallback = m_combiners[2];
 	gCalculateCombinedSpinningFrictionCallback = m_combiners[3];
+	gCalculateCombinedContactDampingCallback = m_combiners[4];
+	gCalculateCombinedContactStiffnessCallback = m_combiners[5];
 }
 
 // A compound's children come first, and with compounds of which one lacks a tree, the second one's.

@@ -54,7 +54,7 @@ class btHybridBruteForce
 	ContactDestroyedCallback m_destroyed;
 	ContactStartedCallback m_started;
 	ContactEndedCallback m_ended;
-	CalculateCombinedCallback m_combiners[4];
+	CalculateCombinedCallback m_combiners[6];
 
 	btDefaultCollisionConfiguration m_configuration;
 	btCollisionDispatcher* m_dispatcher;

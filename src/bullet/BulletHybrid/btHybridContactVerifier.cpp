@@ -1,35 +1,38 @@
 #include "btHybridContactVerifier.h"
 
+#include <functional>
+
 #include "BulletHybrid/btHybridRigidBody.h"
 #include "btHybridBruteForce.h"
 
 namespace
 {
-// Names a child pair in contact; bodies by their broadphase ids, the smaller first.
+// Names a child pair in contact. The order of bodies in memory sorts them, and nothing else.
 struct ContactKey
 {
-	int m_key[4];  // two bodies, two children
+	const btCollisionObject* m_bodies[2];
+	int m_children[2];
 	bool m_isNew;  // the point was not there before this step
 
 	ContactKey()
 	{
 	}
-	ContactKey(int body0, int body1, int child0, int child1, bool isNew = false)
+	ContactKey(const btCollisionObject* body0, const btCollisionObject* body1, int child0, int child1, bool isNew = false)
 	    : m_isNew(isNew)
 	{
-		const bool swap = body0 > body1;
-		m_key[0] = swap ? body1 : body0;
-		m_key[1] = swap ? body0 : body1;
-		m_key[2] = swap ? child1 : child0;
-		m_key[3] = swap ? child0 : child1;
+		const bool swap = std::less<>()(body1, body0);
+		m_bodies[swap] = body0;
+		m_bodies[!swap] = body1;
+		m_children[swap] = child0;
+		m_children[!swap] = child1;
 	}
 
 	static bool less(const ContactKey& a, const ContactKey& b)
 	{
-		for (int i = 0; i < 3; i++)
-			if (a.m_key[i] != b.m_key[i])
-				return a.m_key[i] < b.m_key[i];
-		return a.m_key[3] < b.m_key[3];
+		for (int i = 0; i < 2; i++)
+			if (a.m_bodies[i] != b.m_bodies[i])
+				return std::less<>()(a.m_bodies[i], b.m_bodies[i]);
+		return a.m_children[0] != b.m_children[0] ? a.m_children[0] < b.m_children[0] : a.m_children[1] < b.m_children[1];
 	}
 };
 
@@ -78,9 +81,9 @@ public:
 		return i < m_keys.size() && !ContactKey::less(key, m_keys[i]);
 	}
 
-	bool isOfBodies(int i, int body0, int body1) const
+	bool isOfBodies(int i, const ContactKey& key) const
 	{
-		return i < m_keys.size() && m_keys[i].m_key[0] == body0 && m_keys[i].m_key[1] == body1;
+		return i < m_keys.size() && m_keys[i].m_bodies[0] == key.m_bodies[0] && m_keys[i].m_bodies[1] == key.m_bodies[1];
 	}
 
 private:
@@ -92,14 +95,10 @@ private:
 
 	void add(const btPersistentManifold& manifold)
 	{
-		const btBroadphaseProxy* proxy0 = manifold.getBody0()->getBroadphaseHandle();
-		const btBroadphaseProxy* proxy1 = manifold.getBody1()->getBroadphaseHandle();
-		if (!proxy0 || !proxy1)
-			return;
 		for (int i = 0; i < manifold.getNumContacts(); i++)
 		{
 			const btManifoldPoint& point = manifold.getContactPoint(i);
-			m_keys.push_back(ContactKey(proxy0->m_uniqueId, proxy1->m_uniqueId, point.m_index0, point.m_index1, isNew(point)));
+			m_keys.push_back(ContactKey(manifold.getBody0(), manifold.getBody1(), point.m_index0, point.m_index1, isNew(point)));
 		}
 	}
 };
@@ -137,7 +136,7 @@ public:
 private:
 	ContactKey keyOf(int childA, int childB) const
 	{
-		return ContactKey(m_a.m_object->getBroadphaseHandle()->m_uniqueId, m_b.m_object->getBroadphaseHandle()->m_uniqueId, childA, childB);
+		return ContactKey(m_a.m_object, m_b.m_object, childA, childB);
 	}
 
 	void verifyChildPair(const btHybridConvexChild& childA, const btHybridConvexChild& childB)
@@ -178,17 +177,15 @@ private:
 	void countExtras()
 	{
 		const ContactKey bodies = keyOf(-1, -1);
-		const int body0 = bodies.m_key[0];
-		const int body1 = bodies.m_key[1];
-		const bool swapped = body0 != m_a.m_object->getBroadphaseHandle()->m_uniqueId;
-		for (int i = m_contacts.lowerBound(bodies); m_contacts.isOfBodies(i, body0, body1);)
+		const bool swapped = bodies.m_bodies[0] != m_a.m_object;
+		for (int i = m_contacts.lowerBound(bodies); m_contacts.isOfBodies(i, bodies);)
 		{
 			const ContactKey& key = m_contacts[i];
 			bool isNew = true;
 			// One child pair has up to four points.
 			for (; i < m_contacts.size() && !ContactKey::less(key, m_contacts[i]); i++)
 				isNew &= m_contacts[i].m_isNew;
-			m_report.m_extra += isExtra(key.m_key[swapped ? 3 : 2], key.m_key[swapped ? 2 : 3], isNew);
+			m_report.m_extra += isExtra(key.m_children[swapped], key.m_children[!swapped], isNew);
 		}
 	}
 

@@ -15,10 +15,9 @@ btHybridDynamicsWorld::btHybridDynamicsWorld(btDispatcher* dispatcher, btBroadph
       m_loadIsFine(false),
       m_step(0),
       m_neighbourhood(new btHybridNeighbourhood),
-      m_narrowphase(new btHybridNarrowphase(dispatcher, collisionConfiguration)),
+      m_narrowphase(new btHybridNarrowphase(dispatcher)),
       m_verifier(new btHybridContactVerifier),
-      m_verifyEvery(0),
-      m_collisionConfiguration(collisionConfiguration)
+      m_verifyEvery(0)
 {
 }
 
@@ -27,7 +26,7 @@ btHybridDynamicsWorld::~btHybridDynamicsWorld()
 	for (int i = 0; i < m_hybrids.size(); i++)
 		m_hybrids[i]->m_hybridIndex = -1;
 	delete m_verifier;
-	m_narrowphase->retire(m_collisionConfiguration);
+	m_narrowphase->retire();
 	delete m_neighbourhood;
 }
 
@@ -219,7 +218,9 @@ void btHybridDynamicsWorld::performDiscreteCollisionDetection()
 	planSwitching();
 	{
 		BT_PROFILE("dispatchAllCollisionPairs");
+		m_narrowphase->setDispatching(true);
 		getDispatcher()->dispatchAllCollisionPairs(m_broadphasePairCache->getOverlappingPairCache(), getDispatchInfo(), m_dispatcher1);
+		m_narrowphase->setDispatching(false);
 	}
 	if (m_verifyEvery > 0 && m_step % m_verifyEvery == 0)
 		m_verifier->verify(m_broadphasePairCache->getOverlappingPairCache()->getOverlappingPairArray(), getDispatcher());

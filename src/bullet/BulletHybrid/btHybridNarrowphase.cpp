@@ -2,6 +2,7 @@
 
 #include <BulletCollision/CollisionDispatch/btCollisionConfiguration.h>
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
+#include <BulletCollision/CollisionDispatch/btCollisionDispatcherMt.h>
 
 #include <new>
 
@@ -16,22 +17,28 @@ btCollisionAlgorithm* btHybridNarrowphase::CreateFunc::CreateCollisionAlgorithm(
 	return new (memory) btHybridPairAlgorithm(info, m_narrowphase, body0Wrap, body1Wrap);
 }
 
-// Compounds against everything: the others are not made of parts.
-btHybridNarrowphase::btHybridNarrowphase(btDispatcher* dispatcher, btCollisionConfiguration* configuration)
-    : m_detectorRuns(0), m_step(0), m_users(1), m_dispatcher(dynamic_cast<btCollisionDispatcher*>(dispatcher))
+static bool isTaken(int shapeType)
 {
-	if (!m_dispatcher || !configuration)
+	return btBroadphaseProxy::isConvex(shapeType) || btBroadphaseProxy::isCompound(shapeType);
+}
+
+btHybridNarrowphase::btHybridNarrowphase(btDispatcher* dispatcher)
+    : m_detectorRuns(0), m_step(0), m_dispatches(false), m_users(1), m_dispatcher(dynamic_cast<btCollisionDispatcher*>(dispatcher))
+{
+	if (dynamic_cast<btCollisionDispatcherMt*>(dispatcher))
+		m_dispatcher = 0;
+	if (!m_dispatcher)
 		return;
 	const int types = MAX_BROADPHASE_COLLISION_TYPES;
 	m_createFuncs.resize(2 * types);
 	for (int type = 0; type < types; type++)
 	{
 		const int pairs[2][2] = {{COMPOUND_SHAPE_PROXYTYPE, type}, {type, COMPOUND_SHAPE_PROXYTYPE}};
-		for (int k = 0; k < 2; k++)
+		for (int k = 0; k < 2 && isTaken(type); k++)
 		{
 			CreateFunc& create = m_createFuncs[2 * type + k];
 			create.m_narrowphase = this;
-			create.m_default = configuration->getCollisionAlgorithmCreateFunc(pairs[k][0], pairs[k][1]);
+			create.m_default = m_dispatcher->getCollisionConfiguration()->getCollisionAlgorithmCreateFunc(pairs[k][0], pairs[k][1]);
 			m_dispatcher->registerCollisionCreateFunc(pairs[k][0], pairs[k][1], &create);
 		}
 	}
@@ -43,14 +50,21 @@ btHybridNarrowphase::~btHybridNarrowphase()
 		delete m_freePairs[i];
 }
 
-void btHybridNarrowphase::retire(btCollisionConfiguration* configuration)
+void btHybridNarrowphase::retire()
 {
-	for (int type = 0; m_dispatcher && type < m_createFuncs.size() / 2; type++)
+	for (int type = 0; m_dispatcher && type < MAX_BROADPHASE_COLLISION_TYPES; type++)
 	{
-		m_dispatcher->registerCollisionCreateFunc(COMPOUND_SHAPE_PROXYTYPE, type, configuration->getCollisionAlgorithmCreateFunc(COMPOUND_SHAPE_PROXYTYPE, type));
-		m_dispatcher->registerCollisionCreateFunc(type, COMPOUND_SHAPE_PROXYTYPE, configuration->getCollisionAlgorithmCreateFunc(type, COMPOUND_SHAPE_PROXYTYPE));
+		if (!isTaken(type))
+			continue;
+		m_dispatcher->registerCollisionCreateFunc(COMPOUND_SHAPE_PROXYTYPE, type, m_createFuncs[2 * type].m_default);
+		m_dispatcher->registerCollisionCreateFunc(type, COMPOUND_SHAPE_PROXYTYPE, m_createFuncs[2 * type + 1].m_default);
 	}
 	removeUser();
+}
+
+int btHybridNarrowphase::getDispatcherFlags() const
+{
+	return m_dispatcher->getDispatcherFlags();
 }
 
 void btHybridNarrowphase::removeUser()
@@ -100,7 +114,7 @@ btHybridCollisionMemory btHybridNarrowphase::getMemory() const
 	for (int i = 0; i < m_pairs.size(); i++)
 	{
 		memory.m_childPairs += int(m_pairs[i]->children().size());
-		memory.m_pairBytes += sizeof(btHybridPairAlgorithm) + sizeof(scatter::PartPair);
+		memory.m_pairBytes += sizeof(btHybridPairAlgorithm) + sizeof(PooledPair);
 		memory.m_childPairBytes += m_pairs[i]->childBytes();
 	}
 	for (int i = 0; i < m_bodies.size(); i++)
@@ -182,14 +196,15 @@ void btHybridNarrowphase::replaceParts(btHybridPartBody* body, const btCollision
 bool btHybridNarrowphase::updateBody(btHybridPartBody* body, const btCollisionObjectWrapper* wrap)
 {
 	const btCollisionShape* shape = wrap->getCollisionShape();
-	const bool isChecked = body->m_checkedStep == m_step && shape == body->m_parts->getShape();
+	const bool isChecked = m_dispatches && body->m_checkedStep == m_step && shape == body->m_parts->getShape();
 	if (!isChecked && (shape != body->m_parts->getShape() || !body->m_parts->isCurrent(body->m_changes)))
 	{
 		if (!btHybridParts::isPartList(shape))
 			return false;
 		replaceParts(body, shape);
 	}
-	body->m_checkedStep = m_step;
+	if (m_dispatches)
+		body->m_checkedStep = m_step;
 	body->moveTo(wrap->getWorldTransform());
 	return true;
 }
@@ -197,15 +212,20 @@ bool btHybridNarrowphase::updateBody(btHybridPartBody* body, const btCollisionOb
 scatter::PartPair* btHybridNarrowphase::acquirePair()
 {
 	if (m_freePairs.size() == 0)
-		m_freePairs.push_back(new scatter::PartPair);
-	scatter::PartPair* pair = m_freePairs[m_freePairs.size() - 1];
+		m_freePairs.push_back(new PooledPair);
+	PooledPair* pair = m_freePairs[m_freePairs.size() - 1];
 	m_freePairs.pop_back();
+	pair->m_index = m_pairs.size();
 	m_pairs.push_back(pair);
 	return pair;
 }
 
 void btHybridNarrowphase::releasePair(scatter::PartPair* pair)
 {
-	m_pairs.remove(pair);
-	m_freePairs.push_back(pair);
+	PooledPair* pooled = static_cast<PooledPair*>(pair);
+	PooledPair* last = m_pairs[m_pairs.size() - 1];
+	m_pairs[pooled->m_index] = last;
+	last->m_index = pooled->m_index;
+	m_pairs.pop_back();
+	m_freePairs.push_back(pooled);
 }

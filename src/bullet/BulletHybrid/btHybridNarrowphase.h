@@ -9,7 +9,6 @@
 #include "btHybridParts.h"
 #include "collision/part_pair.h"
 
-class btCollisionConfiguration;
 class btCollisionDispatcher;
 class btDispatcher;
 
@@ -26,23 +25,29 @@ class btHybridNarrowphase
 		virtual btCollisionAlgorithm* CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap);
 	};
 
+	struct PooledPair : public scatter::PartPair
+	{
+		int m_index;  ///< in m_pairs
+	};
+
 	btHybridCollisionInfo m_info;
 	scatter::PairSteps m_steps;
 	scatter::PairWork m_work;
 	int m_detectorRuns;
 	mutable btHybridCollisionCounts m_counts;
 	int m_step;
+	bool m_dispatches;  ///< a step's pairs are at work, so that shapes do not change
 	int m_users;
 
-	btCollisionDispatcher* m_dispatcher;  ///< 0 if it takes no create functions
+	btCollisionDispatcher* m_dispatcher;  ///< 0 if it takes no create functions, or runs pairs in parallel
 	btAlignedObjectArray<CreateFunc> m_createFuncs;
 
 	btHashMap<btHashPtr, btHybridPartBody*> m_bodies;
 	btHashMap<btHashPtr, btHybridParts*> m_parts;
 	scatter::PairScratch m_pairScratch;
 	btAlignedObjectArray<int> m_scratch;
-	btAlignedObjectArray<scatter::PartPair*> m_pairs;      ///< in use
-	btAlignedObjectArray<scatter::PartPair*> m_freePairs;  ///< kept for their memory
+	btAlignedObjectArray<PooledPair*> m_pairs;      ///< in use
+	btAlignedObjectArray<PooledPair*> m_freePairs;  ///< kept for their memory
 
 	~btHybridNarrowphase();
 	btHybridNarrowphase(const btHybridNarrowphase&);
@@ -54,10 +59,10 @@ class btHybridNarrowphase
 	void replaceParts(btHybridPartBody* body, const btCollisionShape* shape);
 
 public:
-	btHybridNarrowphase(btDispatcher* dispatcher, btCollisionConfiguration* configuration);
+	explicit btHybridNarrowphase(btDispatcher* dispatcher);
 
 	/// By its owner: takes the create functions back. Pair algorithms must not outlive the dispatcher.
-	void retire(btCollisionConfiguration* configuration);
+	void retire();
 	void addUser()
 	{
 		m_users++;
@@ -75,6 +80,14 @@ public:
 	void setInfo(const btHybridCollisionInfo& info);
 
 	void beginStep();
+
+	/// Around the dispatch of a step's pairs.
+	void setDispatching(bool dispatches)
+	{
+		m_dispatches = dispatches;
+	}
+
+	int getDispatcherFlags() const;
 
 	/// Of the step under way.
 	scatter::PairWork& getWork()

@@ -4,7 +4,6 @@
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
 #include <BulletCollision/CollisionDispatch/btCompoundCollisionAlgorithm.h>
 #include <BulletCollision/CollisionDispatch/btCompoundCompoundCollisionAlgorithm.h>
-#include <BulletCollision/CollisionDispatch/btConvexConvexAlgorithm.h>
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 #include <BulletCollision/CollisionShapes/btBoxShape.h>
 #include <BulletCollision/CollisionShapes/btSphereShape.h>
@@ -18,7 +17,7 @@
 #include "btHybridNarrowphase.h"
 #include "btHybridPartBody.h"
 
-static_assert(sizeof(btHybridPairAlgorithm) <= sizeof(btConvexConvexAlgorithm), "does not fit into Bullet's pool of algorithms");
+static_assert(sizeof(btHybridPairAlgorithm) <= sizeof(btCompoundCompoundCollisionAlgorithm), "does not fit into Bullet's pool of algorithms");
 
 /// What one call of processCollision was given.
 struct btHybridPairAlgorithm::Pass
@@ -27,7 +26,6 @@ struct btHybridPairAlgorithm::Pass
 	const btDispatcherInfo& m_info;
 	btManifoldResult* m_result;
 	scatter::BoundsTest m_bounds;
-	btShapePairCallback m_filter;  ///< that a program may have set for the children of compounds
 };
 
 namespace
@@ -102,10 +100,16 @@ btVector3 toWorld(const scatter::Frame& frame, const scatter::Vec3& point)
 	return btVector3(world.x, world.y, world.z);
 }
 
-btShapePairCallback childFilter(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap)
+// A filter that a program may have set for the children of compounds.
+bool userLetsThrough(const btHybridPartBody& bodyA, int partA, const btHybridPartBody& bodyB, int partB)
 {
-	const bool both = body0Wrap->getCollisionShape()->isCompound() && body1Wrap->getCollisionShape()->isCompound();
-	return both ? gCompoundCompoundChildShapePairCallback : gCompoundChildShapePairCallback;
+	const bool isChildA = bodyA.getChildIndex(partA) >= 0;
+	if (isChildA && bodyB.getChildIndex(partB) >= 0)
+		return !gCompoundCompoundChildShapePairCallback || gCompoundCompoundChildShapePairCallback(bodyA.getChildShape(partA), bodyB.getChildShape(partB));
+	if (!gCompoundChildShapePairCallback)
+		return true;
+	// Bullet names the compound's child last.
+	return isChildA ? gCompoundChildShapePairCallback(bodyB.getChildShape(partB), bodyA.getChildShape(partA)) : gCompoundChildShapePairCallback(bodyA.getChildShape(partA), bodyB.getChildShape(partB));
 }
 
 // The manifolds of a pile do not fit into a cache: of one with a single point, what is looked at.
@@ -123,7 +127,7 @@ void fetch(const void* manifold)
 }  // namespace
 
 btHybridPairAlgorithm::btHybridPairAlgorithm(const btCollisionAlgorithmConstructionInfo& info, btHybridNarrowphase* narrowphase, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap)
-    : btCollisionAlgorithm(info), m_narrowphase(narrowphase)
+    : btCollisionAlgorithm(info), m_narrowphase(narrowphase), m_fallback(0)
 {
 	m_narrowphase->addUser();
 	m_bodies[0] = m_narrowphase->acquireBody(body0Wrap);
@@ -135,6 +139,7 @@ btHybridPairAlgorithm::btHybridPairAlgorithm(const btCollisionAlgorithmConstruct
 btHybridPairAlgorithm::~btHybridPairAlgorithm()
 {
 	releaseContacts();
+	releaseFallback();
 	m_narrowphase->releasePair(m_pair);
 	m_narrowphase->releaseBody(m_bodies[0]);
 	m_narrowphase->releaseBody(m_bodies[1]);
@@ -148,11 +153,29 @@ void btHybridPairAlgorithm::releaseContacts()
 	m_pair->reset(0);
 }
 
+void btHybridPairAlgorithm::fallBack(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut)
+{
+	releaseContacts();
+	m_versions[0] = -1;
+	if (!m_fallback)
+		m_fallback = m_dispatcher->findAlgorithm(body0Wrap, body1Wrap, 0, BT_CONTACT_POINT_ALGORITHMS);
+	m_fallback->processCollision(body0Wrap, body1Wrap, dispatchInfo, resultOut);
+}
+
+void btHybridPairAlgorithm::releaseFallback()
+{
+	if (!m_fallback)
+		return;
+	m_fallback->~btCollisionAlgorithm();
+	m_dispatcher->freeCollisionAlgorithm(m_fallback);
+	m_fallback = 0;
+}
+
 void btHybridPairAlgorithm::restart(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap)
 {
 	releaseContacts();
 	btScalar threshold = gContactBreakingThreshold;
-	if (static_cast<btCollisionDispatcher*>(m_dispatcher)->getDispatcherFlags() & btCollisionDispatcher::CD_USE_RELATIVE_CONTACT_BREAKING_THRESHOLD)
+	if (m_narrowphase->getDispatcherFlags() & btCollisionDispatcher::CD_USE_RELATIVE_CONTACT_BREAKING_THRESHOLD)
 		threshold = btMin(body0Wrap->getCollisionShape()->getContactBreakingThreshold(threshold), body1Wrap->getCollisionShape()->getContactBreakingThreshold(threshold));
 	m_pair->reset(threshold);
 	m_versions[0] = m_bodies[0]->getVersion();
@@ -163,10 +186,10 @@ void btHybridPairAlgorithm::processCollision(const btCollisionObjectWrapper* bod
 {
 	if (!m_narrowphase->updateBody(m_bodies[0], body0Wrap) || !m_narrowphase->updateBody(m_bodies[1], body1Wrap))
 	{
-		releaseContacts();
-		m_versions[0] = -1;
+		fallBack(body0Wrap, body1Wrap, dispatchInfo, resultOut);
 		return;
 	}
+	releaseFallback();
 	if (m_versions[0] != m_bodies[0]->getVersion() || m_versions[1] != m_bodies[1]->getVersion())
 		restart(body0Wrap, body1Wrap);
 
@@ -178,7 +201,7 @@ void btHybridPairAlgorithm::processCollision(const btCollisionObjectWrapper* bod
 		m_dispatcher->releaseManifold(static_cast<btPersistentManifold*>(dropped[i]));
 	if (!isAwake)
 		return;
-	const Pass pass = {{body0Wrap, body1Wrap}, dispatchInfo, resultOut, scatter::BoundsTest(bodyA, bodyB), childFilter(body0Wrap, body1Wrap)};
+	const Pass pass = {{body0Wrap, body1Wrap}, dispatchInfo, resultOut, scatter::BoundsTest(bodyA, bodyB)};
 	processChildren(pass);
 	m_pair->settle(bodyA, bodyB, m_narrowphase->getSteps());
 }
@@ -202,9 +225,14 @@ void btHybridPairAlgorithm::processChildren(const Pass& pass)
 		processChild(children[awake[i]], pass);
 }
 
+void btHybridPairAlgorithm::refresh(btPersistentManifold* manifold, const Pass& pass)
+{
+	manifold->refreshContactPoints(pass.m_wraps[0]->getCollisionObject()->getWorldTransform(), pass.m_wraps[1]->getCollisionObject()->getWorldTransform());
+}
+
 void btHybridPairAlgorithm::processChild(scatter::ChildPair& child, const Pass& pass)
 {
-	if (!pass.m_bounds.overlap(child.a, child.b) || (pass.m_filter && !pass.m_filter(m_bodies[0]->getChildShape(child.a), m_bodies[1]->getChildShape(child.b))))
+	if (!pass.m_bounds.overlap(child.a, child.b) || !userLetsThrough(*m_bodies[0], child.a, *m_bodies[1], child.b))
 	{
 		m_narrowphase->getWork().boundsRejected++;
 		releaseManifold(child);
@@ -213,7 +241,7 @@ void btHybridPairAlgorithm::processChild(scatter::ChildPair& child, const Pass& 
 	if (child.touching)
 	{
 		btPersistentManifold* manifold = static_cast<btPersistentManifold*>(child.contact);
-		manifold->refreshContactPoints(pass.m_wraps[0]->getCollisionObject()->getWorldTransform(), pass.m_wraps[1]->getCollisionObject()->getWorldTransform());
+		refresh(manifold, pass);
 		child.touching = manifold->getNumContacts() > 0;
 	}
 	const bool isLazy = m_narrowphase->getInfo().m_lazyManifolds;
@@ -222,7 +250,11 @@ void btHybridPairAlgorithm::processChild(scatter::ChildPair& child, const Pass& 
 	findContacts(child, pass);
 	if (!child.contact)
 		return;
-	child.touching = static_cast<btPersistentManifold*>(child.contact)->getNumContacts() > 0;
+	btPersistentManifold* manifold = static_cast<btPersistentManifold*>(child.contact);
+	// The callback hears of new contacts too.
+	if (gContactProcessedCallback)
+		refresh(manifold, pass);
+	child.touching = manifold->getNumContacts() > 0;
 	if (!child.touching && isLazy)
 		releaseManifold(child);
 }
@@ -232,16 +264,17 @@ bool btHybridPairAlgorithm::leavesOverlap(const scatter::ChildPair& child, const
 {
 	const btTransform& frameA = pass.m_wraps[0]->getWorldTransform();
 	const btTransform& frameB = pass.m_wraps[1]->getWorldTransform();
-	const bool isInA = m_bodies[0]->getChildIndex(child.a) >= 0;
+	if (!m_bodies[0]->hasLeaves() && !m_bodies[1]->hasLeaves())
+		return true;
 	btVector3 minA, maxA, minB, maxB;
-	if (isInA)
+	if (m_bodies[0]->hasLeaves())
 	{
 		m_bodies[0]->getLeaf(child.a, minA, maxA);
 		m_bodies[1]->getLeafIn(child.b, frameA.inverseTimes(frameB), minB, maxB);
 	}
 	else
 	{
-		m_bodies[0]->getLeafIn(child.a, frameB.inverseTimes(frameA), minA, maxA);
+		m_bodies[0]->getChildShape(child.a)->getAabb(frameB.inverseTimes(m_bodies[0]->getChildTransform(child.a, frameA)), minA, maxA);
 		m_bodies[1]->getLeaf(child.b, minB, maxB);
 	}
 	return TestAabbAgainstAabb2(minA, maxA, minB, maxB);
@@ -383,6 +416,8 @@ btScalar btHybridPairAlgorithm::calculateTimeOfImpact(btCollisionObject*, btColl
 
 void btHybridPairAlgorithm::getAllContactManifolds(btManifoldArray& manifoldArray)
 {
+	if (m_fallback)
+		m_fallback->getAllContactManifolds(manifoldArray);
 	for (size_t i = 0; i < m_pair->children().size(); i++)
 		if (m_pair->children()[i].contact)
 			manifoldArray.push_back(static_cast<btPersistentManifold*>(m_pair->children()[i].contact));

@@ -16,13 +16,17 @@ class btHybridPairAlgorithm : public btCollisionAlgorithm
 	btHybridNarrowphase* m_narrowphase;
 	btHybridPartBody* m_bodies[2];
 	scatter::PartPair* m_pair;
+	btCollisionAlgorithm* m_fallback;  ///< Bullet's own, while a shape is no list of parts any more
 	int m_versions[2];
 
 	struct Pass;
 
 	void restart(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap);
 	void releaseContacts();
+	void fallBack(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut);
+	void releaseFallback();
 	void processChildren(const Pass& pass);
+	static void refresh(btPersistentManifold* manifold, const Pass& pass);
 	void processChild(scatter::ChildPair& child, const Pass& pass);
 	bool leavesOverlap(const scatter::ChildPair& child, const Pass& pass) const;
 	void findContacts(scatter::ChildPair& child, const Pass& pass);

@@ -34,6 +34,12 @@ btTransform btHybridPartBody::getChildTransform(int part, const btTransform& bod
 	return shape->isCompound() ? body * static_cast<const btCompoundShape*>(shape)->getChildTransform(part) : body;
 }
 
+bool btHybridPartBody::hasLeaves() const
+{
+	const btCollisionShape* shape = m_parts->getShape();
+	return shape->isCompound() && static_cast<const btCompoundShape*>(shape)->getDynamicAabbTree();
+}
+
 void btHybridPartBody::getLeaf(int part, btVector3& aabbMin, btVector3& aabbMax) const
 {
 	getChildShape(part)->getAabb(getChildTransform(part, btTransform::getIdentity()), aabbMin, aabbMax);
@@ -41,9 +47,9 @@ void btHybridPartBody::getLeaf(int part, btVector3& aabbMin, btVector3& aabbMax)
 
 void btHybridPartBody::getLeafIn(int part, const btTransform& body, btVector3& aabbMin, btVector3& aabbMax) const
 {
-	if (getChildIndex(part) < 0)
+	if (!hasLeaves())
 	{
-		getChildShape(part)->getAabb(body, aabbMin, aabbMax);
+		m_parts->getShape()->getAabb(body, aabbMin, aabbMax);
 		return;
 	}
 	btVector3 leafMin, leafMax;

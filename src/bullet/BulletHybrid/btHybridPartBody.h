@@ -47,11 +47,14 @@ public:
 	}
 	const btCollisionShape* getChildShape(int part) const;
 
+	/// Whether the shape is a compound with a tree of its children's bounds.
+	bool hasLeaves() const;
+
 	/// A part's bounds in the body's frame, as they are in its compound's tree.
 	void getLeaf(int part, btVector3& aabbMin, btVector3& aabbMax) const;
 
-	/// The same in another frame, in which the body is at `body`. Bullet turns a compound's leaves and bounds bare
-	/// shapes anew.
+	/// The same in another frame, in which the body is at `body`: a leaf turned, or without leaves the bounds of
+	/// the whole shape.
 	void getLeafIn(int part, const btTransform& body, btVector3& aabbMin, btVector3& aabbMax) const;
 
 	/// World transform of a part, with the body at `body`.

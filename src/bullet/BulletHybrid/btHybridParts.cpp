@@ -23,6 +23,24 @@ int revisionOf(const btCollisionShape* shape)
 	return compound ? compound->getUpdateRevision() : 0;
 }
 
+int numPartsOf(const btCollisionShape* shape)
+{
+	const btCompoundShape* compound = asCompound(shape);
+	return compound ? compound->getNumChildShapes() : 1;
+}
+
+const btCollisionShape* partShape(const btCollisionShape* shape, int part)
+{
+	const btCompoundShape* compound = asCompound(shape);
+	return compound ? compound->getChildShape(part) : shape;
+}
+
+btTransform partTransform(const btCollisionShape* shape, int part)
+{
+	const btCompoundShape* compound = asCompound(shape);
+	return compound ? compound->getChildTransform(part) : btTransform::getIdentity();
+}
+
 scatter::Vec3 vec3(const btVector3& v)
 {
 	return scatter::Vec3(v.x(), v.y(), v.z());
@@ -81,6 +99,18 @@ void bound(scatter::PartDef& part, const btTransform& transform, const btConvexS
 	part.boundsHalf = vec3(half);
 }
 
+void addBox(scatter::PartDef& part, const btTransform& transform, const btBoxShape* box)
+{
+	const btVector3 core = box->getHalfExtentsWithoutMargin();
+	part.kind = scatter::PartKind::kBox;
+	if (core[core.minAxis()] >= 0)
+		return addCorners(part, transform, btVector3(0, 0, 0), core);
+	// The margin is thicker than the box, and Bullet's GJK sees a core turned inside out.
+	part.kind = scatter::PartKind::kEnclosed;
+	part.margin = 0;
+	addEnclosingBox(part, transform, box);
+}
+
 scatter::PartDef makePart(const btConvexShape* shape, const btTransform& transform)
 {
 	scatter::PartDef part;
@@ -101,8 +131,7 @@ scatter::PartDef makePart(const btConvexShape* shape, const btTransform& transfo
 			part.margin = static_cast<const btCapsuleShape*>(shape)->getRadius();
 			break;
 		case BOX_SHAPE_PROXYTYPE:
-			part.kind = scatter::PartKind::kBox;
-			addCorners(part, transform, btVector3(0, 0, 0), static_cast<const btBoxShape*>(shape)->getHalfExtentsWithoutMargin());
+			addBox(part, transform, static_cast<const btBoxShape*>(shape));
 			break;
 		case CONVEX_HULL_SHAPE_PROXYTYPE:
 			// Hulls whose polyhedral features are there have contacts of their own kind in Bullet.
@@ -120,12 +149,8 @@ scatter::PartDef makePart(const btConvexShape* shape, const btTransform& transfo
 std::vector<scatter::PartDef> makeParts(const btCollisionShape* shape)
 {
 	std::vector<scatter::PartDef> parts;
-	const btCompoundShape* compound = asCompound(shape);
-	if (!compound)
-		parts.push_back(makePart(static_cast<const btConvexShape*>(shape), btTransform::getIdentity()));
-	else
-		for (int i = 0; i < compound->getNumChildShapes(); i++)
-			parts.push_back(makePart(static_cast<const btConvexShape*>(compound->getChildShape(i)), compound->getChildTransform(i)));
+	for (int i = 0; i < numPartsOf(shape); i++)
+		parts.push_back(makePart(static_cast<const btConvexShape*>(partShape(shape, i)), partTransform(shape, i)));
 	return parts;
 }
 
@@ -152,36 +177,37 @@ bool btHybridParts::isPartList(const btCollisionShape* shape)
 	return count > 0 && count <= c_mostParts;
 }
 
+btHybridParts::Mark::Mark(const btCollisionShape* shape, const btTransform& transform)
+    : m_shape(shape), m_points(0), m_features(0), m_transform(transform), m_scaling(shape->getLocalScaling()), m_margin(shape->getMargin()), m_type(shape->getShapeType()), m_numPoints(0)
+{
+	shape->getAabb(btTransform::getIdentity(), m_min, m_max);
+	if (m_type != CONVEX_HULL_SHAPE_PROXYTYPE)
+		return;
+	const btConvexHullShape* hull = static_cast<const btConvexHullShape*>(shape);
+	m_points = hull->getUnscaledPoints();
+	m_features = hull->getConvexPolyhedron();
+	m_numPoints = hull->getNumPoints();
+}
+
+bool btHybridParts::Mark::operator==(const Mark& other) const
+{
+	return m_shape == other.m_shape && m_type == other.m_type && m_points == other.m_points && m_numPoints == other.m_numPoints && m_features == other.m_features && m_transform == other.m_transform && m_scaling == other.m_scaling && m_min == other.m_min && m_max == other.m_max && m_margin == other.m_margin;
+}
+
 btHybridParts::btHybridParts(const btCollisionShape* shape)
     : m_shape(shape), m_scaling(shape->getLocalScaling()), m_margin(shape->getMargin()), m_revision(revisionOf(shape)), m_list(makeParts(shape)), m_users(0)
 {
-	const btCompoundShape* compound = asCompound(shape);
-	if (!compound)
-		return;
-	m_marks.reserve(compound->getNumChildShapes());
-	for (int i = 0; i < compound->getNumChildShapes(); i++)
-	{
-		const btCollisionShape* child = compound->getChildShape(i);
-		const Mark mark = {child, compound->getChildTransform(i), child->getLocalScaling(), child->getMargin()};
-		m_marks.push_back(mark);
-	}
+	m_marks.reserve(numPartsOf(shape));
+	for (int i = 0; i < numPartsOf(shape); i++)
+		m_marks.push_back(Mark(partShape(shape, i), partTransform(shape, i)));
 }
 
 bool btHybridParts::isCurrent(bool thorough) const
 {
-	if (m_revision != revisionOf(m_shape) || !(m_scaling == m_shape->getLocalScaling()) || m_margin != m_shape->getMargin())
-		return false;
-	const btCompoundShape* compound = asCompound(m_shape);
-	if (!compound)
-		return true;
-	if (m_marks.size() != compound->getNumChildShapes())
+	if (m_revision != revisionOf(m_shape) || !(m_scaling == m_shape->getLocalScaling()) || m_margin != m_shape->getMargin() || m_marks.size() != numPartsOf(m_shape))
 		return false;
 	for (int i = 0; thorough && i < m_marks.size(); i++)
-	{
-		const btCollisionShape* child = compound->getChildShape(i);
-		const Mark& mark = m_marks[i];
-		if (mark.m_shape != child || !(mark.m_transform == compound->getChildTransform(i)) || !(mark.m_scaling == child->getLocalScaling()) || mark.m_margin != child->getMargin())
+		if (!(m_marks[i] == Mark(partShape(m_shape, i), partTransform(m_shape, i))))
 			return false;
-	}
 	return true;
 }

@@ -10,13 +10,22 @@
 /// isCurrent() and making it anew; not owned by bodies, but counted by them.
 class btHybridParts
 {
-	/// What would have to change for a part to be another.
+	/// What tells that a convex shape is still the same.
 	struct Mark
 	{
 		const btCollisionShape* m_shape;
+		const void* m_points;  ///< of a hull
+		const void* m_features;
 		btTransform m_transform;
 		btVector3 m_scaling;
+		btVector3 m_min;
+		btVector3 m_max;
 		btScalar m_margin;
+		int m_type;
+		int m_numPoints;
+
+		Mark(const btCollisionShape* shape, const btTransform& transform);
+		bool operator==(const Mark& other) const;
 	};
 
 	const btCollisionShape* m_shape;
@@ -38,8 +47,8 @@ public:
 	/// Whether a shape is convex or a compound of convex children, at least one, and not too large.
 	static bool isPartList(const btCollisionShape* shape);
 
-	/// Whether the shape is still what it was. A thorough look compares every child's shape, place, scaling and
-	/// margin; a quick one only what Bullet counts as a revision, scaling and margin of the whole.
+	/// Whether the shape is still what it was. A thorough look compares every part's shape, place, scaling, margin,
+	/// bounds and number of points; a quick one only what Bullet counts as a revision, scaling and margin of the whole.
 	bool isCurrent(bool thorough) const;
 
 	const btCollisionShape* getShape() const
