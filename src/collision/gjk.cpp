@@ -24,7 +24,7 @@ struct Difference {
 
 /// The corners whose hull holds the point nearest to the origin, and that point.
 struct Nearest {
-  Vec3 point;
+  Vec3 point{0.0F};
   int count = 0;
   int corner[3]{};
   float weight[3]{};
@@ -118,6 +118,7 @@ Nearest nearestOf(const Difference* s, int count) {
 
 class Gjk {
  public:
+  // The simplex fills as it grows.  NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
   Gjk(const PolytopeView& a, const PolytopeView& b, const Frame& frameB, float tolerance, GjkResult& result)
       : a_(a),
         b_(b),

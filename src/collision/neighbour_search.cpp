@@ -23,8 +23,8 @@ Vec3 halfIn(const Vec3 (&rows)[3], const Vec3& half) {
 
 // Rotation parts without signs; a little more, so that rounding does not narrow a box.
 struct Spread {
-  Vec3 toA[3];
-  Vec3 toB[3];
+  Vec3 toA[3]{};
+  Vec3 toB[3]{};
 
   explicit Spread(const Frame& frameB) {
     for (int i = 0; i < 3; ++i) toA[i] = glm::abs(frameB.row[i]) + kRounding;
@@ -156,11 +156,11 @@ void NeighbourSearch::pairUp(std::uint16_t part, const Box& inA, const Box& inB,
 void NeighbourSearch::byWorldBounds(PartBody& a, PartBody& b) {
   found_.clear();
   for (int i = 0; i < a.parts().count(); ++i) {
-    const int room = b.parts().paddedCount();
+    const std::ptrdiff_t room = b.parts().paddedCount();
     const float* const boundsA = a.worldBounds().data() + i;
     const std::ptrdiff_t roomA = a.parts().paddedCount();
     const float* const boundsB = b.worldBounds().data();
-    for (int j = 0; j < room; j += static_cast<int>(kStep)) {
+    for (std::ptrdiff_t j = 0; j < room; j += static_cast<std::ptrdiff_t>(kStep)) {
       auto overlap = load<Lanes>(boundsB + j) <= Lanes(boundsA[3 * roomA]);
       overlap = overlap && load<Lanes>(boundsB + 3 * room + j) >= Lanes(boundsA[0]);
       for (std::ptrdiff_t axis = 1; axis < 3; ++axis) {

@@ -69,7 +69,7 @@ void PartList::addPolytope(std::span<const Vec3> points) {
 void PartList::connectPolytopes(std::span<const PartDef> parts) {
   const float* next = vertices_.data();
   const auto take = [&next](std::size_t count) {
-    const int room = simd::padded(static_cast<int>(count));
+    const std::ptrdiff_t room = simd::padded(static_cast<int>(count));
     const PolytopeView view{next, next + room, next + 2 * room, static_cast<int>(count)};
     next += 3 * room;
     return view;

@@ -21,9 +21,7 @@ inline constexpr int kPadding = 16;
 
 template <class L>
 [[nodiscard]] inline L load(const float* from) {
-  L lanes;
-  lanes.copy_from(from, stdx::element_aligned);
-  return lanes;
+  return L(from, stdx::element_aligned);
 }
 
 /// Calls `visit(lane)` for every lane that is set, in ascending order.

@@ -44,7 +44,8 @@ Result<void> addStacks(World& world, int columns, int height, const BodyDef& blo
   constexpr float kSpacing = 3.0F;
   for (int stack = 0; stack < columns * columns; ++stack) {
     const float x = kSpacing * (static_cast<float>(stack % columns) - 0.5F * static_cast<float>(columns - 1));
-    const float z = kSpacing * (static_cast<float>(stack / columns) - 0.5F * static_cast<float>(columns - 1));
+    const int row = stack / columns;
+    const float z = kSpacing * (static_cast<float>(row) - 0.5F * static_cast<float>(columns - 1));
     const Quat turn = glm::angleAxis(random.uniform(0.0F, kPi), Vec3(0.0F, 1.0F, 0.0F));
     for (int i = 0; i < height; ++i) {
       BodyDef def = block;

@@ -34,7 +34,8 @@ class Vertices {
   }
 
   [[nodiscard]] Vec3& at(int x, int y, int z) {
-    return vertices_[static_cast<std::size_t>(9 * (x + 1) + 3 * (y + 1) + z + 1)];
+    return vertices_[9 * static_cast<std::size_t>(x + 1) + 3 * static_cast<std::size_t>(y + 1) +
+                     static_cast<std::size_t>(z + 1)];
   }
 
   /// The hull of the octant with these signs.
