@@ -22,21 +22,35 @@ struct Support {
   float reach = 0.0F;
 };
 
+/// How far the vertices of a polytope reach along a direction, some of them at once.
+template <class L>
+class Reaches {
+ public:
+  Reaches(const PolytopeView& polytope, const Vec3& direction)
+      : polytope_(polytope), x_(direction.x), y_(direction.y), z_(direction.z) {}
+
+  /// Of as many vertices as there are lanes, from the i-th on.
+  [[nodiscard]] L at(int i) const {
+    return simd::load<L>(polytope_.x + i) * x_ + simd::load<L>(polytope_.y + i) * y_ +
+           simd::load<L>(polytope_.z + i) * z_;
+  }
+
+ private:
+  const PolytopeView& polytope_;
+  L x_;
+  L y_;
+  L z_;
+};
+
 /// The vertex that is furthest along `direction`.
 template <class L = simd::Lanes>
 [[nodiscard]] inline Support support(const PolytopeView& polytope, const Vec3& direction) {
-  const L dx(direction.x);
-  const L dy(direction.y);
-  const L dz(direction.z);
-  const auto reachAt = [&](int i) {
-    return simd::load<L>(polytope.x + i) * dx + simd::load<L>(polytope.y + i) * dy +
-           simd::load<L>(polytope.z + i) * dz;
-  };
+  const Reaches<L> reaches(polytope, direction);
   constexpr int kStep = static_cast<int>(L::size());
-  L best = reachAt(0);
+  L best = reaches.at(0);
   L bestBase(0.0F);  // small whole numbers, exact in a float
   for (int i = kStep; i < polytope.count; i += kStep) {
-    const L reach = reachAt(i);
+    const L reach = reaches.at(i);
     const auto further = reach > best;
     simd::stdx::where(further, best) = reach;
     simd::stdx::where(further, bestBase) = static_cast<float>(i);
@@ -56,17 +70,11 @@ template <class L = simd::Lanes>
 /// How far the polytope reaches along `direction`.
 template <class L = simd::Lanes>
 [[nodiscard]] inline float reach(const PolytopeView& polytope, const Vec3& direction) {
-  const L dx(direction.x);
-  const L dy(direction.y);
-  const L dz(direction.z);
-  const auto reachAt = [&](int i) {
-    return simd::load<L>(polytope.x + i) * dx + simd::load<L>(polytope.y + i) * dy +
-           simd::load<L>(polytope.z + i) * dz;
-  };
+  const Reaches<L> reaches(polytope, direction);
   constexpr int kStep = static_cast<int>(L::size());
-  L best = reachAt(0);
+  L best = reaches.at(0);
   for (int i = kStep; i < polytope.count; i += kStep) {
-    best = simd::stdx::max(best, reachAt(i));
+    best = simd::stdx::max(best, reaches.at(i));
   }
   return simd::stdx::hmax(best);
 }
