@@ -61,13 +61,14 @@ class btHybridDynamicsWorld : public btDiscreteDynamicsWorld
 	btHybridListener* m_listener;
 	bool m_loadIsFine;
 	int m_step;
+	int m_standingRequests;
+	bool m_isIndexed;  ///< the neighbourhood knows which object is which hybrid
 
 	btHybridNeighbourhood* m_neighbourhood;
 	btHybridNarrowphase* m_narrowphase;
 	btHybridContactVerifier* m_verifier;
 	int m_verifyEvery;
 
-	bool hasStandingRequest() const;
 	void planSwitching();
 	void closeCounts();
 	void updateHybridAabb(btHybridRigidBody* body);
@@ -161,6 +162,7 @@ public:
 	virtual void addRigidBody(btRigidBody* body);
 	virtual void addRigidBody(btRigidBody* body, int group, int mask);
 	virtual void removeRigidBody(btRigidBody* body);
+	virtual void removeCollisionObject(btCollisionObject* collisionObject);
 
 	/// Hybrids get the bounds of their coarsest level.
 	virtual void updateAabbs();

@@ -14,6 +14,8 @@ btHybridDynamicsWorld::btHybridDynamicsWorld(btDispatcher* dispatcher, btBroadph
       m_listener(0),
       m_loadIsFine(false),
       m_step(0),
+      m_standingRequests(0),
+      m_isIndexed(false),
       m_neighbourhood(new btHybridNeighbourhood),
       m_narrowphase(new btHybridNarrowphase(dispatcher)),
       m_verifier(new btHybridContactVerifier),
@@ -35,6 +37,7 @@ void btHybridDynamicsWorld::registerHybrid(btRigidBody* body)
 	btHybridRigidBody* hybrid = btHybridRigidBody::upcast(body);
 	if (!hybrid || hybrid->m_hybridIndex >= 0 || body->getWorldArrayIndex() < 0)
 		return;
+	m_isIndexed = false;
 	hybrid->m_hybridIndex = m_hybrids.size();
 	hybrid->m_lonelySteps = 0;
 	m_hybrids.push_back(hybrid);
@@ -64,7 +67,14 @@ void btHybridDynamicsWorld::removeRigidBody(btRigidBody* body)
 		m_hybrids.pop_back();
 		hybrid->m_hybridIndex = -1;
 	}
+	m_isIndexed = false;
 	btDiscreteDynamicsWorld::removeRigidBody(body);
+}
+
+void btHybridDynamicsWorld::removeCollisionObject(btCollisionObject* collisionObject)
+{
+	m_isIndexed = false;
+	btDiscreteDynamicsWorld::removeCollisionObject(collisionObject);
 }
 
 bool btHybridDynamicsWorld::requestLevel(btHybridRigidBody* body, int level, btHybridScope scope)
@@ -98,6 +108,7 @@ void btHybridDynamicsWorld::makeRequest(btHybridRigidBody* body, int level, btHy
 		return;
 	}
 	retract(body, BT_HYBRID_RETRACTED_BY_CALLER);
+	m_standingRequests++;
 	btHybridRequest& request = body->m_request;
 	request.m_targetLevel = level;
 	request.m_scope = scope;
@@ -114,6 +125,7 @@ void btHybridDynamicsWorld::retract(btHybridRigidBody* body, btHybridRetraction 
 		return;
 	const btHybridRequest request = body->m_request;
 	body->m_request = btHybridRequest();
+	m_standingRequests--;
 	m_counting.m_retractions++;
 	if (m_listener)
 		m_listener->retracted(body, request, reason);
@@ -121,12 +133,14 @@ void btHybridDynamicsWorld::retract(btHybridRigidBody* body, btHybridRetraction 
 
 void btHybridDynamicsWorld::updateAabbs()
 {
-	m_neighbourhood->indexHybrids(m_collisionObjects.size(), m_hybrids);
 	if (m_hybrids.size() == 0)
 	{
 		btDiscreteDynamicsWorld::updateAabbs();
 		return;
 	}
+	if (!m_isIndexed || m_neighbourhood->getNumObjects() != m_collisionObjects.size())
+		m_neighbourhood->indexHybrids(m_collisionObjects.size(), m_hybrids);
+	m_isIndexed = true;
 	BT_PROFILE("updateAabbs");
 	for (int i = 0; i < m_collisionObjects.size(); i++)
 	{
@@ -229,23 +243,14 @@ void btHybridDynamicsWorld::performDiscreteCollisionDetection()
 void btHybridDynamicsWorld::closeCounts()
 {
 	m_stepInfo = m_counting;
+	m_stepInfo.m_standingRequests = m_standingRequests;
 	m_counting = btHybridStepInfo();
-	for (int i = 0; i < m_hybrids.size(); i++)
-		m_stepInfo.m_standingRequests += m_hybrids[i]->m_request.isStanding();
-}
-
-bool btHybridDynamicsWorld::hasStandingRequest() const
-{
-	for (int i = 0; i < m_hybrids.size(); i++)
-		if (m_hybrids[i]->m_request.isStanding())
-			return true;
-	return false;
 }
 
 void btHybridDynamicsWorld::planSwitching()
 {
 	BT_PROFILE("planSwitching");
-	if (!m_switching.m_proximity && !hasStandingRequest())
+	if (!m_switching.m_proximity && m_standingRequests == 0)
 	{
 		closeCounts();
 		return;
@@ -377,7 +382,10 @@ void btHybridDynamicsWorld::switchLevel(btHybridRigidBody* body, int level)
 		m_counting.m_switchesFiner++;
 	const btHybridRequest request = body->m_request;
 	if (request.m_targetLevel == level)
+	{
 		body->m_request = btHybridRequest();
+		m_standingRequests--;
+	}
 	if (m_listener)
 		m_listener->switched(body, from, level, request);
 }

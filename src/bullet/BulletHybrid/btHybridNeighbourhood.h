@@ -29,6 +29,11 @@ public:
 	/// Must be called again when an object has come, gone or moved in the world's array.
 	void indexHybrids(int numObjects, const btAlignedObjectArray<btHybridRigidBody*>& hybrids);
 
+	int getNumObjects() const
+	{
+		return m_hybridOfObject.size();
+	}
+
 	/// The index of the hybrid that has this world array index, or -1.
 	int hybridOfObject(int worldArrayIndex) const
 	{
