@@ -149,6 +149,7 @@ scatter::PartDef makePart(const btConvexShape* shape, const btTransform& transfo
 std::vector<scatter::PartDef> makeParts(const btCollisionShape* shape)
 {
 	std::vector<scatter::PartDef> parts;
+	parts.reserve(numPartsOf(shape));
 	for (int i = 0; i < numPartsOf(shape); i++)
 		parts.push_back(makePart(static_cast<const btConvexShape*>(partShape(shape, i)), partTransform(shape, i)));
 	return parts;
