@@ -34,6 +34,13 @@ ChildRule ruleOf(const PartList::Part& a, const PartList::Part& b, float thresho
   return {a.core, b.core, margin, threshold, !enclosed && !(isRound(a.kind) && isRound(b.kind))};
 }
 
+// How far the parts lie apart along the child pair's axis.
+float separationAlong(ChildPair& child, const ChildRule& rule, const Frame& frameB) {
+  if (child.reachA == kUnknown) child.reachA = reach(rule.a, child.axis);
+  const float nearB = glm::dot(child.axis, frameB.origin) - reach(rule.b, frameB.rotateBack(-child.axis));
+  return nearB - child.reachA - rule.margin;
+}
+
 Vec3 towards(const Vec3& from, const Vec3& to) {
   const Vec3 between = to - from;
   const float length = glm::length(between);
@@ -177,9 +184,7 @@ ChildVerdict PartPair::judge(ChildPair& child, const PartBody& a, const PartBody
   const PartList::Part& partB = b.parts().part(child.b);
   const ChildRule rule = ruleOf(partA, partB, threshold_);
   if (!child.touching && steps.cachedAxis && child.hasAxis) {
-    if (child.reachA == kUnknown) child.reachA = reach(rule.a, child.axis);
-    const float nearB = glm::dot(child.axis, frameB_.origin) - reach(rule.b, frameB_.rotateBack(-child.axis));
-    const float separation = nearB - child.reachA - rule.margin;
+    const float separation = separationAlong(child, rule, frameB_);
     if (separation > rule.threshold + rounding_) {
       ++work.axisRejected;
       wakeAfter(child, separation, rule.threshold);
@@ -221,9 +226,8 @@ void PartPair::learnAxis(ChildPair& child, const PartBody& a, const PartBody& b,
   const ChildRule rule = ruleOf(partA, partB, threshold_);
   child.hasAxis = true;
   child.axis = axis;
-  child.reachA = reach(rule.a, axis);
-  const float nearB = glm::dot(axis, frameB_.origin) - reach(rule.b, frameB_.rotateBack(-axis));
-  wakeAfter(child, nearB - child.reachA - rule.margin, rule.threshold);
+  child.reachA = kUnknown;
+  wakeAfter(child, separationAlong(child, rule, frameB_), rule.threshold);
 }
 
 void PartPair::settle(const PartBody& a, const PartBody& b, const PairSteps& steps) {
