@@ -101,6 +101,12 @@ void PartList::addBoxes(std::span<const PartDef> parts) {
     setBox(boxes_, i, parts_[i].center, 0.5F * (high - low) + Vec3(margin));
     setBox(engineBoxes_, i, part.boundsCenter, part.boundsHalf);
     engineMargin_[i] = part.boundsMargin;
+    for (int axis = 0; axis < 3; ++axis) {
+      parts_[i].boxFrame.row[axis] = {part.boundsAxes[0][axis], part.boundsAxes[1][axis],
+                                      part.boundsAxes[2][axis]};
+    }
+    parts_[i].boxFrame.origin = part.boundsCenter;
+    parts_[i].boxHalf = part.boundsHalf + Vec3(part.boundsMargin);
     if (isTurned(part.boundsAxes)) turned_.push_back({i, part.boundsAxes, part.boundsHalf});
   }
 }

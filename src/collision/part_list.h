@@ -55,6 +55,11 @@ class PartList {
     float margin = 0.0F;
     PartKind kind = PartKind::kHull;
     Vec3 center{0.0F};
+
+    /// The box that bounds it, margin included: its own frame, centred, in the body's. Of a kBox the box
+    /// itself.
+    Frame boxFrame{};
+    Vec3 boxHalf{0.0F};
   };
 
   [[nodiscard]] int count() const { return static_cast<int>(parts_.size()); }

@@ -110,6 +110,14 @@ class PartPair {
   /// Ends the step: finds out how long the pair can be left alone.
   void settle(const PartBody& a, const PartBody& b, const PairSteps& steps);
 
+  /// How far the bodies may have moved against each other in all, metres; starts again at 0 after a reset()
+  /// or a move without a length.
+  [[nodiscard]] double motion() const { return motion_; }
+
+  /// Nothing can be in contact while the bodies' travels add up to less, and neither has jumped.
+  [[nodiscard]] double quietUntil() const { return quietUntil_; }
+  [[nodiscard]] int jumps() const { return jumps_; }  ///< Of both bodies, at the last advance().
+
   [[nodiscard]] float threshold() const { return threshold_; }
 
   /// B's frame in A's, at the last advance().
