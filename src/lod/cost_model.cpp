@@ -1,0 +1,148 @@
+#include "lod/cost_model.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace scatter::lod {
+namespace {
+
+// Of the difference to the newest step. A rise is believed sooner: it may be a pile that forms.
+constexpr double kRise = 0.2;
+constexpr double kFall = 0.1;
+
+// Pairs whose mean a kind's mean forgets no faster than.
+constexpr double kMeanPairs = 2000.0;
+
+// What a kind is taken to have seen before its first pair: so that a few odd ones do not decide.
+constexpr double kPriorPairs = 8.0;
+
+// Nothing is free: keeps ratios finite.
+constexpr double kLeastUnits = 0.01;
+
+// The cost of a level against the next finer one, as long as nothing is known.
+constexpr double kUnknownRatio = 0.4;
+constexpr double kUnknownTouching = 6.0;
+constexpr double kUnknownApart = 1.0;
+
+// What a pair does shows at other levels too, but less. All changes go through here, so that what is
+// remembered of a level does not drift while others are in use.
+void follow(PairCost& cost, std::size_t slot, double units) {
+  const double before = cost.units[slot];
+  if (before <= 0.0) {
+    cost.units[slot] = static_cast<float>(std::max(units, kLeastUnits));
+    return;
+  }
+  const double change = units - before;
+  const double now = std::max(before + change * (change > 0.0 ? kRise : kFall), kLeastUnits);
+  const auto scale = static_cast<float>(std::sqrt(now / before));
+  for (float& remembered : cost.units) remembered *= scale;
+  cost.units[slot] = static_cast<float>(now);
+}
+
+}  // namespace
+
+void CostModel::Mean::add(double value) {
+  weight = std::min(weight + 1.0, kMeanPairs);
+  units += (value - units) / weight;
+}
+
+double CostModel::Mean::with(double prior) const {
+  return std::max((units * weight + prior * kPriorPairs) / (weight + kPriorPairs), kLeastUnits);
+}
+
+double CostModel::units(const PairWorkload& work) const {
+  return weights_.pair + weights_.rebuild * work.rebuilds + weights_.childPair * work.childPairs +
+         weights_.gjkRun * work.gjkRuns + weights_.gjkIteration * work.gjkIterations +
+         weights_.detectorRun * work.detectorRuns + weights_.contact * work.contacts +
+         weights_.manifold * work.manifolds;
+}
+
+double CostModel::fixedUnits(int bodies, int broadphasePairs) const {
+  return weights_.body * bodies + weights_.broadphasePair * broadphasePairs;
+}
+
+void CostModel::learn(PairCost& cost, int level, int finest, bool touching, double units) {
+  assert(level >= 1 && level <= finest);
+  grow(finest);
+  Kind& kind = kinds_[indexOf(level, finest)];
+  const std::size_t slot = PairCost::slotOf(level, finest);
+  if (cost.level == level) {
+    follow(cost, slot, units);
+    if (units > 0.0) addToMeans(cost, level, finest, touching, units);
+  } else {
+    // The first step at a level makes lists anew: what that takes does not belong to the level.
+    const double expected = predict(cost, level, cost.level, finest, touching);
+    cost.level = static_cast<std::uint8_t>(level);
+    follow(cost, slot, std::min(units, expected));
+  }
+  cost.touching[slot] = touching;
+  constexpr std::uint32_t kEvery = 64;
+  if (kind.byTouch[touching ? 1 : 0].all.weight < kEvery || ++learned_ % kEvery == 0) updateEstimates(finest);
+}
+
+void CostModel::addToMeans(const PairCost& cost, int level, int finest, bool touching, double units) {
+  const std::size_t touch = touching ? 1 : 0;
+  Costs& costs = kinds_[indexOf(level, finest)].byTouch[touch];
+  costs.all.add(units);
+  if (level == finest || !(cost.units[0] > 0.0F) || cost.touching[0] != touching) return;
+  costs.here.add(units);
+  costs.finest.add(cost.units[0]);
+  kinds_[indexOf(finest, finest)].byTouch[touch].all.add(cost.units[0]);
+}
+
+double CostModel::unknown(int level, int finest, bool touching) {
+  return (touching ? kUnknownTouching : kUnknownApart) * std::pow(kUnknownRatio, finest - level);
+}
+
+void CostModel::grow(int finest) {
+  int known = 0;
+  while (indexOf(1, known + 1) < kinds_.size()) ++known;
+  if (known >= finest) return;
+  kinds_.resize(indexOf(finest, finest) + 1);
+  for (int levels = known + 1; levels <= finest; ++levels) updateEstimates(levels);
+}
+
+void CostModel::updateEstimates(int finest) {
+  updateEstimates(finest, 0);
+  updateEstimates(finest, 1);
+}
+
+void CostModel::updateEstimates(int finest, std::size_t touch) {
+  const auto costsOf = [&](int level) -> Costs& { return kinds_[indexOf(level, finest)].byTouch[touch]; };
+  // Where nothing is known, a level costs what the best known one makes likely, at the usual ratio.
+  double best = 0.0;
+  double scale = 1.0;
+  for (int level = finest; level >= 1; --level) {
+    const Mean& mean = costsOf(level).all;
+    if (mean.weight <= best) continue;
+    best = mean.weight;
+    scale = std::max(mean.units, kLeastUnits) / unknown(level, finest, touch == 1);
+  }
+  const Costs& finestCosts = costsOf(finest);
+  for (int level = finest; level >= 1; --level) {
+    Costs& costs = costsOf(level);
+    const double own = costs.all.with(scale * unknown(level, finest, touch == 1));
+    const double ratio = costs.here.units / std::max(costs.finest.units, kLeastUnits);
+    const double known = costs.here.weight / (costs.here.weight + kPriorPairs);
+    costs.estimate = std::max(own + (ratio * finestCosts.estimate - own) * known, kLeastUnits);
+    costs.perEstimate = 1.0 / costs.estimate;
+  }
+}
+
+void UnitTime::learn(double units, double milliseconds) {
+  constexpr double kAlmostNone = 20.0;
+  if (units < kAlmostNone || !(milliseconds > 0.0)) return;
+  perUnit_.add(milliseconds / units);
+}
+
+double UnitTime::unitsIn(double milliseconds) const {
+  const double perUnit = millisecondsPerUnit();
+  return perUnit > 0.0 ? milliseconds / perUnit : 0.0;
+}
+
+double UnitTime::millisecondsPerUnit() const {
+  return perUnit_.at(2.0 / 3.0);
+}
+
+}  // namespace scatter::lod

@@ -1,0 +1,151 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "lod/recent_quantile.h"
+
+namespace scatter::lod {
+
+/// Work of one pair in one step. Exact counts.
+struct PairWorkload {
+  int rebuilds = 0;
+  int childPairs = 0;  ///< Awake ones.
+  int gjkRuns = 0;
+  int gjkIterations = 0;
+  int detectorRuns = 0;
+  int contacts = 0;  ///< Contact points handed to the solver.
+  int manifolds = 0;
+};
+
+/// What a unit of work costs, relative to each other: about microseconds on the machine they were fitted on.
+struct CostWeights {
+  double body = 0.7;
+  double broadphasePair = 0.06;
+  double pair = 0.08;
+  double rebuild = 0.85;
+  double childPair = 0.09;
+  double gjkRun = 0.05;
+  double gjkIteration = 0.22;
+  double detectorRun = 1.1;
+  double contact = 0.28;
+  double manifold = 0.15;
+  double separationQuery = 3.0;
+  double audit = 0.5;     ///< The distance between the finest shapes, from scratch.
+  double switched = 5.0;  ///< Besides the queries: contacts dropped, lists made anew.
+};
+
+/// What is remembered of one pair's cost, units a step.
+struct PairCost {
+  static constexpr int kRemembered = 4;
+
+  /// By how many levels coarser than the finest; coarser ones share the last. What it costs, at `level`; what
+  /// it cost there last, scaled by what has changed since, at others. 0: unknown.
+  std::array<float, kRemembered> units{};
+  std::array<bool, kRemembered> touching{};  ///< When that was learned.
+  std::uint8_t level = 0;                    ///< The last one that was learned; 0: nothing was.
+
+  [[nodiscard]] static std::size_t slotOf(int level, int finest) {
+    return static_cast<std::size_t>(finest - level < kRemembered ? finest - level : kRemembered - 1);
+  }
+};
+
+/// Predicts what a pair costs a step at each of its levels: from what it cost itself, else from what pairs of
+/// its kind cost. Learns from every step. Deterministic.
+class CostModel {
+ public:
+  explicit CostModel(const CostWeights& weights) : weights_(weights) {}
+
+  [[nodiscard]] const CostWeights& weights() const { return weights_; }
+  [[nodiscard]] double units(const PairWorkload& work) const;
+  [[nodiscard]] double fixedUnits(int bodies, int broadphasePairs) const;
+
+  /// After a pair was processed at `level` of `finest`, 1 <= level <= finest: takes in what it cost. A pair
+  /// that was left out of a step because it sleeps cost 0: say so, or it counts as dear as before. (0 does
+  /// not count in what is known of other pairs.)
+  void learn(PairCost& cost, int level, int finest, bool touching, double units);
+
+  /// Units a step at `level` for a pair that is at `now` (0: new), without what the switch costs.
+  [[nodiscard]] double predict(const PairCost& cost, int level, int now, int finest, bool touching) const {
+    const std::size_t slot = PairCost::slotOf(level, finest);
+    if (cost.units[slot] > 0.0F && (cost.touching[slot] == touching || level == now)) return cost.units[slot];
+    return estimate(level, finest, touching) * likeness(cost, now, finest, touching);
+  }
+
+ private:
+  struct Mean {
+    double units = 0.0;
+    double weight = 0.0;
+
+    void add(double value);
+    [[nodiscard]] double with(double prior) const;  ///< As if some pairs had been seen that cost `prior`.
+  };
+
+  /// What pairs of one kind cost at a level: those that touch, or those that do not.
+  struct Costs {
+    Mean all{};  ///< Of the pairs at the level. At the finest: of all pairs that ever were, by what is
+                 ///< remembered.
+
+    /// Of the pairs at the level whose cost at the finest level is remembered: both costs. Who is at a
+    /// coarser level is not chosen by chance, so means of different pairs do not compare.
+    Mean here{};
+    Mean finest{};
+
+    double estimate = 0.0;     ///< With kinds that are like it where little is known.
+    double perEstimate = 0.0;  ///< 1 / estimate.
+  };
+
+  /// A level of so many levels.
+  struct Kind {
+    std::array<Costs, 2> byTouch{};  ///< Not touching, touching.
+  };
+
+  [[nodiscard]] static std::size_t indexOf(int level, int finest) {
+    return static_cast<std::size_t>(finest * (finest - 1) / 2 + level - 1);
+  }
+  [[nodiscard]] static double unknown(int level, int finest, bool touching);
+  [[nodiscard]] double estimate(int level, int finest, bool touching) const {
+    const std::size_t index = indexOf(level, finest);
+    return index < kinds_.size() ? kinds_[index].byTouch[touching ? 1 : 0].estimate
+                                 : unknown(level, finest, touching);
+  }
+
+  /// Half of what a pair costs more or less than its kind at one level is taken to hold at another one.
+  [[nodiscard]] double likeness(const PairCost& cost, int now, int finest, bool touching) const {
+    if (now == 0 || now != cost.level) return 1.0;
+    const double perEstimate = kinds_[indexOf(now, finest)].byTouch[touching ? 1 : 0].perEstimate;
+    const double ratio = cost.units[PairCost::slotOf(now, finest)] * perEstimate;
+    return 0.5 + 0.5 * (ratio < kMostAlike ? ratio : kMostAlike);
+  }
+
+  void grow(int finest);
+  void addToMeans(const PairCost& cost, int level, int finest, bool touching, double units);
+  void updateEstimates(int finest);
+  void updateEstimates(int finest, std::size_t touch);
+
+  static constexpr double kMostAlike = 4.0;
+
+  CostWeights weights_;
+  std::vector<Kind> kinds_;
+  std::uint32_t learned_ = 0;
+};
+
+/// What a unit takes on this machine, learned from measured steps: a robust quantile over the last ones,
+/// because reacting to single steps overshoots. The only place where the clock comes in.
+class UnitTime {
+ public:
+  /// `milliseconds` is what a step of `units` took. Steps with almost no units tell nothing and are ignored.
+  void learn(double units, double milliseconds);
+
+  /// Units that fit into so many milliseconds. 0 as long as nothing was learned.
+  [[nodiscard]] double unitsIn(double milliseconds) const;
+
+  [[nodiscard]] double millisecondsPerUnit() const;
+
+ private:
+  RecentQuantile<15> perUnit_;
+};
+
+}  // namespace scatter::lod

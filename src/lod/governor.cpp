@@ -1,0 +1,285 @@
+#include "lod/governor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace scatter::lod {
+namespace {
+
+// Of the capacity: up to where all may have their wish, from where on nobody, and what relief aims at.
+constexpr double kAllBelow = 0.88;
+constexpr double kNoneFrom = 1.02;
+constexpr double kRelieved = 0.98;
+
+// Of the capacity: what giving detail back, and pairs that are apart and change, may take in one step.
+constexpr double kGiveBack = 0.03;
+constexpr double kChange = 0.03;
+
+// Budgets, in what all bodies would cost in one pile at the middle level: enough for it, and too little
+// again.
+constexpr double kMiddleRoom = 1.3;
+constexpr double kMiddleKept = 1.1;
+
+// Steps by which the trend is foreseen.
+constexpr double kForesight = 2.0;
+constexpr double kTrendShare = 0.25;
+
+// What a pair costs on credit: the contacts that it holds, and looking at its finest shapes now and then.
+constexpr double kHeldUnits = 3.0;
+constexpr double kAuditShare = 0.3;
+
+// So many units must a switch save a step.
+constexpr double kWorthwhile = 1.0;
+
+// What a touching pair loses on credit, and at a coarser level without, in the detail of a finest pair.
+constexpr float kCreditLoss = 0.3F;
+constexpr float kCoarseLoss = 0.8F;
+
+// Once admitted, a pair is not turned away for a little less room.
+constexpr double kLoyalty = 0.1;
+
+// Of the last steps' actual against predicted units, for the correction.
+constexpr double kCorrectionShare = 0.6;
+constexpr double kLeastCorrection = 0.5;
+constexpr double kMostCorrection = 2.5;
+
+constexpr float kLeastImportance = 0.01F;
+constexpr float kMostImportance = 100.0F;
+
+int lowest(const PlannedPair& pair) {
+  return std::clamp<int>(pair.wish.atLeast, 1, pair.view.finest);
+}
+
+int highest(const PlannedPair& pair) {
+  return std::max(std::min<int>(pair.wish.atMost, pair.view.finest), lowest(pair));
+}
+
+// The level that is taken on credit: with two levels the coarser one.
+int middleOf(const PlannedPair& pair, int creditLevel) {
+  return std::max(std::min<int>(creditLevel, pair.view.finest - 1), 1);
+}
+
+// In this order, what is not a number becomes the least.
+float importanceOf(const PlannedPair& pair) {
+  return std::min(std::max(kLeastImportance, pair.wish.importance), kMostImportance);
+}
+
+// Evenly spread over 0 to 1.
+double lot(std::uint32_t identity) {
+  constexpr std::uint32_t kGolden = 2654435769U;
+  return static_cast<double>(identity * kGolden) / 4294967296.0;
+}
+
+// How much more cheap pairs are preferred than they are cheaper.
+constexpr double kThrift = 3.0;
+
+// Keeps ratios finite.
+constexpr double kLeastUnits = 0.01;
+
+double predict(const PlannedPair& pair, const CostModel& costs, int level) {
+  const PairView& view = pair.view;
+  return costs.predict(pair.cost, level, view.level, view.finest, view.touching);
+}
+
+}  // namespace
+
+void Governor::plan(std::span<PlannedPair> pairs, const CostModel& costs, double fixed, double budget,
+                    int bodies) {
+  fixed_ = fixed;
+  predicted_ = 0.0;
+  if (std::isinf(budget)) {
+    planUnlimited(pairs, costs);
+    return;
+  }
+  const double detail = survey(pairs, costs);
+  forecast(budget, bodies, detail);
+  shareOut();
+  for (PlannedPair& pair : pairs) planPair(pair, costs);
+  const double foreseen = planned() + kForesight * std::max(trend_, 0.0);
+  if (foreseen > kRelieved * capacity_) relieve(pairs, costs, foreseen - kRelieved * capacity_);
+  if (foreseen < kAllBelow * capacity_) giveBack(pairs, costs, kAllBelow * capacity_ - foreseen);
+  for (PlannedPair& pair : pairs) pair.byBudget = pair.target < highest(pair) && pair.blockedSteps == 0;
+}
+
+void Governor::planUnlimited(std::span<PlannedPair> pairs, const CostModel& costs) {
+  capacity_ = std::numeric_limits<double>::infinity();
+  admission_ = 1.0;
+  shareOut();
+  for (PlannedPair& pair : pairs) {
+    pair.target = static_cast<std::uint8_t>(highest(pair));
+    pair.byBudget = false;
+    predicted_ += predict(pair, costs, pair.target);
+  }
+}
+
+/// What the pairs cost now; how much of that is detail in contacts.
+double Governor::survey(std::span<const PlannedPair> pairs, const CostModel& costs) {
+  double detail = 0.0;
+  for (const PlannedPair& pair : pairs) {
+    if (pair.view.level == 0) continue;
+    const double units = predict(pair, costs, pair.view.level);
+    predicted_ += units;
+    if (!pair.view.touching) continue;
+    if (pair.view.credited || pair.view.level == pair.view.finest) detail += units;
+    if (!pair.view.credited && pair.view.level == pair.view.finest) learnKind(pair, units);
+  }
+  return detail;
+}
+
+void Governor::forecast(double budget, int bodies, double detail) {
+  capacity_ = def_.planned * budget;
+  // One level for all whom it refuses their wish, not changed for a little.
+  const double middle = def_.middlePileUnits * bodies;
+  isMiddle_ = capacity_ > (isMiddle_ ? kMiddleKept : kMiddleRoom) * middle;
+  // What all bodies would cost in one pile, as far as they do not cost it yet.
+  const double pile = isMiddle_ ? middle : def_.pileUnits * bodies;
+  const double reserve = std::max(pile - (planned() - correction_ * detail), 0.0);
+  const double foreseen = planned() + kForesight * std::max(trend_, 0.0) + reserve;
+  admission_ =
+      std::clamp((kNoneFrom * capacity_ - foreseen) / ((kNoneFrom - kAllBelow) * capacity_), 0.0, 1.0);
+  changeRoom_ = kChange * capacity_;
+}
+
+void Governor::learnKind(const PlannedPair& pair, double units) {
+  constexpr double kMemory = 2000.0;  // pairs times steps
+  Kind& kind = kinds_[pair.kind];
+  kind.weight = std::min(kind.weight + 1.0, kMemory);
+  kind.units += (units - kind.units) / kind.weight;
+}
+
+/// As detail costs less in one kind of pairs than in another, a larger share of them is admitted.
+void Governor::shareOut() {
+  double units = 0.0;
+  double weight = 0.0;
+  for (const Kind& kind : kinds_) {
+    units += kind.units * kind.weight;
+    weight += kind.weight;
+  }
+  for (Kind& kind : kinds_) {
+    for (const bool has : {false, true}) {
+      const double share = std::clamp(admission_ + (has ? kLoyalty : 0.0), 0.0, 1.0);
+      const double cheapness = kind.weight > 0.0 ? units / (weight * std::max(kind.units, kLeastUnits)) : 1.0;
+      kind.share[has ? 1 : 0] = 1.0 - std::pow(1.0 - share, std::pow(cheapness, kThrift));
+    }
+  }
+}
+
+bool Governor::isAdmitted(const PlannedPair& pair) const {
+  const bool has = pair.view.level == highest(pair);
+  const double share = kinds_[pair.kind].share[has ? 1 : 0];
+  const float importance = importanceOf(pair);
+  if (importance == 1.0F || share <= 0.0 || share >= 1.0) return lot(pair.identity) < share;
+  // As if so many pairs drew lots for it.
+  return lot(pair.identity) < 1.0 - std::pow(1.0 - share, static_cast<double>(importance));
+}
+
+/// Of a pair that is apart: what it wishes for, else a middle level, else the least.
+int Governor::levelFor(const PlannedPair& pair) const {
+  const int low = lowest(pair);
+  const int high = highest(pair);
+  if (isAdmitted(pair)) return high;
+  return isMiddle_ ? std::clamp(middleOf(pair, def_.creditLevel), low, high) : low;
+}
+
+// The wish's bounds, and pairs that are apart.
+void Governor::planPair(PlannedPair& pair, const CostModel& costs) {
+  const PairView& view = pair.view;
+  const int low = lowest(pair);
+  const int high = highest(pair);
+  int target = std::clamp<int>(view.level, low, high);
+  // Credit that does not pay.
+  const bool isDear = view.credited && view.touching && pair.blockedSteps == 0 && target < high &&
+                      finestUnits(pair, costs) + kWorthwhile < predict(pair, costs, view.level);
+  if (isDear) target = high;
+  const bool isFree = !view.touching && !view.credited && pair.blockedSteps == 0;
+  if (isFree && changeRoom_ > 0.0) {
+    // One that is near others at its finest level hardly costs more there than at a middle one.
+    target = isMiddle_ && !isAdmitted(pair) ? target : levelFor(pair);
+    if (target != view.level) changeRoom_ -= costs.weights().switched;
+  }
+  pair.target = static_cast<std::uint8_t>(target);
+}
+
+/// Pairs in contact on credit: what saves most for what is lost.
+void Governor::relieve(std::span<PlannedPair> pairs, const CostModel& costs, double excess) {
+  offers_.clear();
+  for (std::uint32_t i = 0; i < pairs.size(); ++i) {
+    const PlannedPair& pair = pairs[i];
+    const int coarser = std::max(lowest(pair), middleOf(pair, def_.creditLevel));
+    if (!pair.view.touching || pair.view.credited || pair.target <= coarser || pair.blockedSteps > 0)
+      continue;
+    const double now = predict(pair, costs, pair.view.level);
+    const double saved = now - creditUnits(pair, coarser, now);
+    if (saved < kWorthwhile) continue;
+    const auto units = static_cast<float>(saved * correction_);
+    offers_.push_back(
+        {units / (kCreditLoss * importanceOf(pair)), units, i, static_cast<std::uint8_t>(coarser)});
+  }
+  accept(pairs, std::max(excess, bestCost()), -1.0);
+}
+
+/// What a pair that costs `now` in contact would cost on credit at `level`: as it did, else as most do.
+double Governor::creditUnits(const PlannedPair& pair, int level, double now) {
+  const std::size_t slot = PairCost::slotOf(level, pair.view.finest);
+  const bool isKnown = pair.cost.units[slot] > 0.0F && pair.cost.touching[slot];
+  return isKnown ? static_cast<double>(pair.cost.units[slot]) : kHeldUnits + kAuditShare * now;
+}
+
+/// What a pair in contact would cost at its finest level: as it did, else as others of its kind do.
+double Governor::finestUnits(const PlannedPair& pair, const CostModel& costs) const {
+  const Kind& kind = kinds_[pair.kind];
+  const bool isKnown = pair.cost.units[0] > 0.0F && pair.cost.touching[0];
+  return isKnown || kind.weight <= 0.0 ? predict(pair, costs, pair.view.finest) : kind.units;
+}
+
+/// Pairs in contact, or on credit, at a finer level again: where most is seen for what it costs.
+void Governor::giveBack(std::span<PlannedPair> pairs, const CostModel& costs, double room) {
+  offers_.clear();
+  for (std::uint32_t i = 0; i < pairs.size(); ++i) {
+    const PlannedPair& pair = pairs[i];
+    const int high = highest(pair);
+    if (!(pair.view.touching || pair.view.credited) || pair.target >= high || pair.blockedSteps > 0) continue;
+    const double dearer = finestUnits(pair, costs) - predict(pair, costs, pair.view.level);
+    const auto extra = static_cast<float>(correction_ * (std::max(dearer, 0.0) + costs.weights().switched));
+    if (extra > room) continue;
+    const float gain = (pair.view.credited ? kCreditLoss : kCoarseLoss) * importanceOf(pair);
+    offers_.push_back({gain / extra, extra, i, static_cast<std::uint8_t>(high)});
+  }
+  accept(pairs, std::min(room, std::max(kGiveBack * capacity_, bestCost())), 1.0);
+}
+
+/// Of the best offer: with room for that, nothing that is too dear stands in the way of the others.
+double Governor::bestCost() const {
+  const auto best = std::max_element(offers_.begin(), offers_.end(),
+                                     [](const Offer& a, const Offer& b) { return a.price < b.price; });
+  return best == offers_.end() ? 0.0 : best->cost;
+}
+
+/// The best offers that fit into the room. `sign`: of what they add to the step's units.
+void Governor::accept(std::span<PlannedPair> pairs, double room, double sign) {
+  PriceCut cut = search_.find(offers_, room);
+  for (const Offer& offer : offers_) {
+    if (!cut.take(offer)) continue;
+    pairs[offer.pair].target = offer.level;
+    predicted_ += sign * (static_cast<double>(offer.cost) / correction_);
+  }
+}
+
+int Governor::planNew(const PlannedPair& pair, const CostModel& costs) {
+  const int level = levelFor(pair);
+  predicted_ += predict(pair, costs, level);
+  return level;
+}
+
+void Governor::learn(double actualUnits) {
+  if (lastActual_ > 0.0) trend_ += kTrendShare * (actualUnits - lastActual_ - trend_);
+  lastActual_ = actualUnits;
+  // Too little to tell anything.
+  constexpr double kAlmostNone = 10.0;
+  if (predicted_ < kAlmostNone) return;
+  ratios_.add((actualUnits - fixed_) / predicted_);
+  correction_ = std::clamp(ratios_.at(kCorrectionShare), kLeastCorrection, kMostCorrection);
+}
+
+}  // namespace scatter::lod

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "lod/cost_model.h"
+#include "lod/planned_pair.h"
+#include "lod/price_cut.h"
+#include "lod/recent_quantile.h"
+
+namespace scatter::lod {
+
+struct GovernorDef {
+  /// The coarsest level that a pair in contact takes on credit.
+  int creditLevel = 2;
+
+  /// The share of the budget that is planned; the rest is for what cannot be foreseen.
+  float planned = 0.85F;
+
+  /// Units that a body costs in a dense pile without any detail. Detail that is given while bodies are still
+  /// on their way must leave room for that, as it is cheap to refuse and dear to take back.
+  double pileUnits = 6.0;
+
+  /// The same at the middle level, creditLevel: a budget with ample room for that gives it to the pairs that
+  /// are refused their wish.
+  double middlePileUnits = 9.0;
+};
+
+/// The global policy: keeps the cost of a step within a budget. Plans before the narrowphase, from the cost
+/// model's predictions and their trend. Clock-free: budgets and costs are in units. Deterministic.
+///
+/// Three levers, in the order in which they come into play as the budget gets tight:
+/// - Admission. Pairs that are apart, and new ones, may have their wish while there is room; as it gets less,
+///   so does the share of them, most important and cheapest first. This is where most is decided: a pair that
+///   comes into contact coarsely stays cheap, and keeps the pile around it loose.
+/// - Relief. Pairs in contact go coarser on credit, those first that save most for what is lost: the dearest.
+/// - When there is room again, detail is given back to pairs in contact, a little in each step.
+class Governor {
+ public:
+  explicit Governor(const GovernorDef& def) : def_(def) {}
+
+  /// Sets `target` and `byBudget` of every pair. `budget`: units for the whole step; infinite for none.
+  /// `fixed`: units of the step that no level changes (bodies, broadphase); `bodies`: how many move. The
+  /// target is within the wish, even while the pair is blocked.
+  void plan(std::span<PlannedPair> pairs, const CostModel& costs, double fixed, double budget, int bodies);
+
+  /// The level for a pair that has come up after plan() (its view.level is 0). `identity` tells it from
+  /// others, the same run after run.
+  [[nodiscard]] int planNew(const PlannedPair& pair, const CostModel& costs);
+
+  /// After each planned step: what it did cost, fixed units included, to correct the next plans.
+  void learn(double actualUnits);
+
+  /// What the plan expects the step to cost; grows with each planNew().
+  [[nodiscard]] double planned() const { return fixed_ + correction_ * predicted_; }
+
+  /// From 0 to 1: the share of ordinary pairs, of those that are apart, that may have their wish.
+  [[nodiscard]] double admission() const { return admission_; }
+
+ private:
+  void planUnlimited(std::span<PlannedPair> pairs, const CostModel& costs);
+  void planPair(PlannedPair& pair, const CostModel& costs);
+  [[nodiscard]] double survey(std::span<const PlannedPair> pairs, const CostModel& costs);
+  void forecast(double budget, int bodies, double detail);
+  void learnKind(const PlannedPair& pair, double units);
+  void shareOut();
+  [[nodiscard]] static double creditUnits(const PlannedPair& pair, int level, double now);
+  [[nodiscard]] double finestUnits(const PlannedPair& pair, const CostModel& costs) const;
+  [[nodiscard]] bool isAdmitted(const PlannedPair& pair) const;
+  [[nodiscard]] int levelFor(const PlannedPair& pair) const;
+  void relieve(std::span<PlannedPair> pairs, const CostModel& costs, double excess);
+  void giveBack(std::span<PlannedPair> pairs, const CostModel& costs, double room);
+  [[nodiscard]] double bestCost() const;
+  void accept(std::span<PlannedPair> pairs, double room, double sign);
+
+  /// Pairs of a kind: what a touching one costs at its finest level, and the share of them that is admitted,
+  /// of those that are at their finest level already and of the others.
+  struct Kind {
+    double units = 0.0;
+    double weight = 0.0;
+    double share[2]{1.0, 1.0};
+  };
+
+  GovernorDef def_;
+  std::array<Kind, PlannedPair::kKinds> kinds_{};
+  double fixed_ = 0.0;
+  double predicted_ = 0.0;   ///< Units besides the fixed ones, not corrected.
+  double lastActual_ = 0.0;  ///< 0: nothing was learned yet.
+  double capacity_ = 0.0;    ///< Units a step may be planned to cost.
+  double changeRoom_ = 0.0;  ///< Units left for changes of pairs that are apart.
+  double trend_ = 0.0;       ///< Units a step by which steps get dearer.
+  double admission_ = 1.0;
+  bool isMiddle_ = false;    ///< Pairs that are refused their wish get a middle level, not the least.
+  double correction_ = 1.0;  ///< For predictions, from how much steps cost against what was predicted.
+  RecentQuantile<16> ratios_;
+  PriceSearch search_;
+  std::vector<Offer> offers_;
+};
+
+}  // namespace scatter::lod

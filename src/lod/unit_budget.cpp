@@ -1,0 +1,54 @@
+#include "lod/unit_budget.h"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+#include <utility>
+
+namespace scatter::lod {
+namespace {
+
+constexpr double kUnitsPerMillisecond = 1000.0;
+
+}  // namespace
+
+UnitBudget UnitBudget::ofUnits(double units) {
+  assert(units > 0.0);
+  return replay({units});
+}
+
+UnitBudget UnitBudget::ofMilliseconds(double milliseconds) {
+  assert(milliseconds > 0.0);
+  UnitBudget budget;
+  budget.milliseconds_ = milliseconds;
+  return budget;
+}
+
+UnitBudget UnitBudget::replay(std::vector<double> units) {
+  UnitBudget budget;
+  budget.units_ = std::move(units);
+  return budget;
+}
+
+double UnitBudget::next() {
+  if (milliseconds_ > 0.0) {
+    const double units = unitTime_.unitsIn(milliseconds_);
+    return units > 0.0 ? units : milliseconds_ * kUnitsPerMillisecond;
+  }
+  if (units_.empty()) return std::numeric_limits<double>::infinity();
+  const double units = units_[std::min(step_, units_.size() - 1)];
+  ++step_;
+  return units > 0.0 ? units : std::numeric_limits<double>::infinity();
+}
+
+void UnitBudget::learn(double units, double milliseconds) {
+  if (milliseconds_ <= 0.0) return;
+  // In a light step most of the time goes into what no unit stands for.
+  constexpr double kLight = 0.25;
+  const double known = unitTime_.unitsIn(milliseconds_);
+  const double allowed = known > 0.0 ? known : milliseconds_ * kUnitsPerMillisecond;
+  if (units < kLight * allowed && milliseconds < kLight * milliseconds_) return;
+  unitTime_.learn(units, milliseconds);
+}
+
+}  // namespace scatter::lod

@@ -1,0 +1,189 @@
+#include "lod/cost_model.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lod/fake_engine.h"
+
+namespace scatter::lod {
+namespace {
+
+using testing::Random;
+
+constexpr bool kTouching = true;
+
+TEST(CostModel, AddsUpTheWorkOfAPair) {
+  CostWeights weights;
+  weights.pair = 1.0;
+  weights.rebuild = 2.0;
+  weights.childPair = 3.0;
+  weights.gjkRun = 5.0;
+  weights.gjkIteration = 7.0;
+  weights.detectorRun = 11.0;
+  weights.contact = 13.0;
+  weights.manifold = 17.0;
+  const CostModel costs(weights);
+  // 1 + 2·1 + 3·2 + 5·3 + 7·4 + 11·5 + 13·6 + 17·7
+  EXPECT_DOUBLE_EQ(costs.units({1, 2, 3, 4, 5, 6, 7}), 304.0);
+  EXPECT_DOUBLE_EQ(costs.units({}), 1.0);
+}
+
+TEST(CostModel, FixedUnitsCountBodiesAndBroadphasePairs) {
+  CostWeights weights;
+  weights.body = 2.0;
+  weights.broadphasePair = 0.5;
+  EXPECT_DOUBLE_EQ(CostModel(weights).fixedUnits(10, 8), 24.0);
+}
+
+TEST(CostModel, ExpectsFinerLevelsToCostMoreBeforeItKnowsAnything) {
+  const CostModel costs{CostWeights{}};
+  for (const bool touching : {false, true}) {
+    for (int finest = 2; finest <= 6; ++finest) {
+      for (int level = 2; level <= finest; ++level) {
+        EXPECT_GT(costs.predict({}, level, 0, finest, touching),
+                  costs.predict({}, level - 1, 0, finest, touching));
+      }
+    }
+  }
+}
+
+TEST(CostModel, PredictsASteadyPairExactly) {
+  CostModel costs{CostWeights{}};
+  PairCost cost;
+  for (int i = 0; i < 60; ++i) costs.learn(cost, 2, 3, kTouching, 8.0);
+  EXPECT_NEAR(costs.predict(cost, 2, 2, 3, kTouching), 8.0, 0.1);
+}
+
+TEST(CostModel, RemembersWhatOtherLevelsCost) {
+  CostModel costs{CostWeights{}};
+  PairCost cost;
+  for (int i = 0; i < 60; ++i) costs.learn(cost, 3, 3, kTouching, 20.0);
+  for (int i = 0; i < 60; ++i) costs.learn(cost, 2, 3, kTouching, 4.0);
+  EXPECT_NEAR(costs.predict(cost, 3, 2, 3, kTouching), 20.0, 3.0);
+  for (int i = 0; i < 60; ++i) costs.learn(cost, 1, 3, kTouching, 1.0);
+  EXPECT_NEAR(costs.predict(cost, 3, 1, 3, kTouching), 20.0, 3.0);
+  EXPECT_NEAR(costs.predict(cost, 2, 1, 3, kTouching), 4.0, 0.6);
+}
+
+TEST(CostModel, WhatIsRememberedDoesNotDrift) {
+  CostModel costs{CostWeights{}};
+  Random random(4);
+  PairCost cost;
+  const double truth[] = {0.0, 1.0, 4.0, 20.0};
+  int level = 3;
+  for (int i = 0; i < 20000; ++i) {
+    if (i % 7 == 0) level = 1 + static_cast<int>(random.uniform(0.0, 3.0));
+    costs.learn(cost, level, 3, kTouching, truth[level] * random.uniform(0.5, 1.5));
+    if (i < 200) continue;
+    for (int other = 1; other <= 3; ++other) {
+      const double predicted = costs.predict(cost, other, level, 3, kTouching);
+      ASSERT_GT(predicted, 0.4 * truth[other]) << "level " << other << " in step " << i;
+      ASSERT_LT(predicted, 2.5 * truth[other]) << "level " << other << " in step " << i;
+    }
+  }
+}
+
+TEST(CostModel, APairThatCalmsDownIsExpectedToBeCheaperAtOtherLevelsToo) {
+  CostModel costs{CostWeights{}};
+  PairCost cost;
+  for (int i = 0; i < 60; ++i) costs.learn(cost, 3, 3, kTouching, 20.0);
+  for (int i = 0; i < 60; ++i) costs.learn(cost, 2, 3, kTouching, 8.0);
+  const double before = costs.predict(cost, 3, 2, 3, kTouching);
+  for (int i = 0; i < 60; ++i) costs.learn(cost, 2, 3, kTouching, 2.0);
+  EXPECT_NEAR(costs.predict(cost, 3, 2, 3, kTouching), before / 2.0, 0.15 * before);
+}
+
+TEST(CostModel, NewPairsCostWhatTheirKindCosts) {
+  CostModel costs{CostWeights{}};
+  for (int i = 0; i < 200; ++i) {
+    PairCost a;
+    PairCost b;
+    for (int step = 0; step < 5; ++step) {
+      costs.learn(a, 3, 3, kTouching, 12.0);
+      costs.learn(b, 3, 3, !kTouching, 0.5);
+    }
+  }
+  EXPECT_NEAR(costs.predict({}, 3, 0, 3, kTouching), 12.0, 0.5);
+  EXPECT_NEAR(costs.predict({}, 3, 0, 3, !kTouching), 0.5, 0.05);
+}
+
+TEST(CostModel, IsNotMisledByWhoIsChosenForACoarserLevel) {
+  // Halfway costs a fifth, but only pairs that are dear at the finest level are sent there.
+  CostModel costs{CostWeights{}};
+  Random random(9);
+  for (int i = 0; i < 400; ++i) {
+    PairCost cost;
+    const double finest = random.uniform(1.0, 20.0);
+    for (int step = 0; step < 20; ++step) {
+      const bool coarser = finest > 15.0 && step >= 10;
+      costs.learn(cost, coarser ? 2 : 3, 3, kTouching, coarser ? 0.2 * finest : finest);
+    }
+  }
+  EXPECT_NEAR(costs.predict({}, 2, 0, 3, kTouching) / costs.predict({}, 3, 0, 3, kTouching), 0.2, 0.05);
+}
+
+TEST(CostModel, TheFirstStepAtALevelDoesNotCount) {
+  CostModel costs{CostWeights{}};
+  PairCost cost;
+  for (int i = 0; i < 300; ++i) {
+    cost = {};
+    costs.learn(cost, 3, 3, kTouching, 15.0);
+    for (int step = 0; step < 9; ++step) costs.learn(cost, 3, 3, kTouching, 10.0);
+  }
+  EXPECT_NEAR(costs.predict({}, 3, 0, 3, kTouching), 10.0, 0.5);
+  // Nor when a pair comes back to a level.
+  for (int i = 0; i < 20; ++i) costs.learn(cost, 2, 3, kTouching, 4.0);
+  const double before = costs.predict(cost, 3, 2, 3, kTouching);
+  costs.learn(cost, 3, 3, kTouching, 100.0);
+  EXPECT_NEAR(costs.predict(cost, 3, 3, 3, kTouching), before, 0.1);
+}
+
+TEST(CostModel, SleepingPairsBecomeCheapAndTeachNothingAboutOthers) {
+  CostModel costs{CostWeights{}};
+  PairCost cost;
+  for (int i = 0; i < 60; ++i) costs.learn(cost, 3, 3, kTouching, 10.0);
+  const double kind = costs.predict({}, 3, 0, 3, kTouching);
+  for (int i = 0; i < 100; ++i) costs.learn(cost, 3, 3, kTouching, 0.0);
+  EXPECT_LT(costs.predict(cost, 3, 3, 3, kTouching), 0.05);
+  EXPECT_NEAR(costs.predict({}, 3, 0, 3, kTouching), kind, 0.5);
+}
+
+TEST(CostModel, TakesAnyNumberOfLevels) {
+  CostModel costs{CostWeights{}};
+  PairCost cost;
+  for (int level = 1; level <= 40; ++level) {
+    for (int i = 0; i < 20; ++i) costs.learn(cost, level, 40, kTouching, level);
+    EXPECT_NEAR(costs.predict(cost, level, level, 40, kTouching), level, 0.2 * level + 0.1);
+  }
+}
+
+TEST(UnitTime, KnowsNothingAtFirst) {
+  const UnitTime time;
+  EXPECT_EQ(time.unitsIn(5.0), 0.0);
+  EXPECT_EQ(time.millisecondsPerUnit(), 0.0);
+}
+
+TEST(UnitTime, IsNotImpressedBySingleSteps) {
+  UnitTime time;
+  for (int i = 0; i < 40; ++i) time.learn(1000.0, i % 5 == 4 ? 20.0 : 2.0);
+  EXPECT_DOUBLE_EQ(time.millisecondsPerUnit(), 0.002);
+  EXPECT_DOUBLE_EQ(time.unitsIn(5.0), 2500.0);
+}
+
+TEST(UnitTime, FollowsAMachineThatBecomesSlower) {
+  UnitTime time;
+  for (int i = 0; i < 40; ++i) time.learn(1000.0, 2.0);
+  for (int i = 0; i < 10; ++i) time.learn(1000.0, 4.0);
+  EXPECT_DOUBLE_EQ(time.millisecondsPerUnit(), 0.004);
+}
+
+TEST(UnitTime, IgnoresStepsWithAlmostNoUnits) {
+  UnitTime time;
+  time.learn(1.0, 3.0);
+  time.learn(1000.0, 0.0);
+  EXPECT_EQ(time.unitsIn(5.0), 0.0);
+}
+
+}  // namespace
+}  // namespace scatter::lod

@@ -1,0 +1,285 @@
+#include "lod/governor.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "lod/fake_engine.h"
+#include "lod/governor_pairs.h"
+
+/// What holds of every plan.
+namespace scatter::lod {
+namespace {
+
+using testing::countAt;
+using testing::followPlan;
+using testing::kNoBudget;
+using testing::knownPair;
+using testing::knownPairs;
+using testing::newPair;
+using testing::Random;
+
+constexpr float kOdd[] = {0.0F,
+                          -1.0F,
+                          1e30F,
+                          std::numeric_limits<float>::infinity(),
+                          -std::numeric_limits<float>::infinity(),
+                          std::numeric_limits<float>::quiet_NaN()};
+
+TEST(Governor, WithoutABudgetAllGetWhatTheyWish) {
+  CostModel costs{CostWeights{}};
+  Governor governor({});
+  std::vector<PlannedPair> pairs = knownPairs(costs, 4, 2);
+  pairs[1].wish.atMost = 1;
+  pairs[2].wish.atMost = 1;
+  pairs[2].wish.atLeast = 2;
+  pairs[3].view.touching = false;
+  governor.plan(pairs, costs, 100.0, kNoBudget, 10000);
+  EXPECT_EQ(pairs[0].target, 3);
+  EXPECT_EQ(pairs[1].target, 1);
+  EXPECT_EQ(pairs[2].target, 2);
+  EXPECT_EQ(pairs[3].target, 3);
+  for (const PlannedPair& pair : pairs) EXPECT_FALSE(pair.byBudget);
+  for (std::uint32_t i = 0; i < 1000; ++i) ASSERT_EQ(governor.planNew(newPair(i), costs), 3);
+}
+
+TEST(Governor, ABudgetThatIsLiftedGivesEverythingBackAtOnce) {
+  CostModel costs{CostWeights{}};
+  Governor governor({});
+  std::vector<PlannedPair> pairs = knownPairs(costs, 100, 3);
+  governor.plan(pairs, costs, 0.0, 100.0, 0);
+  governor.learn(1000.0);
+  EXPECT_LT(countAt(pairs, 3), 100);
+  governor.plan(pairs, costs, 0.0, kNoBudget, 0);
+  EXPECT_EQ(countAt(pairs, 3), 100);
+  EXPECT_EQ(governor.admission(), 1.0);
+  EXPECT_EQ(governor.planNew(newPair(7), costs), 3);
+}
+
+TEST(Governor, TakesAWorldWithoutPairs) {
+  CostModel costs{CostWeights{}};
+  Governor governor({});
+  std::vector<PlannedPair> none;
+  for (const double budget : {kNoBudget, 1000.0, 1e-6}) {
+    governor.plan(none, costs, 100.0, budget, 0);
+    EXPECT_EQ(governor.planned(), 100.0);
+    governor.learn(100.0);
+  }
+}
+
+TEST(Governor, AWideBudgetChangesNothing) {
+  CostModel costs{CostWeights{}};
+  Governor governor({});
+  std::vector<PlannedPair> pairs = knownPairs(costs, 100, 3);
+  governor.plan(pairs, costs, 50.0, 2000.0, 10);
+  EXPECT_EQ(countAt(pairs, 3), 100);
+  for (const PlannedPair& pair : pairs) EXPECT_FALSE(pair.byBudget);
+  // 50 + 100 · 10
+  EXPECT_NEAR(governor.planned(), 1050.0, 20.0);
+}
+
+TEST(Governor, ExpectsWhatThePairsCostNow) {
+  CostModel costs{CostWeights{}};
+  Governor governor({});
+  std::vector<PlannedPair> pairs = knownPairs(costs, 50, 3, 8.0);
+  const std::vector<PlannedPair> coarse = knownPairs(costs, 50, 2, 8.0);
+  pairs.insert(pairs.end(), coarse.begin(), coarse.end());
+  for (PlannedPair& pair : pairs) pair.blockedSteps = 5;
+  governor.plan(pairs, costs, 30.0, 3000.0, 0);
+  // 30 + 50 · 8 + 50 · 3.2
+  EXPECT_NEAR(governor.planned(), 590.0, 20.0);
+}
+
+TEST(Governor, PromisesHoldWhateverTheBudget) {
+  CostModel costs{CostWeights{}};
+  Governor governor({});
+  std::vector<PlannedPair> pairs = knownPairs(costs, 90, 3);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    pairs[i].wish.atLeast = static_cast<std::uint8_t>(1 + i % 3);
+    pairs[i].view.touching = i % 2 == 0;
+  }
+  for (const double budget : {900.0, 400.0, 100.0, 1.0}) {
+    for (int step = 0; step < 20; ++step) {
+      governor.plan(pairs, costs, 0.0, budget, 100);
+      for (const PlannedPair& pair : pairs) ASSERT_GE(pair.target, pair.wish.atLeast);
+      followPlan(pairs);
+      governor.learn(governor.planned());
+    }
+  }
+  PlannedPair promised = newPair(0);
+  promised.wish.atLeast = 3;
+  EXPECT_EQ(governor.planNew(promised, costs), 3);
+}
+
+TEST(Governor, PromisesAreKeptAtOnce) {
+  CostModel costs{CostWeights{}};
+  Governor governor({});
+  std::vector<PlannedPair> pairs = knownPairs(costs, 200, 1);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    pairs[i].wish.atLeast = 3;
+    pairs[i].wish.atMost = 1;  // The promise wins.
+    pairs[i].view.touching = i % 2 == 0;
+  }
+  governor.plan(pairs, costs, 0.0, 10.0, 0);
+  EXPECT_EQ(countAt(pairs, 3), 200);
+}
+
+TEST(Governor, RequestsAreFollowedAndAreNotTheBudgetsFault) {
+  CostModel costs{CostWeights{}};
+  Governor governor({});
+  std::vector<PlannedPair> pairs = knownPairs(costs, 50, 3);
+  for (PlannedPair& pair : pairs) pair.wish.atMost = 2;
+  governor.plan(pairs, costs, 0.0, 10000.0, 0);
+  EXPECT_EQ(countAt(pairs, 2), 50);
+  for (const PlannedPair& pair : pairs) EXPECT_FALSE(pair.byBudget);
+  PlannedPair asked = newPair(0);
+  asked.wish.atMost = 2;
+  EXPECT_EQ(governor.planNew(asked, costs), 2);
+}
+
+TEST(Governor, TellsWhatTheBudgetTook) {
+  CostModel costs{CostWeights{}};
+  Governor governor({});
+  std::vector<PlannedPair> pairs = knownPairs(costs, 50, 3);
+  const std::vector<PlannedPair> coarse = knownPairs(costs, 50, 1);
+  pairs.insert(pairs.end(), coarse.begin(), coarse.end());
+  governor.plan(pairs, costs, 0.0, 300.0, 0);
+  EXPECT_GT(countAt(pairs, 1), 0);
+  EXPECT_GT(countAt(pairs, 2), 0);
+  for (const PlannedPair& pair : pairs) EXPECT_EQ(pair.byBudget, pair.target < 3);
+}
+
+TEST(Governor, LearnsHowFarOffItsPlansAre) {
+  CostModel costs{CostWeights{}};
+  Governor governor({});
+  std::vector<PlannedPair> pairs = knownPairs(costs, 100, 3);
+  for (int i = 0; i < 20; ++i) {
+    governor.plan(pairs, costs, 100.0, 5000.0, 0);
+    governor.learn(100.0 + 1.5 * 1000.0);
+  }
+  governor.plan(pairs, costs, 100.0, 5000.0, 0);
+  EXPECT_NEAR(governor.planned(), 1600.0, 30.0);
+  // One odd step changes nothing.
+  governor.learn(20000.0);
+  governor.plan(pairs, costs, 100.0, 50000.0, 0);
+  EXPECT_NEAR(governor.planned(), 1600.0, 30.0);
+}
+
+TEST(Governor, AWorldThatStartsHeavyIsNotTakenForOneThatGetsHeavier) {
+  CostModel costs{CostWeights{}};
+  Governor governor({});
+  std::vector<PlannedPair> pairs = knownPairs(costs, 100, 3);
+  for (int i = 0; i < 5; ++i) {
+    governor.plan(pairs, costs, 0.0, 1400.0, 0);
+    EXPECT_EQ(countAt(pairs, 3), 100) << "in step " << i;
+    EXPECT_EQ(governor.admission(), 1.0) << "in step " << i;
+    governor.learn(1000.0);
+  }
+}
+
+TEST(Governor, ForeseesARise) {
+  CostModel costs{CostWeights{}};
+  Governor steady({});
+  Governor rising({});
+  std::vector<PlannedPair> pairs = knownPairs(costs, 100, 3);
+  const double budget = 1300.0;
+  for (int i = 1; i <= 10; ++i) {
+    // The same pairs; what else there is grows, up to the same sum.
+    steady.plan(pairs, costs, 100.0, budget, 0);
+    steady.learn(1100.0);
+    rising.plan(pairs, costs, 10.0 * i, budget, 0);
+    rising.learn(1000.0 + 10.0 * i);
+  }
+  std::vector<PlannedPair> again = pairs;
+  steady.plan(pairs, costs, 100.0, budget, 0);
+  rising.plan(again, costs, 100.0, budget, 0);
+  EXPECT_LT(rising.admission(), steady.admission());
+}
+
+TEST(Governor, DecidesTheSameEveryTime) {
+  CostModel costs{CostWeights{}};
+  Random random(8);
+  std::vector<PlannedPair> pairs = knownPairs(costs, 500, 3);
+  for (PlannedPair& pair : pairs) {
+    pair.wish.importance = static_cast<float>(random.uniform(0.1, 10.0));
+    pair.view.touching = random.uniform() < 0.6;
+  }
+  std::vector<PlannedPair> again = pairs;
+  Governor a({});
+  Governor b({});
+  for (int step = 0; step < 30; ++step) {
+    a.plan(pairs, costs, 50.0, 2500.0, 40);
+    b.plan(again, costs, 50.0, 2500.0, 40);
+    for (std::size_t i = 0; i < pairs.size(); ++i) ASSERT_EQ(pairs[i].target, again[i].target);
+    ASSERT_EQ(a.planNew(newPair(1000), costs), b.planNew(newPair(1000), costs));
+    ASSERT_EQ(a.planned(), b.planned());
+    followPlan(pairs);
+    followPlan(again);
+    a.learn(a.planned());
+    b.learn(b.planned());
+  }
+}
+
+TEST(Governor, AnOddImportanceHarmsNobody) {
+  CostModel costs{CostWeights{}};
+  for (const float odd : kOdd) {
+    for (const double budget : {300.0, 900.0, 1300.0, 5000.0}) {
+      Governor plain({});
+      Governor governor({});
+      std::vector<PlannedPair> pairs = knownPairs(costs, 100, 3);
+      std::vector<PlannedPair> others = pairs;
+      pairs[20].wish.importance = odd;
+      plain.plan(others, costs, 0.0, budget, 0);
+      governor.plan(pairs, costs, 0.0, budget, 0);
+      ASSERT_GE(pairs[20].target, 1);
+      ASSERT_LE(pairs[20].target, 3);
+      ASSERT_GT(governor.planned(), 0.0);
+      int different = 0;
+      for (std::size_t i = 0; i < pairs.size(); ++i) different += pairs[i].target != others[i].target ? 1 : 0;
+      EXPECT_LE(different, 2) << odd << " at " << budget;
+    }
+  }
+}
+
+TEST(Governor, SurvivesAnyWish) {
+  CostModel costs{CostWeights{}};
+  Random random(12);
+  Governor governor({});
+  std::vector<PlannedPair> pairs;
+  for (std::uint32_t i = 0; i < 300; ++i) {
+    PlannedPair pair = newPair(i);
+    pair.view.finest = static_cast<std::uint8_t>(random.uniform(1.0, 9.0));
+    pair.view.level = static_cast<std::uint8_t>(random.uniform(0.0, pair.view.finest + 0.99));
+    pair.view.touching = random.uniform() < 0.5;
+    pair.kind = static_cast<std::uint8_t>(random.uniform(0.0, PlannedPair::kKinds));
+    pairs.push_back(pair);
+  }
+  for (int step = 0; step < 200; ++step) {
+    for (PlannedPair& pair : pairs) {
+      pair.wish = {kOdd[static_cast<int>(random.uniform(0.0, 6.0))],
+                   static_cast<std::uint8_t>(random.uniform(0.0, 256.0)),
+                   static_cast<std::uint8_t>(random.uniform(0.0, 12.0)), 0};
+      pair.blockedSteps = random.uniform() < 0.1 ? 2 : 0;
+    }
+    governor.plan(pairs, costs, 10.0, random.uniform(1.0, 2000.0),
+                  static_cast<int>(random.uniform(0.0, 200.0)));
+    ASSERT_GE(governor.admission(), 0.0);
+    ASSERT_LE(governor.admission(), 1.0);
+    double units = 10.0;
+    for (PlannedPair& pair : pairs) {
+      ASSERT_GE(pair.target, std::clamp<int>(pair.wish.atLeast, 1, pair.view.finest));
+      ASSERT_LE(pair.target, pair.view.finest);
+      if (random.uniform() < 0.7) pair.view.level = pair.target;
+      if (pair.view.level == 0) continue;
+      const double cost = pair.view.level * random.exponential();
+      units += cost;
+      costs.learn(pair.cost, pair.view.level, pair.view.finest, pair.view.touching, cost);
+    }
+    governor.learn(units);
+  }
+}
+
+}  // namespace
+}  // namespace scatter::lod

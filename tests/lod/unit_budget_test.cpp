@@ -1,0 +1,88 @@
+#include "lod/unit_budget.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace scatter::lod {
+namespace {
+
+TEST(UnitBudget, NoneIsInfinite) {
+  UnitBudget budget;
+  EXPECT_FALSE(budget.isLimited());
+  EXPECT_TRUE(std::isinf(budget.next()));
+  budget.learn(1000.0, 5.0);
+  EXPECT_TRUE(std::isinf(budget.next()));
+}
+
+TEST(UnitBudget, UnitsStayWhateverTheClockSays) {
+  UnitBudget budget = UnitBudget::ofUnits(1234.5);
+  EXPECT_TRUE(budget.isLimited());
+  for (int i = 0; i < 30; ++i) {
+    EXPECT_EQ(budget.next(), 1234.5);
+    budget.learn(1000.0, 1.0 + i);
+  }
+}
+
+TEST(UnitBudget, MillisecondsStartWithAMicrosecondForAUnit) {
+  UnitBudget budget = UnitBudget::ofMilliseconds(5.0);
+  EXPECT_TRUE(budget.isLimited());
+  EXPECT_DOUBLE_EQ(budget.next(), 5000.0);
+}
+
+TEST(UnitBudget, MillisecondsFollowTheMachine) {
+  UnitBudget budget = UnitBudget::ofMilliseconds(5.0);
+  for (int i = 0; i < 20; ++i) budget.learn(2000.0, 4.0);
+  EXPECT_DOUBLE_EQ(budget.next(), 2500.0);
+}
+
+TEST(UnitBudget, LightStepsSayNothingAboutHeavyOnes) {
+  UnitBudget budget = UnitBudget::ofMilliseconds(5.0);
+  for (int i = 0; i < 20; ++i) budget.learn(4000.0, 4.0);
+  for (int i = 0; i < 20; ++i) budget.learn(100.0, 0.5);
+  EXPECT_DOUBLE_EQ(budget.next(), 5000.0);
+}
+
+TEST(UnitBudget, FindsOutHowFastAVeryFastMachineIs) {
+  UnitBudget budget = UnitBudget::ofMilliseconds(5.0);
+  for (int i = 0; i < 20; ++i) budget.learn(5000.0, 0.1);
+  EXPECT_DOUBLE_EQ(budget.next(), 250000.0);
+}
+
+TEST(UnitBudget, FindsOutHowSlowAVerySlowMachineIs) {
+  UnitBudget budget = UnitBudget::ofMilliseconds(5.0);
+  for (int i = 0; i < 20; ++i) budget.learn(100.0, 5.0);
+  EXPECT_DOUBLE_EQ(budget.next(), 100.0);
+}
+
+TEST(UnitBudget, ReplaysExactlyAndStaysAtTheLast) {
+  const std::vector<double> recorded{1000.1, 0.0, 997.3};
+  UnitBudget budget = UnitBudget::replay(recorded);
+  EXPECT_EQ(budget.next(), 1000.1);
+  budget.learn(1000.0, 50.0);
+  EXPECT_TRUE(std::isinf(budget.next()));
+  EXPECT_EQ(budget.next(), 997.3);
+  EXPECT_EQ(budget.next(), 997.3);
+  EXPECT_EQ(budget.next(), 997.3);
+}
+
+TEST(UnitBudget, ARecordingRepeatsARunThatDependedOnTheClock) {
+  UnitBudget first = UnitBudget::ofMilliseconds(3.0);
+  std::vector<double> recorded;
+  for (int i = 0; i < 50; ++i) {
+    recorded.push_back(first.next());
+    first.learn(1000.0 + i, 1.0 + 0.1 * (i % 7));
+  }
+  UnitBudget second = UnitBudget::replay(recorded);
+  for (const double units : recorded) EXPECT_EQ(second.next(), units);
+}
+
+TEST(UnitBudget, AnEmptyRecordingIsNoBudget) {
+  UnitBudget budget = UnitBudget::replay({});
+  EXPECT_FALSE(budget.isLimited());
+  EXPECT_TRUE(std::isinf(budget.next()));
+}
+
+}  // namespace
+}  // namespace scatter::lod
