@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "prop.h"
 #include "ship.h"
 
 namespace scatter::tools {
@@ -22,16 +23,22 @@ Result<void> writeModels(const std::filesystem::path& folder) {
       }
     }
   }
+  for (const Prop& prop :
+       {makeTable(), makeChair(), makeShelf(), makeCrate(), makeBarrel(), makeLamp(), makeMug()}) {
+    const auto written = prop.build().and_then(
+        [&](const Model& model) { return writeCollada(model, folder / (prop.name() + ".dae")); });
+    if (!written) return written;
+  }
   return {};
 }
 
 }  // namespace
 }  // namespace scatter::tools
 
-/// Writes the ships' model files into a folder that exists.
+/// Writes the model files into a folder that exists.
 int main(int argc, char** argv) {
   if (argc != 2) {
-    std::fputs("usage: make_models FOLDER\nWrites the ships' model files into FOLDER.\n", stderr);
+    std::fputs("usage: make_models FOLDER\nWrites the model files into FOLDER.\n", stderr);
     return 2;
   }
   if (const auto written = scatter::tools::writeModels(argv[1]); !written) {

@@ -8,29 +8,13 @@
 #include <glm/gtc/quaternion.hpp>
 #include <utility>
 
+#include "boxes.h"
+
 namespace scatter::tools {
 namespace {
 
 constexpr int kRingVertices = 16;
 constexpr float kHullMargin = 0.02F;
-
-/// Boxes are this much larger than what they hold, so that rounding cannot make anything stick out.
-constexpr double kSlack = 0.001;
-
-/// Tenths of a millimetre hide the last bits, in which maths libraries differ.
-double snap(double value) {
-  return std::round(value * 1e4) / 1e4;
-}
-
-Vec3 snapped(const glm::dvec3& v) {
-  return {static_cast<float>(snap(v.x)), static_cast<float>(snap(v.y)), static_cast<float>(snap(v.z))};
-}
-
-glm::dmat3 axesAlong(const glm::dvec3& direction, const glm::dvec3& up) {
-  const glm::dvec3 x = glm::normalize(direction);
-  const glm::dvec3 y = glm::normalize(up - glm::dot(up, x) * x);
-  return {x, y, glm::cross(x, y)};
-}
 
 /// From the first ring's centre to the last one's, but along the loft's axis if it hardly differs.
 glm::dvec3 pieceDirection(const glm::dvec3& chord, const glm::dvec3& axis) {
@@ -66,33 +50,6 @@ glm::dvec3 centerOf(const std::vector<Vec3>& ring) {
 
 Vec3 mirroredPoint(const Vec3& v) {
   return {v.x, v.y, -v.z};
-}
-
-/// The smallest box along `axes` around the points, widened by `extra` and rounded up.
-ConvexPart boxAround(const std::vector<Vec3>& points, const glm::dmat3& axes, double extra) {
-  const glm::dquat exact = glm::normalize(glm::quat_cast(axes));
-  const Quat rotation(exact.w < 0.0 ? -exact : exact);
-  const glm::dmat3 toLocal = glm::transpose(glm::mat3_cast(glm::normalize(glm::dquat(rotation))));
-  glm::dvec3 low(1e9);
-  glm::dvec3 high(-1e9);
-  for (const Vec3& point : points) {
-    low = glm::min(low, toLocal * glm::dvec3(point));
-    high = glm::max(high, toLocal * glm::dvec3(point));
-  }
-  const Vec3 position = snapped(glm::transpose(toLocal) * ((low + high) * 0.5));
-  const glm::dvec3 middle = toLocal * glm::dvec3(position);
-  const glm::dvec3 needed = glm::max(high - middle, middle - low) + extra + kSlack;
-  const glm::dvec3 half = glm::ceil(needed * 1000.0) / 1000.0;
-  return {Box{Vec3(half)}, Transform{position, rotation}};
-}
-
-void addCorners(const ConvexPart& part, std::vector<Vec3>& points) {
-  const Vec3 half = std::get<Box>(part.shape).halfExtents;
-  for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 sign((corner & 1) != 0 ? 1.0F : -1.0F, (corner & 2) != 0 ? 1.0F : -1.0F,
-                    (corner & 4) != 0 ? 1.0F : -1.0F);
-    points.push_back(part.pose(sign * half));
-  }
 }
 
 template <class Ring>

@@ -10,6 +10,10 @@ float Random::uniform(float low, float high) {
   return low + (high - low) * unit;
 }
 
+std::size_t Random::below(std::size_t count) {
+  return static_cast<std::size_t>(engine_() >> 32) % count;
+}
+
 Vec3 Random::insideUnitBall() {
   for (;;) {
     const float x = uniform(-1.0F, 1.0F);

@@ -2,6 +2,7 @@
 
 #include <scatter/math.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <random>
 #include <vector>
@@ -14,8 +15,9 @@ class Random {
   explicit Random(std::uint64_t seed) : engine_(seed) {}
 
   float uniform(float low, float high);
-  Vec3 direction();    ///< Evenly over the unit sphere.
-  Quat orientation();  ///< Evenly over all rotations.
+  std::size_t below(std::size_t count);  ///< From 0 to count - 1; count is far below 2^32.
+  Vec3 direction();                      ///< Evenly over the unit sphere.
+  Quat orientation();                    ///< Evenly over all rotations.
   Vec3 insideUnitBall();
 
  private:

@@ -148,7 +148,8 @@ TEST(ModelFiles, AreWhatTheirToolMakes) {
   const test::TemporaryFolder folder;
   const std::string command = "'" SCATTER_MAKE_MODELS "' '" + folder.path().string() + "'";
   ASSERT_EQ(std::system(command.c_str()), 0);
-  for (const char* name : {"hunter.dae", "fighter.dae", "hunter_hulls.dae", "fighter_hulls.dae"}) {
+  for (const char* name : {"hunter.dae", "fighter.dae", "hunter_hulls.dae", "fighter_hulls.dae", "table.dae",
+                           "chair.dae", "shelf.dae", "crate.dae", "barrel.dae", "lamp.dae", "mug.dae"}) {
     const auto made = readFile(folder / name);
     const auto committed = readFile(std::string(SCATTER_TEST_MODEL_DIR "/") + name);
     ASSERT_TRUE(made.has_value() && committed.has_value());

@@ -13,7 +13,10 @@ namespace scatter::test {
 class SceneWorld {
  public:
   explicit SceneWorld(const std::string& name, WorldKind kind = WorldKind::kStandard, std::uint64_t seed = 1)
-      : world(makeBulletPhysics(definition(kind))) {
+      : SceneWorld(name, definition(kind), seed) {}
+
+  SceneWorld(const std::string& name, const PhysicsDef& def, std::uint64_t seed = 1)
+      : world(makeBulletPhysics(def)) {
     auto info = SceneRegistry::instance().find(name);
     EXPECT_TRUE(info) << info.error().message;
     scene_ = (*info)->make();
@@ -34,6 +37,8 @@ class SceneWorld {
   static PhysicsDef definition(WorldKind kind) {
     PhysicsDef def;
     def.world = kind;
+    def.switching.switching = Switching::kBody;
+    def.switching.policy = Policy::kProximity;
     return def;
   }
 

@@ -16,8 +16,9 @@ TEST(Scenes, AllOfThemAreRegisteredWithASummary) {
     EXPECT_FALSE(info->summary.empty()) << info->name;
     EXPECT_GT(info->frames, 0) << info->name;
   }
-  EXPECT_THAT(names, testing::IsSupersetOf({"armada", "convergence", "duel", "fleet", "fleet_boxes", "pile",
-                                            "quiet_apart", "quiet_hybrids", "quiet_stacks", "tower"}));
+  EXPECT_THAT(names, testing::IsSupersetOf({"armada", "breakables", "convergence", "duel", "fleet",
+                                            "fleet_boxes", "mugs", "pile", "quiet_apart", "quiet_hybrids",
+                                            "quiet_stacks", "telekinesis", "tower"}));
 }
 
 struct SceneCase {
@@ -59,7 +60,9 @@ INSTANTIATE_TEST_SUITE_P(
                     SceneCase{"convergence", 31, 20, true}, SceneCase{"fleet", 300, 200, true},
                     SceneCase{"fleet_boxes", 300, 200, true}, SceneCase{"armada", 1500, 1000, true},
                     SceneCase{"pile", 1005, 1000, true}, SceneCase{"quiet_apart", 300, 300, true},
-                    SceneCase{"quiet_stacks", 505, 4, true}, SceneCase{"quiet_hybrids", 301, 300, true}),
+                    SceneCase{"quiet_stacks", 505, 4, true}, SceneCase{"quiet_hybrids", 301, 300, true},
+                    SceneCase{"telekinesis", 163, 156, true}, SceneCase{"breakables", 37, 32, true},
+                    SceneCase{"mugs", 9, 4, true}),
     [](const auto& instance) { return std::string(instance.param.name); });
 
 struct SwarmOutcome {
