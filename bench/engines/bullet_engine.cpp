@@ -19,6 +19,7 @@ Result<std::unique_ptr<Physics>> makeEngine(const EngineOptions& options) {
   PhysicsDef def;
   if (options.coarsest || options.pairAlgorithm) def.world = WorldKind::kHybrid;
   if (options.coarsest) def.collision.narrowphase = Narrowphase::kEngine;
+  def.switching.switching = Switching::kBody;
   def.switching.policy = options.coarsest ? Policy::kCoarsest : Policy::kFinest;
   def.solverIterations = options.iterations.value_or(def.solverIterations);
   return makeBulletPhysics(def);

@@ -45,6 +45,9 @@ class EnginePhysics : public Physics {
   bool requestLevel(BodyId, int, Scope) final { return false; }
   void retractRequest(BodyId) final {}
   void retractAllRequests() final {}
+  [[nodiscard]] int pairLevel(BodyId, BodyId) const final { return 0; }
+  [[nodiscard]] double budgetUnits() const final { return 0.0; }
+  [[nodiscard]] FidelitySample measureFidelity() const final { return {}; }
   [[nodiscard]] std::span<const LevelEvent> levelEvents() const final { return {}; }
 
   /// Counted here, outside of what is measured.

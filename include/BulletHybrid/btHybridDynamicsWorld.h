@@ -5,12 +5,14 @@
 
 #include "BulletHybrid/btHybridCollision.h"
 #include "BulletHybrid/btHybridRigidBody.h"
+#include "BulletHybrid/btHybridSwitching.h"
 
 class btHybridContactVerifier;
 class btHybridNarrowphase;
 class btHybridNeighbourhood;
+class btHybridPlanner;
 
-/// Counts of one step.
+/// Counts of one step. In pair switching those of the program's requests for bodies; btHybridPairStepInfo has the rest.
 struct btHybridStepInfo
 {
 	int m_standingRequests;  ///< after the step
@@ -26,7 +28,7 @@ struct btHybridStepInfo
 	}
 };
 
-/// When and how bodies switch.
+/// When and how bodies switch, in body switching.
 struct btHybridSwitchingInfo
 {
 	/// The world asks for level 1 when another moving body is near, and for the finest level when none is.
@@ -49,9 +51,16 @@ struct btHybridSwitchingInfo
 };
 
 /// A btDiscreteDynamicsWorld that switches the encapsulation levels of btHybridRigidBody objects, between
-/// the broadphase and the narrowphase, on request and only when it is safe:
-/// a finer level needs the body to be free of contact, a coarser one needs the coarser shape to be free of
-/// collision. Without hybrid bodies its results are bit-identical to btDiscreteDynamicsWorld.
+/// the broadphase and the narrowphase, on request and only when it is safe.
+///
+/// In pair switching every pair of bodies has a level. By default everything is finest; policies, and a budget for the
+/// cost of a step, take detail away and give it back. No switch pushes bodies apart: the shapes of the new level are
+/// apart, or their overlap becomes penetration credit, which is added to the distance of their contacts.
+///
+/// In body switching every body has one: a finer level needs the body to be free of contact, a coarser one needs
+/// the coarser shape to be free of collision.
+///
+/// Without hybrid bodies its results are bit-identical to btDiscreteDynamicsWorld.
 class btHybridDynamicsWorld : public btDiscreteDynamicsWorld
 {
 	btAlignedObjectArray<btHybridRigidBody*> m_hybrids;
@@ -66,10 +75,14 @@ class btHybridDynamicsWorld : public btDiscreteDynamicsWorld
 
 	btHybridNeighbourhood* m_neighbourhood;
 	btHybridNarrowphase* m_narrowphase;
+	btHybridPlanner* m_planner;  ///< the narrowphase's; 0 in body switching
 	btHybridContactVerifier* m_verifier;
 	int m_verifyEvery;
 
 	void planSwitching();
+	void planPairs();
+	void closeRequests();
+	void findAsked();
 	void closeCounts();
 	void updateHybridAabb(btHybridRigidBody* body);
 	void followProximity(btHybridRigidBody* body);
@@ -87,12 +100,19 @@ class btHybridDynamicsWorld : public btDiscreteDynamicsWorld
 public:
 	BT_DECLARE_ALIGNED_ALLOCATOR();
 
-	btHybridDynamicsWorld(btDispatcher* dispatcher, btBroadphaseInterface* pairCache, btConstraintSolver* constraintSolver, btCollisionConfiguration* collisionConfiguration);
+	btHybridDynamicsWorld(btDispatcher* dispatcher, btBroadphaseInterface* pairCache, btConstraintSolver* constraintSolver, btCollisionConfiguration* collisionConfiguration, btHybridSwitchingMode mode = BT_HYBRID_PAIR_SWITCHING);
 	virtual ~btHybridDynamicsWorld();
+
+	btHybridSwitchingMode getSwitchingMode() const
+	{
+		return m_planner ? BT_HYBRID_PAIR_SWITCHING : BT_HYBRID_BODY_SWITCHING;
+	}
 
 	/// Asks for a level, 1 the coarsest. The request stands until the body has switched or the request is
 	/// retracted; it replaces one that stands. False, and nothing happens, if the body is not in this world
 	/// or has no such level. A request for the level in use retracts the one that stands.
+	/// In pair switching the body has switched when none of its pairs is finer; from then on they are held to
+	/// that level.
 	bool requestLevel(btHybridRigidBody* body, int level, btHybridScope scope = BT_HYBRID_LOCAL);
 	void retractRequest(btHybridRigidBody* body);
 	void retractAllRequests();
@@ -109,10 +129,7 @@ public:
 	}
 
 	/// 0 for none. Not owned.
-	void setListener(btHybridListener* listener)
-	{
-		m_listener = listener;
-	}
+	void setListener(btHybridListener* listener);
 
 	btHybridSwitchingInfo& getSwitchingInfo()
 	{
@@ -124,6 +141,34 @@ public:
 	{
 		return m_stepInfo;
 	}
+
+	/// Pair switching; asserted.
+	btHybridPairSwitchingInfo& getPairSwitchingInfo();
+
+	/// Pair switching: of the last step.
+	btHybridPairStepInfo getPairStepInfo() const;
+
+	/// Pair switching: adds one of the policies that come with the library, such as "speed" or "speed:from=5,to=20".
+	/// 0, or what is wrong with it, valid until the next call.
+	const char* addPolicy(const char* specification);
+	void removePolicies();
+
+	/// Pair switching: what a step may cost. Detail is taken away where it is worth least, and given back when there
+	/// is room.
+	/// Milliseconds of processor time of the stepping thread: depends on the clock.
+	void setBudgetMilliseconds(double milliseconds);
+
+	/// Units of predicted cost, about microseconds on a machine of 2020: the same run after run.
+	void setBudgetUnits(double units);
+
+	/// The units of every step, as btHybridPairStepInfo::m_budgetUnits had them in an earlier run, which is repeated
+	/// exactly. After the last one it stays.
+	void replayBudget(const double* units, int count);
+	void removeBudget();
+
+	/// Where the viewer looks, for the policy "focus".
+	void setFocus(const btVector3& eye, const btVector3& target, btScalar fieldOfView);
+	void removeFocus();
 
 	/// The pair algorithm of hybrid bodies. The constructor registers it with the dispatcher for pairs of a
 	/// compound with a compound or convex shape, in the place of create functions that were registered before;
@@ -145,10 +190,14 @@ public:
 	btHybridCollisionMemory getCollisionMemory() const;
 
 	/// A debug option: every n-th step, after the narrowphase, tests all child pairs of all overlapping pairs
-	/// with a hybrid by brute force and compares with the contacts there are. Slow: seconds a step in a big
+	/// with a hybrid, in pair switching of those at their finest level, by brute force and compares with the contacts there are. Slow: seconds a step in a big
 	/// pile. Does not change the simulation. 0: never. Clears the report.
 	void verifyContacts(int everyNSteps);
 	const btHybridContactReport& getContactReport() const;
+
+	/// The level in use between two objects whose broadphase bounds overlap, 1 the coarsest; the pair has as many
+	/// levels as the body that has more. 0 if they do not overlap or neither is a hybrid.
+	int getPairLevel(const btCollisionObject* objectA, const btCollisionObject* objectB) const;
 
 	int getNumHybrids() const
 	{
@@ -168,6 +217,9 @@ public:
 	virtual void updateAabbs();
 
 	virtual void performDiscreteCollisionDetection();
+
+protected:
+	virtual void internalSingleStepSimulation(btScalar timeStep);
 };
 
 #endif  // BT_HYBRID_DYNAMICS_WORLD_H

@@ -1,6 +1,7 @@
 #ifndef BT_HYBRID_REQUEST_H
 #define BT_HYBRID_REQUEST_H
 
+class btCollisionObject;
 class btHybridRigidBody;
 
 /// Who asked for a level: one body, a cluster of bodies, or the whole world.
@@ -43,6 +44,28 @@ struct btHybridRequest
 	}
 };
 
+/// What happened to the level of a pair.
+enum btHybridPairEventKind
+{
+	BT_HYBRID_PAIR_REQUESTED,     ///< a policy wants another level than the pair has, or now wants another one
+	BT_HYBRID_PAIR_ACKNOWLEDGED,  ///< the pair tries for the first time
+	BT_HYBRID_PAIR_BLOCKED,       ///< it is not safe; it will try again
+	BT_HYBRID_PAIR_SWITCHED,
+	BT_HYBRID_PAIR_RETRACTED  ///< not wanted any more, or one of the bodies is gone
+};
+
+struct btHybridPairEvent
+{
+	btHybridPairEventKind m_kind;
+	const btCollisionObject* m_objectA;
+	const btCollisionObject* m_objectB;
+	int m_fromLevel;  ///< of the pair, before the event
+	int m_toLevel;    ///< that is asked for, or was switched to
+	btHybridScope m_scope;
+	const char* m_policy;  ///< who asked: a policy's name, "governor", "program", or "default"; a constant
+	bool m_onCredit;
+};
+
 /// Hears what becomes of requests. Called inside stepSimulation (or inside the call that made or retracted
 /// the request); must not add or remove bodies.
 class btHybridListener
@@ -69,6 +92,11 @@ public:
 	{
 	}
 	virtual void retracted(btHybridRigidBody* /*body*/, const btHybridRequest& /*request*/, btHybridRetraction /*reason*/)
+	{
+	}
+
+	/// Pair switching: about two bodies.
+	virtual void pairEvent(const btHybridPairEvent& /*event*/)
 	{
 	}
 };

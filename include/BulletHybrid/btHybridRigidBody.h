@@ -6,18 +6,21 @@
 #include "BulletHybrid/btHybridLevelSet.h"
 #include "BulletHybrid/btHybridRequest.h"
 
-/// A rigid body with several encapsulation levels, of which one is its collision shape. In any other world
-/// than btHybridDynamicsWorld it is an ordinary rigid body that stays at the level it has.
+/// A rigid body with several encapsulation levels, of which one is its collision shape: in pair switching always the
+/// finest, once it is in the world. In any other world than btHybridDynamicsWorld it is an ordinary rigid body that
+/// stays at the level it has.
 /// Mass and inertia are the caller's and do not change with the level.
 class btHybridRigidBody : public btRigidBody
 {
 	friend class btHybridDynamicsWorld;
+	friend class btHybridPlanner;
 
 	const btHybridLevelSet* m_levels;
 	int m_level;
 	btHybridRequest m_request;
 	int m_lonelySteps;
 	int m_hybridIndex;
+	bool m_isHeld;
 
 public:
 	BT_DECLARE_ALIGNED_ALLOCATOR();
@@ -31,7 +34,8 @@ public:
 		return *m_levels;
 	}
 
-	/// The level in use, 1 the coarsest.
+	/// The level in use, 1 the coarsest. In pair switching: the one that the program holds its pairs to, unless a
+	/// policy or the budget asks for a coarser one.
 	int getLevel() const
 	{
 		return m_level;
@@ -40,6 +44,16 @@ public:
 	int getFinestLevel() const
 	{
 		return m_levels->getNumLevels();
+	}
+
+	/// The user has it in hand, so that its contacts matter most: the policy "held" looks at it.
+	void setHeld(bool held)
+	{
+		m_isHeld = held;
+	}
+	bool isHeld() const
+	{
+		return m_isHeld;
 	}
 
 	const btHybridRequest& getRequest() const

@@ -51,6 +51,9 @@ class FakePhysics final : public Physics {
   bool requestLevel(BodyId, int, Scope) override { return false; }
   void retractRequest(BodyId) override {}
   void retractAllRequests() override {}
+  int pairLevel(BodyId, BodyId) const override { return 0; }
+  double budgetUnits() const override { return 0.0; }
+  FidelitySample measureFidelity() const override { return {}; }
   std::span<const LevelEvent> levelEvents() const override { return events; }
   const StepCounters& counters() const override { return counters_; }
   const StageTimes& stageTimes() const override { return times_; }

@@ -3,6 +3,7 @@
 #include <scatter/world/body.h>
 
 #include <cstdint>
+#include <string_view>
 
 namespace scatter {
 
@@ -24,6 +25,10 @@ struct LevelEvent {
   BodyId body{};
   int from = 0;  ///< The body's level before the event.
   int to = 0;    ///< The level switched to, or the target of the request.
+
+  BodyId other{};             ///< Pair switching: the other body; 0 when a body switches for all its pairs.
+  bool onCredit = false;      ///< Switched while in contact, on penetration credit.
+  std::string_view policy{};  ///< Who asked: a policy's name, "governor", "program"; never dangles.
 };
 
 }  // namespace scatter

@@ -4,6 +4,7 @@
 #include <scatter/result.h>
 #include <scatter/world/body.h>
 #include <scatter/world/collision.h>
+#include <scatter/world/fidelity.h>
 #include <scatter/world/joint.h>
 #include <scatter/world/level_event.h>
 #include <scatter/world/step_report.h>
@@ -12,6 +13,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace scatter {
 
@@ -28,9 +30,36 @@ enum class Policy : std::uint8_t {
   kNone,       ///< Only what the program asks for.
 };
 
-/// Body switching (report, sections 3.4.3 and 4.5).
+/// What has a level.
+enum class Switching : std::uint8_t {
+  kPair,  ///< Every pair of bodies: one neighbour can be met finely and another one coarsely.
+  kBody,  ///< Every body, the same for all its neighbours (report, sections 3.4.3 and 4.5).
+};
+
+/// What a step may cost, for pair switching; at most one of the three.
+struct BudgetDef {
+  double milliseconds = 0.0;  ///< Of processor time; 0: no budget. Depends on the clock.
+  double units = 0.0;         ///< Of predicted cost; 0: no budget. The same run after run.
+
+  /// Units a step, as Physics::budgetUnits() gave them in an earlier run, which is repeated exactly; after
+  /// the last one it stays. Empty: none.
+  std::vector<double> recorded{};
+};
+
 struct SwitchingDef {
-  Policy policy = Policy::kProximity;
+  Switching switching = Switching::kPair;
+
+  Policy policy = Policy::kNone;
+
+  /// Pair switching: more policies, as makePolicy() of src/lod knows them, such as "speed" or "speed:from=5".
+  std::vector<std::string> policies{};
+
+  BudgetDef budget{};
+
+  /// Pair switching: the coarsest level that a pair in contact takes, on penetration credit.
+  int creditLevel = 2;
+  bool credit =
+      true;  ///< Off: pairs in contact go coarser only when apart; with unsafe switching, regardless.
 
   /// The proximity margin is the distance that the fastest body travels in this many steps, so that a
   /// request comes at least that many steps before the level-1 boxes can touch (report, section 6.3.1).
@@ -122,6 +151,18 @@ class Physics {
   virtual bool requestLevel(BodyId body, int level, Scope scope) = 0;
   virtual void retractRequest(BodyId body) = 0;
   virtual void retractAllRequests() = 0;
+
+  /// The level in use between two bodies whose broadphase bounds overlap, 1 the coarsest; 0 if they do not,
+  /// or if neither has levels.
+  [[nodiscard]] virtual int pairLevel(BodyId a, BodyId b) const = 0;
+
+  /// What the last step was allowed to cost, in units; 0 without a budget. Repeats the run exactly when given
+  /// as BudgetDef::recorded.
+  [[nodiscard]] virtual double budgetUnits() const = 0;
+
+  /// How true the contacts are to the finest shapes, now. Slow; call outside of what is timed. Changes
+  /// nothing.
+  [[nodiscard]] virtual FidelitySample measureFidelity() const = 0;
 
   /// What happened to requests in the last step and in the calls between it and the step before, oldest
   /// first. Valid until the next step.

@@ -46,6 +46,14 @@ struct StepCounters {
   std::uint32_t creditedPairs = 0;
   std::uint32_t finestPairs = 0;  ///< Narrowphase pairs whose bodies are both at their finest level.
 
+  // Pair switching; zero without it.
+  std::uint32_t touchingPairs = 0;        ///< Pairs with a hybrid that are closer than 1 cm.
+  std::uint32_t touchingFinestPairs = 0;  ///< Of those, at the pair's finest level.
+  std::uint32_t blockedTries = 0;         ///< Switches that were not safe.
+  std::uint32_t separationQueries = 0;    ///< Direct queries, for switches and for audits of credit.
+  std::uint32_t costUnits = 0;            ///< What the step cost in the governor's units.
+  std::uint32_t plannedUnits = 0;         ///< What it was planned to cost.
+
   // The pair algorithm's work; zero without it.
   std::uint32_t pairsSkipped = 0;      ///< Pairs left at once: neither body has moved enough.
   std::uint32_t listRebuilds = 0;      ///< Neighbour lists made anew.

@@ -6,6 +6,7 @@
 #include "BulletHybrid/btHybridCollision.h"
 
 class btDispatcher;
+class btHybridPlanner;
 
 /// Compares the contacts of hybrid bodies with what brute force finds: Bullet's own algorithms, made anew
 /// for every child pair that Bullet's midphase would let through at the present poses.
@@ -19,10 +20,10 @@ public:
 		m_report = btHybridContactReport();
 	}
 
-	/// Of all pairs with a hybrid that the dispatcher processes and whose shapes are convex or compounds of
+	/// Of all pairs with a hybrid that are at their finest level (planner: 0 in body switching), that the dispatcher processes and whose shapes are convex or compounds of
 	/// convex children. Call it after the narrowphase, before anything moves. Leaves pairs, manifolds, the
 	/// dispatcher and Bullet's global callbacks as they are, and calls no contact callback.
-	void verify(btBroadphasePairArray& pairs, btDispatcher* dispatcher);
+	void verify(btBroadphasePairArray& pairs, btDispatcher* dispatcher, const btHybridPlanner* planner);
 
 	const btHybridContactReport& getReport() const
 	{

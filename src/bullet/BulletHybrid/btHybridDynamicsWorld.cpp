@@ -8,8 +8,10 @@
 #include "btHybridContactVerifier.h"
 #include "btHybridNarrowphase.h"
 #include "btHybridNeighbourhood.h"
+#include "btHybridPlanner.h"
+#include "btHybridStepClock.h"
 
-btHybridDynamicsWorld::btHybridDynamicsWorld(btDispatcher* dispatcher, btBroadphaseInterface* pairCache, btConstraintSolver* constraintSolver, btCollisionConfiguration* collisionConfiguration)
+btHybridDynamicsWorld::btHybridDynamicsWorld(btDispatcher* dispatcher, btBroadphaseInterface* pairCache, btConstraintSolver* constraintSolver, btCollisionConfiguration* collisionConfiguration, btHybridSwitchingMode mode)
     : btDiscreteDynamicsWorld(dispatcher, pairCache, constraintSolver, collisionConfiguration),
       m_listener(0),
       m_loadIsFine(false),
@@ -17,7 +19,8 @@ btHybridDynamicsWorld::btHybridDynamicsWorld(btDispatcher* dispatcher, btBroadph
       m_standingRequests(0),
       m_isIndexed(false),
       m_neighbourhood(new btHybridNeighbourhood),
-      m_narrowphase(new btHybridNarrowphase(dispatcher)),
+      m_narrowphase(new btHybridNarrowphase(dispatcher, mode == BT_HYBRID_PAIR_SWITCHING)),
+      m_planner(m_narrowphase->getPlanner()),
       m_verifier(new btHybridContactVerifier),
       m_verifyEvery(0)
 {
@@ -27,6 +30,9 @@ btHybridDynamicsWorld::~btHybridDynamicsWorld()
 {
 	for (int i = 0; i < m_hybrids.size(); i++)
 		m_hybrids[i]->m_hybridIndex = -1;
+	// Pairs may end after the world.
+	if (m_planner)
+		m_planner->setListener(0);
 	delete m_verifier;
 	m_narrowphase->retire();
 	delete m_neighbourhood;
@@ -41,6 +47,10 @@ void btHybridDynamicsWorld::registerHybrid(btRigidBody* body)
 	hybrid->m_hybridIndex = m_hybrids.size();
 	hybrid->m_lonelySteps = 0;
 	m_hybrids.push_back(hybrid);
+	if (!m_planner)
+		return;
+	hybrid->setCollisionShape(hybrid->m_levels->getLevelShape(hybrid->getFinestLevel()));
+	findAsked();
 }
 
 void btHybridDynamicsWorld::addRigidBody(btRigidBody* body)
@@ -77,6 +87,13 @@ void btHybridDynamicsWorld::removeCollisionObject(btCollisionObject* collisionOb
 	btDiscreteDynamicsWorld::removeCollisionObject(collisionObject);
 }
 
+void btHybridDynamicsWorld::setListener(btHybridListener* listener)
+{
+	m_listener = listener;
+	if (m_planner)
+		m_planner->setListener(listener);
+}
+
 bool btHybridDynamicsWorld::requestLevel(btHybridRigidBody* body, int level, btHybridScope scope)
 {
 	if (body->m_hybridIndex < 0 || m_hybrids[body->m_hybridIndex] != body || level < 1 || level > body->getFinestLevel())
@@ -109,6 +126,8 @@ void btHybridDynamicsWorld::makeRequest(btHybridRigidBody* body, int level, btHy
 	}
 	retract(body, BT_HYBRID_RETRACTED_BY_CALLER);
 	m_standingRequests++;
+	if (m_planner)
+		m_planner->setAsks(true);
 	btHybridRequest& request = body->m_request;
 	request.m_targetLevel = level;
 	request.m_scope = scope;
@@ -205,6 +224,27 @@ btHybridCollisionMemory btHybridDynamicsWorld::getCollisionMemory() const
 	return m_narrowphase->getMemory();
 }
 
+int btHybridDynamicsWorld::getPairLevel(const btCollisionObject* objectA, const btCollisionObject* objectB) const
+{
+	const btHybridRigidBody* hybridA = btHybridRigidBody::upcast(objectA);
+	const btHybridRigidBody* hybridB = btHybridRigidBody::upcast(objectB);
+	if (!hybridA && !hybridB)
+		return 0;
+	btBroadphaseProxy* proxyA = const_cast<btBroadphaseProxy*>(objectA->getBroadphaseHandle());
+	btBroadphaseProxy* proxyB = const_cast<btBroadphaseProxy*>(objectB->getBroadphaseHandle());
+	const btBroadphasePair* pair = m_broadphasePairCache->getOverlappingPairCache()->findPair(proxyA, proxyB);
+	if (!pair)
+		return 0;
+	const int planned = m_planner && pair->m_algorithm ? m_planner->getLevelOf(pair->m_algorithm) : 0;
+	if (planned > 0)
+		return planned;
+	const int levelA = !hybridA ? 1 : m_planner ? hybridA->getFinestLevel()
+	                                            : hybridA->getLevel();
+	const int levelB = !hybridB ? 1 : m_planner ? hybridB->getFinestLevel()
+	                                            : hybridB->getLevel();
+	return btMax(levelA, levelB);
+}
+
 void btHybridDynamicsWorld::verifyContacts(int everyNSteps)
 {
 	m_verifyEvery = everyNSteps;
@@ -229,15 +269,141 @@ void btHybridDynamicsWorld::performDiscreteCollisionDetection()
 	BT_PROFILE("performDiscreteCollisionDetection");
 	updateAabbs();
 	computeOverlappingPairs();
-	planSwitching();
+	if (m_planner)
+		planPairs();
+	else
+		planSwitching();
 	{
 		BT_PROFILE("dispatchAllCollisionPairs");
 		m_narrowphase->setDispatching(true);
 		getDispatcher()->dispatchAllCollisionPairs(m_broadphasePairCache->getOverlappingPairCache(), getDispatchInfo(), m_dispatcher1);
 		m_narrowphase->setDispatching(false);
 	}
+	if (m_planner)
+	{
+		m_planner->finish();
+		closeRequests();
+	}
 	if (m_verifyEvery > 0 && m_step % m_verifyEvery == 0)
-		m_verifier->verify(m_broadphasePairCache->getOverlappingPairCache()->getOverlappingPairArray(), getDispatcher());
+		m_verifier->verify(m_broadphasePairCache->getOverlappingPairCache()->getOverlappingPairArray(), getDispatcher(), m_planner);
+}
+
+void btHybridDynamicsWorld::internalSingleStepSimulation(btScalar timeStep)
+{
+	if (!m_planner || m_hybrids.size() == 0 || !m_planner->needsTime())
+	{
+		btDiscreteDynamicsWorld::internalSingleStepSimulation(timeStep);
+		return;
+	}
+	const double before = btHybridStepClock::getThreadMilliseconds();
+	btDiscreteDynamicsWorld::internalSingleStepSimulation(timeStep);
+	m_planner->takeTime(btHybridStepClock::getThreadMilliseconds() - before);
+}
+
+void btHybridDynamicsWorld::planPairs()
+{
+	BT_PROFILE("planSwitching");
+	for (int i = 0; m_standingRequests > 0 && i < m_hybrids.size(); i++)
+	{
+		btHybridRequest& request = m_hybrids[i]->m_request;
+		if (!request.isStanding() || request.m_acknowledged)
+			continue;
+		request.m_acknowledged = true;
+		if (m_listener)
+			m_listener->acknowledged(m_hybrids[i], request);
+	}
+	m_planner->plan(m_collisionObjects, m_nonStaticRigidBodies.size(), m_broadphasePairCache->getOverlappingPairCache()->getNumOverlappingPairs());
+}
+
+// A body has switched when all its pairs have.
+void btHybridDynamicsWorld::closeRequests()
+{
+	for (int i = 0; m_standingRequests > 0 && i < m_hybrids.size(); i++)
+	{
+		btHybridRigidBody* body = m_hybrids[i];
+		const btHybridRequest request = body->m_request;
+		if (!request.isStanding() || !request.m_acknowledged || !m_planner->complies(body))
+			continue;
+		const int from = body->m_level;
+		body->m_level = request.m_targetLevel;
+		body->m_request = btHybridRequest();
+		m_standingRequests--;
+		if (body->m_level < from)
+			m_counting.m_switchesCoarser++;
+		else
+			m_counting.m_switchesFiner++;
+		if (m_listener)
+			m_listener->switched(body, from, body->m_level, request);
+	}
+	closeCounts();
+	findAsked();
+}
+
+void btHybridDynamicsWorld::findAsked()
+{
+	bool asks = m_standingRequests > 0;
+	for (int i = 0; !asks && i < m_hybrids.size(); i++)
+		asks = m_hybrids[i]->m_level < m_hybrids[i]->getFinestLevel();
+	m_planner->setAsks(asks);
+}
+
+btHybridPairSwitchingInfo& btHybridDynamicsWorld::getPairSwitchingInfo()
+{
+	btAssert(m_planner);
+	return m_planner->getInfo();
+}
+
+btHybridPairStepInfo btHybridDynamicsWorld::getPairStepInfo() const
+{
+	return m_planner ? m_planner->getStepInfo() : btHybridPairStepInfo();
+}
+
+const char* btHybridDynamicsWorld::addPolicy(const char* specification)
+{
+	btAssert(m_planner);
+	return m_planner->addPolicy(specification);
+}
+
+void btHybridDynamicsWorld::removePolicies()
+{
+	btAssert(m_planner);
+	m_planner->removePolicies();
+}
+
+void btHybridDynamicsWorld::setBudgetMilliseconds(double milliseconds)
+{
+	btAssert(m_planner && milliseconds > 0);
+	m_planner->setBudget(scatter::lod::UnitBudget::ofMilliseconds(milliseconds), true);
+}
+
+void btHybridDynamicsWorld::setBudgetUnits(double units)
+{
+	btAssert(m_planner && units > 0);
+	m_planner->setBudget(scatter::lod::UnitBudget::ofUnits(units), false);
+}
+
+void btHybridDynamicsWorld::replayBudget(const double* units, int count)
+{
+	btAssert(m_planner && count > 0);
+	m_planner->setBudget(scatter::lod::UnitBudget::replay(std::vector<double>(units, units + count)), false);
+}
+
+void btHybridDynamicsWorld::removeBudget()
+{
+	btAssert(m_planner);
+	m_planner->setBudget(scatter::lod::UnitBudget(), false);
+}
+
+void btHybridDynamicsWorld::setFocus(const btVector3& eye, const btVector3& target, btScalar fieldOfView)
+{
+	btAssert(m_planner);
+	m_planner->setFocus(eye, target, fieldOfView);
+}
+
+void btHybridDynamicsWorld::removeFocus()
+{
+	btAssert(m_planner);
+	m_planner->removeFocus();
 }
 
 void btHybridDynamicsWorld::closeCounts()

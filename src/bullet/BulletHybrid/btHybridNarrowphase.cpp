@@ -8,6 +8,7 @@
 
 #include "BulletHybrid/btHybridRigidBody.h"
 #include "btHybridPairAlgorithm.h"
+#include "btHybridPlanner.h"
 
 btCollisionAlgorithm* btHybridNarrowphase::CreateFunc::CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap)
 {
@@ -22,8 +23,8 @@ static bool isTaken(int shapeType)
 	return btBroadphaseProxy::isConvex(shapeType) || btBroadphaseProxy::isCompound(shapeType);
 }
 
-btHybridNarrowphase::btHybridNarrowphase(btDispatcher* dispatcher)
-    : m_detectorRuns(0), m_step(0), m_dispatches(false), m_users(1), m_dispatcher(dynamic_cast<btCollisionDispatcher*>(dispatcher))
+btHybridNarrowphase::btHybridNarrowphase(btDispatcher* dispatcher, bool switchesPairs)
+    : m_detectorRuns(0), m_step(0), m_dispatches(false), m_users(1), m_dispatcher(dynamic_cast<btCollisionDispatcher*>(dispatcher)), m_planner(switchesPairs ? new btHybridPlanner : 0)
 {
 	if (dynamic_cast<btCollisionDispatcherMt*>(dispatcher))
 		m_dispatcher = 0;
@@ -48,6 +49,7 @@ btHybridNarrowphase::~btHybridNarrowphase()
 {
 	for (int i = 0; i < m_freePairs.size(); i++)
 		delete m_freePairs[i];
+	delete m_planner;
 }
 
 void btHybridNarrowphase::retire()
@@ -113,15 +115,32 @@ btHybridCollisionMemory btHybridNarrowphase::getMemory() const
 	memory.m_pairs = m_pairs.size();
 	for (int i = 0; i < m_pairs.size(); i++)
 	{
-		memory.m_childPairs += int(m_pairs[i]->children().size());
-		memory.m_pairBytes += sizeof(btHybridPairAlgorithm) + sizeof(PooledPair);
-		memory.m_childPairBytes += m_pairs[i]->childBytes();
+		memory.m_childPairs += int(m_pairs[i]->m_parts.children().size());
+		memory.m_pairBytes += sizeof(btHybridPairAlgorithm) + sizeof(btHybridPairMemory) + (m_planner ? btHybridPlanner::getPairBytes() : 0);
+		memory.m_childPairBytes += m_pairs[i]->m_parts.childBytes();
 	}
-	for (int i = 0; i < m_bodies.size(); i++)
-		memory.m_bodyBytes += sizeof(btHybridPartBody) + (*m_bodies.getAtIndex(i))->getBody().bytes();
+	for (int i = 0; i < m_objects.size(); i++)
+	{
+		const btAlignedObjectArray<btHybridPartBody*>& bodies = (*m_objects.getAtIndex(i))->m_bodies;
+		for (int level = 0; level < bodies.size(); level++)
+			if (bodies[level])
+				memory.m_bodyBytes += sizeof(btHybridPartBody) + bodies[level]->getBody().bytes();
+	}
 	for (int i = 0; i < m_parts.size(); i++)
 		memory.m_partBytes += (*m_parts.getAtIndex(i))->getBytes();
 	return memory;
+}
+
+// In pair switching a hybrid's collision shape is its finest level, and the others come into use as well.
+bool btHybridNarrowphase::hasPartLists(const btCollisionObjectWrapper* wrap) const
+{
+	if (wrap->getCollisionShape() != wrap->getCollisionObject()->getCollisionShape() || !btHybridParts::isPartList(wrap->getCollisionShape()))
+		return false;
+	const btHybridRigidBody* hybrid = m_planner ? btHybridRigidBody::upcast(wrap->getCollisionObject()) : 0;
+	for (int level = 1; hybrid && level < hybrid->getFinestLevel(); level++)
+		if (!btHybridParts::isPartList(hybrid->getLevels().getLevelShape(level)))
+			return false;
+	return true;
 }
 
 bool btHybridNarrowphase::takes(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap) const
@@ -130,11 +149,7 @@ bool btHybridNarrowphase::takes(const btCollisionAlgorithmConstructionInfo& info
 		return false;
 	if (!btHybridRigidBody::upcast(body0Wrap->getCollisionObject()) && !btHybridRigidBody::upcast(body1Wrap->getCollisionObject()))
 		return false;
-	const btCollisionObjectWrapper* wraps[2] = {body0Wrap, body1Wrap};
-	for (int i = 0; i < 2; i++)
-		if (wraps[i]->getCollisionShape() != wraps[i]->getCollisionObject()->getCollisionShape() || !btHybridParts::isPartList(wraps[i]->getCollisionShape()))
-			return false;
-	return true;
+	return hasPartLists(body0Wrap) && hasPartLists(body1Wrap);
 }
 
 btHybridParts* btHybridNarrowphase::acquireParts(const btCollisionShape* shape)
@@ -161,27 +176,40 @@ void btHybridNarrowphase::releaseParts(btHybridParts* parts)
 	delete parts;
 }
 
-btHybridPartBody* btHybridNarrowphase::acquireBody(const btCollisionObjectWrapper* wrap)
+btHybridLevelBodies* btHybridNarrowphase::acquireObject(const btCollisionObject* object)
 {
-	const btCollisionObject* object = wrap->getCollisionObject();
-	btHybridPartBody** known = m_bodies.find(btHashPtr(object));
-	btHybridPartBody* body = known ? *known : 0;
-	if (!body)
+	btHybridLevelBodies** known = m_objects.find(btHashPtr(object));
+	btHybridLevelBodies* bodies = known ? *known : 0;
+	if (!bodies)
 	{
-		body = new btHybridPartBody(object, acquireParts(wrap->getCollisionShape()));
-		m_bodies.insert(btHashPtr(object), body);
+		bodies = new btHybridLevelBodies(object, m_planner ? btHybridRigidBody::upcast(object) : 0);
+		m_objects.insert(btHashPtr(object), bodies);
 	}
-	body->m_users++;
-	return body;
+	bodies->m_users++;
+	return bodies;
 }
 
-void btHybridNarrowphase::releaseBody(btHybridPartBody* body)
+void btHybridNarrowphase::releaseObject(btHybridLevelBodies* object)
 {
-	if (--body->m_users > 0)
+	if (--object->m_users > 0)
 		return;
-	m_bodies.remove(btHashPtr(body->m_object));
-	releaseParts(body->m_parts);
-	delete body;
+	m_objects.remove(btHashPtr(object->m_object));
+	for (int level = 0; level < object->m_bodies.size(); level++)
+	{
+		if (!object->m_bodies[level])
+			continue;
+		releaseParts(object->m_bodies[level]->m_parts);
+		delete object->m_bodies[level];
+	}
+	delete object;
+}
+
+btHybridPartBody* btHybridNarrowphase::getBody(btHybridLevelBodies* object, int level)
+{
+	btHybridPartBody*& body = object->m_bodies[level];
+	if (!body)
+		body = new btHybridPartBody(object->m_object, acquireParts(object->getShape(level)));
+	return body;
 }
 
 void btHybridNarrowphase::replaceParts(btHybridPartBody* body, const btCollisionShape* shape)
@@ -193,11 +221,12 @@ void btHybridNarrowphase::replaceParts(btHybridPartBody* body, const btCollision
 	releaseParts(old);
 }
 
-bool btHybridNarrowphase::updateBody(btHybridPartBody* body, const btCollisionObjectWrapper* wrap)
+bool btHybridNarrowphase::updateBody(btHybridPartBody* body, const btCollisionShape* shape, const btTransform& transform)
 {
-	const btCollisionShape* shape = wrap->getCollisionShape();
 	const bool isChecked = m_dispatches && body->m_checkedStep == m_step && shape == body->m_parts->getShape();
-	if (!isChecked && (shape != body->m_parts->getShape() || !body->m_parts->isCurrent(body->m_changes)))
+	if (isChecked)
+		return true;
+	if (shape != body->m_parts->getShape() || !body->m_parts->isCurrent(body->m_changes))
 	{
 		if (!btHybridParts::isPartList(shape))
 			return false;
@@ -205,27 +234,33 @@ bool btHybridNarrowphase::updateBody(btHybridPartBody* body, const btCollisionOb
 	}
 	if (m_dispatches)
 		body->m_checkedStep = m_step;
-	body->moveTo(wrap->getWorldTransform());
+	body->moveTo(transform);
 	return true;
 }
 
-scatter::PartPair* btHybridNarrowphase::acquirePair()
+btHybridPairMemory* btHybridNarrowphase::acquirePair()
 {
 	if (m_freePairs.size() == 0)
-		m_freePairs.push_back(new PooledPair);
-	PooledPair* pair = m_freePairs[m_freePairs.size() - 1];
+		m_freePairs.push_back(new btHybridPairMemory);
+	btHybridPairMemory* pair = m_freePairs[m_freePairs.size() - 1];
 	m_freePairs.pop_back();
+	pair->m_credit.close();
+	pair->m_freshUntil = pair->m_latest = 0;
+	pair->m_units = 0;
+	pair->m_gap = 0;
+	pair->m_least = BT_LARGE_FLOAT;
+	pair->m_seenMotion = 0;
+	pair->m_switched = pair->m_onCredit = pair->m_mayAudit = pair->m_excuses = false;
 	pair->m_index = m_pairs.size();
 	m_pairs.push_back(pair);
 	return pair;
 }
 
-void btHybridNarrowphase::releasePair(scatter::PartPair* pair)
+void btHybridNarrowphase::releasePair(btHybridPairMemory* pair)
 {
-	PooledPair* pooled = static_cast<PooledPair*>(pair);
-	PooledPair* last = m_pairs[m_pairs.size() - 1];
-	m_pairs[pooled->m_index] = last;
-	last->m_index = pooled->m_index;
+	btHybridPairMemory* last = m_pairs[m_pairs.size() - 1];
+	m_pairs[pair->m_index] = last;
+	last->m_index = pair->m_index;
 	m_pairs.pop_back();
-	m_freePairs.push_back(pooled);
+	m_freePairs.push_back(pair);
 }

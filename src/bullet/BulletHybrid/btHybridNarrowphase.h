@@ -5,12 +5,37 @@
 #include <LinearMath/btHashMap.h>
 
 #include "BulletHybrid/btHybridCollision.h"
+#include "btHybridHeldContacts.h"
+#include "btHybridLevelBodies.h"
 #include "btHybridPartBody.h"
 #include "btHybridParts.h"
 #include "collision/part_pair.h"
+#include "collision/part_query.h"
+#include "lod/credit.h"
 
 class btCollisionDispatcher;
 class btDispatcher;
+class btHybridPlanner;
+
+/// What a pair remembers, in memory that is pooled.
+struct btHybridPairMemory
+{
+	scatter::PartPair m_parts;
+	scatter::lod::CreditAccount m_credit;
+	btHybridHeldContacts m_held;
+	double m_freshUntil;  ///< the pair's motion up to which the held contacts are good, and no others can have come up
+	double m_latest;      ///< and how much later an audit may come
+	double m_seenMotion;  ///< the pair's motion, when it was last looked at
+	float m_units;        ///< what it costs a step, on average, while on credit
+
+	float m_gap;       ///< between the finest shapes, when it was last measured for the credit
+	btScalar m_least;  ///< distance of its contacts after the last step
+	bool m_switched;   ///< its level is new in this step
+	bool m_onCredit;   ///< and was taken on credit
+	bool m_mayAudit;   ///< in this step
+	bool m_excuses;    ///< child pairs on credit have no contacts of their own while those that are held are good
+	int m_index;       ///< in the pool
+};
 
 /// Registers the pair algorithm with a dispatcher and holds what its pairs share. Counted by its owner and
 /// by the pair algorithms, because these live as long as their broadphase pairs.
@@ -25,11 +50,6 @@ class btHybridNarrowphase
 		virtual btCollisionAlgorithm* CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap);
 	};
 
-	struct PooledPair : public scatter::PartPair
-	{
-		int m_index;  ///< in m_pairs
-	};
-
 	btHybridCollisionInfo m_info;
 	scatter::PairSteps m_steps;
 	scatter::PairWork m_work;
@@ -42,24 +62,39 @@ class btHybridNarrowphase
 	btCollisionDispatcher* m_dispatcher;  ///< 0 if it takes no create functions, or runs pairs in parallel
 	btAlignedObjectArray<CreateFunc> m_createFuncs;
 
-	btHashMap<btHashPtr, btHybridPartBody*> m_bodies;
+	btHashMap<btHashPtr, btHybridLevelBodies*> m_objects;
 	btHashMap<btHashPtr, btHybridParts*> m_parts;
 	scatter::PairScratch m_pairScratch;
+	scatter::PartQuery m_query;
+	scatter::PartPair m_auditPair;
 	btAlignedObjectArray<int> m_scratch;
-	btAlignedObjectArray<PooledPair*> m_pairs;      ///< in use
-	btAlignedObjectArray<PooledPair*> m_freePairs;  ///< kept for their memory
+	btAlignedObjectArray<btHybridPairMemory*> m_pairs;      ///< in use
+	btAlignedObjectArray<btHybridPairMemory*> m_freePairs;  ///< kept for their memory
+	btHybridPlanner* m_planner;
 
 	~btHybridNarrowphase();
 	btHybridNarrowphase(const btHybridNarrowphase&);
 	btHybridNarrowphase& operator=(const btHybridNarrowphase&);
 
+	bool hasPartLists(const btCollisionObjectWrapper* wrap) const;
 	bool takes(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap) const;
 	btHybridParts* acquireParts(const btCollisionShape* shape);
 	void releaseParts(btHybridParts* parts);
 	void replaceParts(btHybridPartBody* body, const btCollisionShape* shape);
 
 public:
-	explicit btHybridNarrowphase(btDispatcher* dispatcher);
+	/// With pair switching it has a planner.
+	btHybridNarrowphase(btDispatcher* dispatcher, bool switchesPairs);
+
+	/// Of the levels of pairs; 0 without pair switching.
+	btHybridPlanner* getPlanner()
+	{
+		return m_planner;
+	}
+	const btHybridPlanner* getPlanner() const
+	{
+		return m_planner;
+	}
 
 	/// By its owner: takes the create functions back. Pair algorithms must not outlive the dispatcher.
 	void retire();
@@ -94,6 +129,10 @@ public:
 	{
 		return m_work;
 	}
+	int getDetectorRuns() const
+	{
+		return m_detectorRuns;
+	}
 	void countDetectorRun()
 	{
 		m_detectorRuns++;
@@ -106,20 +145,34 @@ public:
 		return m_pairScratch;
 	}
 
+	/// For a look at the finest level of a pair that is at a coarser one.
+	scatter::PartPair& getAuditPair()
+	{
+		return m_auditPair;
+	}
+
+	scatter::PartQuery& getQuery()
+	{
+		return m_query;
+	}
+
 	/// Memory for the inside of one function.
 	btAlignedObjectArray<int>& getScratch()
 	{
 		return m_scratch;
 	}
 
-	btHybridPartBody* acquireBody(const btCollisionObjectWrapper* wrap);
-	void releaseBody(btHybridPartBody* body);
+	btHybridLevelBodies* acquireObject(const btCollisionObject* object);
+	void releaseObject(btHybridLevelBodies* object);
+
+	/// The object with the shape of one of its levels.
+	btHybridPartBody* getBody(btHybridLevelBodies* object, int level);
 
 	/// Takes in a changed shape, and where the body is. False if the shape is no part list any more.
-	bool updateBody(btHybridPartBody* body, const btCollisionObjectWrapper* wrap);
+	bool updateBody(btHybridPartBody* body, const btCollisionShape* shape, const btTransform& transform);
 
-	scatter::PartPair* acquirePair();
-	void releasePair(scatter::PartPair* pair);
+	btHybridPairMemory* acquirePair();
+	void releasePair(btHybridPairMemory* pair);
 };
 
 #endif  // BT_HYBRID_NARROWPHASE_H

@@ -15,7 +15,9 @@
 #include <LinearMath/btAabbUtil2.h>
 
 #include "btHybridNarrowphase.h"
+#include "btHybridPairLevel.h"
 #include "btHybridPartBody.h"
+#include "btHybridPlanner.h"
 
 static_assert(sizeof(btHybridPairAlgorithm) <= sizeof(btCompoundCompoundCollisionAlgorithm), "does not fit into Bullet's pool of algorithms");
 
@@ -126,24 +128,67 @@ void fetch(const void* manifold)
 }
 }  // namespace
 
+// Shows a manifold result, and what is called with it, the shapes of the pair's level in the place of the finest ones,
+// for as long as it lives.
+class btHybridPairAlgorithm::LevelScope
+{
+	btManifoldResult* m_result;
+	const btCollisionObjectWrapper* m_before[2];
+	btCollisionObjectWrapper m_levels[2];
+
+public:
+	LevelScope(btManifoldResult* result, const btCollisionObjectWrapper* body0Wrap, const btCollisionShape* shape0, const btCollisionObjectWrapper* body1Wrap, const btCollisionShape* shape1)
+	    : m_result(result),
+	      m_before{result->getBody0Wrap(), result->getBody1Wrap()},
+	      m_levels{{0, shape0, body0Wrap->getCollisionObject(), body0Wrap->getWorldTransform(), -1, -1},
+	               {0, shape1, body1Wrap->getCollisionObject(), body1Wrap->getWorldTransform(), -1, -1}}
+	{
+		m_result->setBody0Wrap(&m_levels[0]);
+		m_result->setBody1Wrap(&m_levels[1]);
+	}
+	~LevelScope()
+	{
+		m_result->setBody0Wrap(m_before[0]);
+		m_result->setBody1Wrap(m_before[1]);
+	}
+
+	const btCollisionObjectWrapper* getWrap(int body) const
+	{
+		return &m_levels[body];
+	}
+};
+
 btHybridPairAlgorithm::btHybridPairAlgorithm(const btCollisionAlgorithmConstructionInfo& info, btHybridNarrowphase* narrowphase, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap)
-    : btCollisionAlgorithm(info), m_narrowphase(narrowphase), m_fallback(0)
+    : btCollisionAlgorithm(info), m_narrowphase(narrowphase), m_fallback(0), m_plan(-1), m_quietUntil(-BT_LARGE_FLOAT), m_jumps(0)
 {
 	m_narrowphase->addUser();
-	m_bodies[0] = m_narrowphase->acquireBody(body0Wrap);
-	m_bodies[1] = m_narrowphase->acquireBody(body1Wrap);
-	m_pair = m_narrowphase->acquirePair();
-	m_versions[0] = m_versions[1] = -1;
+	m_objects[0] = m_narrowphase->acquireObject(body0Wrap->getCollisionObject());
+	m_objects[1] = m_narrowphase->acquireObject(body1Wrap->getCollisionObject());
+	m_memory = m_narrowphase->acquirePair();
+	m_pair = &m_memory->m_parts;
+	if (m_narrowphase->getPlanner())
+		m_plan = m_narrowphase->getPlanner()->addPair(this, m_objects[0], m_objects[1]);
+	takeLevel(btMax(m_objects[0]->getNumLevels(), m_objects[1]->getNumLevels()));
 }
 
 btHybridPairAlgorithm::~btHybridPairAlgorithm()
 {
 	releaseContacts();
+	m_memory->m_held.release(m_dispatcher);
 	releaseFallback();
-	m_narrowphase->releasePair(m_pair);
-	m_narrowphase->releaseBody(m_bodies[0]);
-	m_narrowphase->releaseBody(m_bodies[1]);
+	if (m_plan >= 0)
+		m_narrowphase->getPlanner()->removePair(m_plan);
+	m_narrowphase->releasePair(m_memory);
+	m_narrowphase->releaseObject(m_objects[0]);
+	m_narrowphase->releaseObject(m_objects[1]);
 	m_narrowphase->removeUser();
+}
+
+void btHybridPairAlgorithm::takeLevel(int level)
+{
+	for (int i = 0; i < 2; i++)
+		m_bodies[i] = m_narrowphase->getBody(m_objects[i], m_objects[i]->getLevelIn(level));
+	m_versions[0] = m_versions[1] = -1;
 }
 
 void btHybridPairAlgorithm::releaseContacts()
@@ -156,6 +201,7 @@ void btHybridPairAlgorithm::releaseContacts()
 void btHybridPairAlgorithm::fallBack(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut)
 {
 	releaseContacts();
+	m_memory->m_held.release(m_dispatcher);
 	m_versions[0] = -1;
 	if (!m_fallback)
 		m_fallback = m_dispatcher->findAlgorithm(body0Wrap, body1Wrap, 0, BT_CONTACT_POINT_ALGORITHMS);
@@ -174,9 +220,10 @@ void btHybridPairAlgorithm::releaseFallback()
 void btHybridPairAlgorithm::restart(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap)
 {
 	releaseContacts();
+	// As the dispatcher gives it to manifolds.
 	btScalar threshold = gContactBreakingThreshold;
 	if (m_narrowphase->getDispatcherFlags() & btCollisionDispatcher::CD_USE_RELATIVE_CONTACT_BREAKING_THRESHOLD)
-		threshold = btMin(body0Wrap->getCollisionShape()->getContactBreakingThreshold(threshold), body1Wrap->getCollisionShape()->getContactBreakingThreshold(threshold));
+		threshold = btMin(body0Wrap->getCollisionObject()->getCollisionShape()->getContactBreakingThreshold(threshold), body1Wrap->getCollisionObject()->getCollisionShape()->getContactBreakingThreshold(threshold));
 	m_pair->reset(threshold);
 	m_versions[0] = m_bodies[0]->getVersion();
 	m_versions[1] = m_bodies[1]->getVersion();
@@ -184,7 +231,132 @@ void btHybridPairAlgorithm::restart(const btCollisionObjectWrapper* body0Wrap, c
 
 void btHybridPairAlgorithm::processCollision(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut)
 {
-	if (!m_narrowphase->updateBody(m_bodies[0], body0Wrap) || !m_narrowphase->updateBody(m_bodies[1], body1Wrap))
+	if (m_plan >= 0)
+		processPlanned(body0Wrap, body1Wrap, dispatchInfo, resultOut);
+	else
+		process(body0Wrap, body1Wrap, dispatchInfo, resultOut);
+}
+
+void btHybridPairAlgorithm::processPlanned(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut)
+{
+	if (staysQuiet(body0Wrap, body1Wrap))
+		return;
+	const scatter::PairWork before = m_narrowphase->getWork();
+	const int detectorRuns = m_narrowphase->getDetectorRuns();
+	btHybridPairLevel level(*m_narrowphase, m_objects, *m_memory, m_plan, body0Wrap->getWorldTransform(), body1Wrap->getWorldTransform());
+	const bool wasFinest = level.getLevel() == level.getFinest();
+	if (level.choose())
+	{
+		// What a coarser level has found says nothing of the finest shapes.
+		if (!level.isOnCredit() || level.getLevel() == level.getFinest())
+			m_memory->m_held.release(m_dispatcher);
+		else if (wasFinest)
+			m_memory->m_held.gather(m_pair->children(), m_dispatcher);
+		releaseContacts();
+		takeLevel(level.getLevel());
+	}
+	m_memory->m_held.refresh(body0Wrap->getWorldTransform(), body1Wrap->getWorldTransform());
+	m_narrowphase->getScratch().resizeNoInitialize(0);
+	{
+		LevelScope scope(resultOut, body0Wrap, m_objects[0]->getShape(m_objects[0]->getLevelIn(level.getLevel())), body1Wrap, m_objects[1]->getShape(m_objects[1]->getLevelIn(level.getLevel())));
+		process(scope.getWrap(0), scope.getWrap(1), dispatchInfo, resultOut);
+	}
+	level.settleCredit(m_narrowphase->getScratch());
+	if (level.needsAudit())
+	{
+		const scatter::PairWork beforeAudit = m_narrowphase->getWork();
+		const int detectorRunsBefore = m_narrowphase->getDetectorRuns();
+		audit(level, body0Wrap, body1Wrap, dispatchInfo, resultOut);
+		m_narrowphase->getPlanner()->takeAudit(workSince(beforeAudit, detectorRunsBefore));
+	}
+	if (!level.keepsHeld())
+		m_memory->m_held.release(m_dispatcher);
+	scatter::lod::PairWorkload work = workSince(before, detectorRuns);
+	level.report(work);
+	m_quietUntil = m_memory->m_held.isEmpty() && !m_fallback ? m_pair->quietUntil() : -BT_LARGE_FLOAT;
+	m_jumps = m_pair->jumps();
+}
+
+scatter::lod::PairWorkload btHybridPairAlgorithm::workSince(const scatter::PairWork& before, int detectorRuns) const
+{
+	const scatter::PairWork& after = m_narrowphase->getWork();
+	scatter::lod::PairWorkload work;
+	work.rebuilds = after.rebuilds - before.rebuilds;
+	work.childPairs = after.childPairs - after.childPairsAsleep - before.childPairs + before.childPairsAsleep;
+	work.gjkRuns = after.gjkRuns - before.gjkRuns;
+	work.gjkIterations = after.gjkIterations - before.gjkIterations;
+	work.detectorRuns = m_narrowphase->getDetectorRuns() - detectorRuns;
+	return work;
+}
+
+// Most pairs of a pile are apart and hardly move: they are left without a look at anything but what all pairs share.
+bool btHybridPairAlgorithm::staysQuiet(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap)
+{
+	btHybridPlanner& planner = *m_narrowphase->getPlanner();
+	if (m_quietUntil < 0 || !planner.isSettled(m_plan))
+		return false;
+	const btCollisionObjectWrapper* wraps[2] = {body0Wrap, body1Wrap};
+	double travel = 0;
+	int jumps = 0;
+	for (int i = 0; i < 2; i++)
+	{
+		if (!m_narrowphase->updateBody(m_bodies[i], m_bodies[i]->getShapeNow(), wraps[i]->getWorldTransform()) || m_versions[i] != m_bodies[i]->getVersion())
+			return false;
+		travel += m_bodies[i]->getBody().travel();
+		jumps += m_bodies[i]->getBody().jumps();
+	}
+	if (!(travel < m_quietUntil) || jumps != m_jumps)
+		return false;
+	planner.countQuiet(m_plan);
+	m_narrowphase->getWork().pairs++;
+	m_narrowphase->getWork().pairsSkipped++;
+	return true;
+}
+
+// A look at the finest level from a coarser one: how near are the shapes, and what contacts would they have.
+void btHybridPairAlgorithm::audit(btHybridPairLevel& level, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut)
+{
+	if (!level.mayTouch())
+	{
+		m_memory->m_held.release(m_dispatcher);
+		level.takeAudit();
+		return;
+	}
+	btHybridPartBody* const bodies[2] = {m_bodies[0], m_bodies[1]};
+	const int versions[2] = {m_versions[0], m_versions[1]};
+	m_pair = &m_narrowphase->getAuditPair();
+	takeLevel(level.getFinest());
+	{
+		LevelScope scope(resultOut, body0Wrap, m_bodies[0]->getShape(), body1Wrap, m_bodies[1]->getShape());
+		process(scope.getWrap(0), scope.getWrap(1), dispatchInfo, resultOut);
+	}
+	m_memory->m_held.gather(m_pair->children(), m_dispatcher);
+	releaseContacts();
+	m_pair = &m_memory->m_parts;
+	for (int i = 0; i < 2; i++)
+	{
+		m_bodies[i] = bodies[i];
+		m_versions[i] = versions[i];
+	}
+	level.takeAudit();
+}
+
+// Child pairs that overlap on credit have no contacts of their own while those of the finest level are good.
+bool btHybridPairAlgorithm::isExcused(scatter::ChildPair& child)
+{
+	if (!m_memory->m_excuses || m_memory->m_credit.empty() || m_pair != &m_memory->m_parts || m_memory->m_credit.of(child.a, child.b) <= 0)
+		return false;
+	// An audit that is due but cannot be afforded may be late, but not for long.
+	const double late = m_pair->motion() - m_memory->m_freshUntil;
+	if (late >= m_memory->m_latest && !m_memory->m_mayAudit)
+		return false;
+	child.wake = m_memory->m_freshUntil;
+	return true;
+}
+
+void btHybridPairAlgorithm::process(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut)
+{
+	if (!m_narrowphase->updateBody(m_bodies[0], body0Wrap->getCollisionShape(), body0Wrap->getWorldTransform()) || !m_narrowphase->updateBody(m_bodies[1], body1Wrap->getCollisionShape(), body1Wrap->getWorldTransform()))
 	{
 		fallBack(body0Wrap, body1Wrap, dispatchInfo, resultOut);
 		return;
@@ -232,6 +404,11 @@ void btHybridPairAlgorithm::refresh(btPersistentManifold* manifold, const Pass& 
 
 void btHybridPairAlgorithm::processChild(scatter::ChildPair& child, const Pass& pass)
 {
+	if (isExcused(child))
+	{
+		releaseManifold(child);
+		return;
+	}
 	if (!pass.m_bounds.overlap(child.a, child.b) || !userLetsThrough(*m_bodies[0], child.a, *m_bodies[1], child.b))
 	{
 		m_narrowphase->getWork().boundsRejected++;
@@ -290,7 +467,6 @@ void btHybridPairAlgorithm::findContacts(scatter::ChildPair& child, const Pass& 
 	switch (verdict)
 	{
 		case scatter::ChildVerdict::kContact:
-			manifoldOf(child, pass);
 			keepContact(child, contact, pass);
 			break;
 		case scatter::ChildVerdict::kAskEngine:
@@ -320,12 +496,12 @@ void btHybridPairAlgorithm::releaseManifold(scatter::ChildPair& child)
 	child.touching = false;
 }
 
-void btHybridPairAlgorithm::keepContact(const scatter::ChildPair& child, const scatter::PartContact& contact, const Pass& pass)
+void btHybridPairAlgorithm::keepContact(scatter::ChildPair& child, const scatter::PartContact& contact, const Pass& pass)
 {
 	const scatter::Frame& frameA = m_bodies[0]->getBody().frame();
 	const scatter::Vec3 normal = -frameA.rotate(contact.axis);
 	ChildScope scope(pass.m_result, *m_bodies[0], child.a, *m_bodies[1], child.b);
-	pass.m_result->setPersistentManifold(static_cast<btPersistentManifold*>(child.contact));
+	pass.m_result->setPersistentManifold(manifoldOf(child, pass));
 	pass.m_result->addContactPoint(btVector3(normal.x, normal.y, normal.z), toWorld(frameA, contact.pointB), contact.distance);
 }
 
@@ -418,6 +594,8 @@ void btHybridPairAlgorithm::getAllContactManifolds(btManifoldArray& manifoldArra
 {
 	if (m_fallback)
 		m_fallback->getAllContactManifolds(manifoldArray);
+	for (int i = 0; i < m_memory->m_held.getNumManifolds(); i++)
+		manifoldArray.push_back(m_memory->m_held.getManifold(i));
 	for (size_t i = 0; i < m_pair->children().size(); i++)
 		if (m_pair->children()[i].contact)
 			manifoldArray.push_back(static_cast<btPersistentManifold*>(m_pair->children()[i].contact));

@@ -4,9 +4,13 @@
 #include <BulletCollision/BroadphaseCollision/btCollisionAlgorithm.h>
 
 #include "collision/part_pair.h"
+#include "lod/cost_model.h"
 
+class btHybridLevelBodies;
 class btHybridNarrowphase;
+class btHybridPairLevel;
 class btHybridPartBody;
+struct btHybridPairMemory;
 
 /// The narrowphase of two lists of convex parts, owned by their broadphase pair. What is near what is
 /// scatter::PartPair's business; manifolds, and the contacts that are Bullet's own, are this one's.
@@ -14,13 +18,28 @@ class btHybridPartBody;
 class btHybridPairAlgorithm : public btCollisionAlgorithm
 {
 	btHybridNarrowphase* m_narrowphase;
-	btHybridPartBody* m_bodies[2];
-	scatter::PartPair* m_pair;
+	btHybridLevelBodies* m_objects[2];
+	btHybridPartBody* m_bodies[2];  ///< the objects at the pair's level
+	btHybridPairMemory* m_memory;
+	scatter::PartPair* m_pair;         ///< in m_memory, but for an audit
 	btCollisionAlgorithm* m_fallback;  ///< Bullet's own, while a shape is no list of parts any more
 	int m_versions[2];
+	int m_plan;  ///< the pair's place in the planner; -1 without pair switching
+
+	// Of m_pair, so that a pair that is left at once needs no look at it.
+	double m_quietUntil;
+	int m_jumps;
 
 	struct Pass;
+	class LevelScope;
 
+	void takeLevel(int level);
+	scatter::lod::PairWorkload workSince(const scatter::PairWork& before, int detectorRuns) const;
+	bool staysQuiet(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap);
+	void process(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut);
+	void processPlanned(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut);
+	void audit(btHybridPairLevel& level, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut);
+	bool isExcused(scatter::ChildPair& child);
 	void restart(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap);
 	void releaseContacts();
 	void fallBack(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut);
@@ -30,7 +49,7 @@ class btHybridPairAlgorithm : public btCollisionAlgorithm
 	void processChild(scatter::ChildPair& child, const Pass& pass);
 	bool leavesOverlap(const scatter::ChildPair& child, const Pass& pass) const;
 	void findContacts(scatter::ChildPair& child, const Pass& pass);
-	void keepContact(const scatter::ChildPair& child, const scatter::PartContact& contact, const Pass& pass);
+	void keepContact(scatter::ChildPair& child, const scatter::PartContact& contact, const Pass& pass);
 	void detect(scatter::ChildPair& child, const Pass& pass);
 	void detectByGjk(scatter::ChildPair& child, const Pass& pass);
 	btPersistentManifold* manifoldOf(scatter::ChildPair& child, const Pass& pass);
@@ -39,6 +58,15 @@ class btHybridPairAlgorithm : public btCollisionAlgorithm
 public:
 	btHybridPairAlgorithm(const btCollisionAlgorithmConstructionInfo& info, btHybridNarrowphase* narrowphase, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap);
 	virtual ~btHybridPairAlgorithm();
+
+	int getPlanIndex() const
+	{
+		return m_plan;
+	}
+	void setPlanIndex(int plan)
+	{
+		m_plan = plan;
+	}
 
 	virtual void processCollision(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut);
 

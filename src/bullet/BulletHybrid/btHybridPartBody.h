@@ -7,7 +7,7 @@
 #include "btHybridParts.h"
 #include "collision/part_body.h"
 
-/// A collision object as a body of parts: shared by all its pair algorithms.
+/// A collision object, with one of its shapes, as a body of parts: shared by its pair algorithms.
 class btHybridPartBody
 {
 	const btCollisionObject* m_object;
@@ -16,7 +16,6 @@ class btHybridPartBody
 	bool m_changes;     ///< its shape may change in place: it is not a hybrid's level
 	int m_version;      ///< counts the changes of its parts
 	int m_checkedStep;  ///< the last step in which its shape was looked at thoroughly
-	int m_users;
 
 	friend class btHybridNarrowphase;
 
@@ -39,6 +38,17 @@ public:
 	}
 
 	void moveTo(const btTransform& transform);
+
+	const btCollisionShape* getShape() const
+	{
+		return m_parts->getShape();
+	}
+
+	/// The same, unless it is the object's collision shape and that has been replaced.
+	const btCollisionShape* getShapeNow() const
+	{
+		return m_changes ? m_object->getCollisionShape() : getShape();
+	}
 
 	/// The index by which Bullet knows a part: that of the compound's child, or -1.
 	int getChildIndex(int part) const

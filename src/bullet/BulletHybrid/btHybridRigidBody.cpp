@@ -18,6 +18,7 @@ btHybridRigidBody::btHybridRigidBody(const btRigidBodyConstructionInfo& construc
       m_levels(levels),
       m_level(startLevelOrFinest(levels, startLevel)),
       m_lonelySteps(0),
-      m_hybridIndex(-1)
+      m_hybridIndex(-1),
+      m_isHeld(false)
 {
 }

@@ -9,9 +9,11 @@
 #include "bullet/physics/collision_report.h"
 #include "bullet/physics/contact_summary.h"
 #include "bullet/physics/conversions.h"
+#include "bullet/physics/fidelity.h"
 #include "bullet/physics/joints.h"
 #include "bullet/physics/ray.h"
 #include "bullet/physics/state_hash.h"
+#include "bullet/physics/switching_report.h"
 #include "bullet/physics/validation.h"
 
 namespace scatter {
@@ -52,7 +54,8 @@ Result<BodyId> BulletPhysics::createBody(const BodyDef& def) {
 
   LevelStart start;
   start.switches = def_.world == WorldKind::kHybrid;
-  if (def_.switching.policy == Policy::kCoarsest) start.level = 1;
+  const bool byBody = def_.switching.switching == Switching::kBody;
+  if (byBody && def_.switching.policy == Policy::kCoarsest) start.level = 1;
   const BodyId id{static_cast<std::uint32_t>(bodies_.size() + 1)};
   bodies_.push_back(std::make_unique<BulletBody>(id, def, std::move(*shape), start));
   BulletBody& body = *bodies_.back();
@@ -249,11 +252,12 @@ void BulletPhysics::countStep(std::uint32_t newContacts) {
   counters_.newContacts = newContacts;
   maxPenetration_ = static_cast<double>(contacts.deepest);
   if (auto* hybrid = engine_.switching()) {
-    const btHybridStepInfo& info = hybrid->getStepInfo();
-    counters_.requests = static_cast<std::uint32_t>(info.m_standingRequests);
-    counters_.switchesCoarser = static_cast<std::uint32_t>(info.m_switchesCoarser);
-    counters_.switchesFiner = static_cast<std::uint32_t>(info.m_switchesFiner);
-    counters_.retractions = static_cast<std::uint32_t>(info.m_retractions);
+    addBodyCounts(hybrid->getStepInfo(), counters_);
+    if (def_.switching.switching == Switching::kPair) {
+      const btHybridPairStepInfo info = hybrid->getPairStepInfo();
+      addPairCounts(info, counters_);
+      budgetUnits_ = info.m_budgetUnits;
+    }
     addCollisionCounts(hybrid->getCollisionCounts(), counters_);
   }
 }
@@ -264,6 +268,15 @@ int BulletPhysics::level(BodyId body) const {
 
 int BulletPhysics::levelCount(BodyId body) const {
   return at(body).levelCount();
+}
+
+int BulletPhysics::pairLevel(BodyId a, BodyId b) const {
+  const btHybridDynamicsWorld* hybrid = engine_.switching();
+  return hybrid != nullptr ? hybrid->getPairLevel(&at(a).rigid(), &at(b).rigid()) : 0;
+}
+
+FidelitySample BulletPhysics::measureFidelity() const {
+  return measureBulletFidelity(engine_.world());
 }
 
 bool BulletPhysics::requestLevel(BodyId body, int level, Scope scope) {

@@ -45,6 +45,9 @@ class BulletPhysics final : public Physics {
 
   [[nodiscard]] int level(BodyId body) const override;
   [[nodiscard]] int levelCount(BodyId body) const override;
+  [[nodiscard]] int pairLevel(BodyId a, BodyId b) const override;
+  [[nodiscard]] double budgetUnits() const override { return budgetUnits_; }
+  [[nodiscard]] FidelitySample measureFidelity() const override;
   bool requestLevel(BodyId body, int level, Scope scope) override;
   void retractRequest(BodyId body) override;
   void retractAllRequests() override;
@@ -88,6 +91,7 @@ class BulletPhysics final : public Physics {
   std::uint32_t lastJoint_ = 0;
   std::uint32_t lastVehicle_ = 0;
 
+  double budgetUnits_ = 0.0;
   StepCounters counters_;
   StageTimes stageTimes_{};
   double maxPenetration_ = 0.0;

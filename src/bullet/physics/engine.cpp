@@ -2,11 +2,38 @@
 
 #include <BulletHybrid/btHybridDynamicsWorld.h>
 
+#include <cassert>
+#include <string>
+#include <vector>
+
 #include "bullet/physics/conversions.h"
 
 namespace scatter {
 
 namespace {
+
+void setUpPairSwitching(btHybridDynamicsWorld& world, const SwitchingDef& def) {
+  btHybridPairSwitchingInfo& info = world.getPairSwitchingInfo();
+  info.m_credit = def.credit;
+  info.m_creditLevel = def.creditLevel;
+  info.m_retryInterval = def.retryInterval;
+  info.m_safetyConditions = def.safetyConditions;
+  std::vector<std::string> policies = def.policies;
+  if (def.policy == Policy::kCoarsest) policies.emplace_back("coarsest");
+  if (def.policy == Policy::kProximity) policies.emplace_back("proximity");
+  for (const std::string& policy : policies) {
+    [[maybe_unused]] const char* mistake = world.addPolicy(policy.c_str());
+    assert(mistake == nullptr && "policies are checked before a world is made");
+  }
+  const BudgetDef& budget = def.budget;
+  if (!budget.recorded.empty()) {
+    world.replayBudget(budget.recorded.data(), static_cast<int>(budget.recorded.size()));
+  } else if (budget.units > 0.0) {
+    world.setBudgetUnits(budget.units);
+  } else if (budget.milliseconds > 0.0) {
+    world.setBudgetMilliseconds(budget.milliseconds);
+  }
+}
 
 btHybridSwitchingInfo switchingInfo(const SwitchingDef& def) {
   btHybridSwitchingInfo info;
@@ -38,9 +65,12 @@ btHybridCollisionInfo collisionInfo(const CollisionDef& def) {
 BulletEngine::BulletEngine(const PhysicsDef& def) : dispatcher_(&configuration_), solver_(timer_) {
   broadphase_.getOverlappingPairCache()->setOverlapFilterCallback(&filter_);
   if (def.world == WorldKind::kHybrid) {
+    const bool byPair = def.switching.switching == Switching::kPair;
     auto hybrid =
-        std::make_unique<btHybridDynamicsWorld>(&dispatcher_, &broadphase_, &solver_, &configuration_);
+        std::make_unique<btHybridDynamicsWorld>(&dispatcher_, &broadphase_, &solver_, &configuration_,
+                                                byPair ? BT_HYBRID_PAIR_SWITCHING : BT_HYBRID_BODY_SWITCHING);
     hybrid->getSwitchingInfo() = switchingInfo(def.switching);
+    if (byPair) setUpPairSwitching(*hybrid, def.switching);
     hybrid->setCollisionInfo(collisionInfo(def.collision));
     hybrid->verifyContacts(def.collision.verifyEvery);
     switching_ = hybrid.get();

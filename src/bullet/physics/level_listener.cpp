@@ -8,8 +8,8 @@ namespace scatter {
 
 namespace {
 
-Scope scopeOf(const btHybridRequest& request) {
-  switch (request.m_scope) {
+Scope scopeOf(btHybridScope scope) {
+  switch (scope) {
     case BT_HYBRID_GROUP:
       return Scope::kGroup;
     case BT_HYBRID_GLOBAL:
@@ -23,8 +23,10 @@ Scope scopeOf(const btHybridRequest& request) {
 }  // namespace
 
 void LevelListener::add(LevelEventKind kind, const btHybridRigidBody& body, const btHybridRequest& request) {
-  open_.push_back(
-      {kind, scopeOf(request), BulletBody::of(body).id(), body.getLevel(), request.m_targetLevel});
+  LevelEvent event{kind, scopeOf(request.m_scope), BulletBody::of(body).id(), body.getLevel(),
+                   request.m_targetLevel};
+  event.policy = request.m_byProximity ? "proximity" : "program";
+  open_.push_back(event);
 }
 
 void LevelListener::requested(btHybridRigidBody* body, const btHybridRequest& request) {
@@ -40,11 +42,27 @@ void LevelListener::blocked(btHybridRigidBody* body, const btHybridRequest& requ
 }
 
 void LevelListener::switched(btHybridRigidBody* body, int from, int to, const btHybridRequest& request) {
-  open_.push_back({LevelEventKind::kSwitched, scopeOf(request), BulletBody::of(*body).id(), from, to});
+  add(LevelEventKind::kSwitched, *body, request);
+  open_.back().from = from;
+  open_.back().to = to;
 }
 
 void LevelListener::retracted(btHybridRigidBody* body, const btHybridRequest& request, btHybridRetraction) {
   add(LevelEventKind::kRetracted, *body, request);
+}
+
+void LevelListener::pairEvent(const btHybridPairEvent& event) {
+  constexpr LevelEventKind kKinds[]{LevelEventKind::kRequested, LevelEventKind::kAcknowledged,
+                                    LevelEventKind::kBlocked, LevelEventKind::kSwitched,
+                                    LevelEventKind::kRetracted};
+  open_.push_back({.kind = kKinds[event.m_kind],
+                   .scope = scopeOf(event.m_scope),
+                   .body = BulletBody::of(*event.m_objectA).id(),
+                   .from = event.m_fromLevel,
+                   .to = event.m_toLevel,
+                   .other = BulletBody::of(*event.m_objectB).id(),
+                   .onCredit = event.m_onCredit,
+                   .policy = event.m_policy});
 }
 
 void LevelListener::endSpan() {

@@ -18,6 +18,8 @@ class LevelListener final : public btHybridListener {
   void switched(btHybridRigidBody* body, int from, int to, const btHybridRequest& request) override;
   void retracted(btHybridRigidBody* body, const btHybridRequest& request, btHybridRetraction reason) override;
 
+  void pairEvent(const btHybridPairEvent& event) override;
+
   /// To be called after each step.
   void endSpan();
 

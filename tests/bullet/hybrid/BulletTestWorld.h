@@ -13,7 +13,11 @@ namespace scatter::test {
 template <class WorldType>
 class BulletTestWorld {
  public:
-  BulletTestWorld() { world.setGravity(btVector3(0, -10, 0)); }
+  /// `more`: what the world's constructor takes besides what every Bullet world does.
+  template <class... More>
+  explicit BulletTestWorld(More... more) : world{&dispatcher, &broadphase, &solver, &configuration, more...} {
+    world.setGravity(btVector3(0, -10, 0));
+  }
 
   ~BulletTestWorld() {
     for (auto& joint : joints) world.removeConstraint(joint.get());
@@ -89,7 +93,7 @@ class BulletTestWorld {
   btCollisionDispatcher dispatcher{&configuration};
   btDbvtBroadphase broadphase;
   btSequentialImpulseConstraintSolver solver;
-  WorldType world{&dispatcher, &broadphase, &solver, &configuration};
+  WorldType world;
   std::vector<std::unique_ptr<btCollisionShape>> shapes;
   std::vector<std::unique_ptr<btStridingMeshInterface>> meshes;
   std::vector<std::unique_ptr<btRigidBody>> bodies;

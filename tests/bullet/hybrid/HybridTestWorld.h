@@ -55,7 +55,8 @@ class EventLog : public btHybridListener {
 /// overlapping slabs around it, level 1 the 2 m cube around those.
 class HybridTestWorld : public BulletTestWorld<btHybridDynamicsWorld> {
  public:
-  HybridTestWorld() {
+  explicit HybridTestWorld(btHybridSwitchingMode mode = BT_HYBRID_BODY_SWITCHING)
+      : BulletTestWorld<btHybridDynamicsWorld>(mode) {
     auto* fine = shape<btCompoundShape>();
     for (int axis = 0; axis < 3; ++axis) {
       btVector3 half(0.2F, 0.2F, 0.2F);

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <BulletHybrid/btHybridDynamicsWorld.h>
+#include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 #include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "BulletTestWorld.h"
@@ -25,7 +27,10 @@ struct ChildContact {
 /// A hybrid world in which nothing moves by itself: a test sets the poses and asks for contacts.
 class ScriptedWorld : public BulletTestWorld<btHybridDynamicsWorld> {
  public:
-  explicit ScriptedWorld(bool pairAlgorithm = true) {
+  /// Of the worlds made from now on; InBothModes sets it.
+  static inline btHybridSwitchingMode usualMode = BT_HYBRID_PAIR_SWITCHING;
+
+  explicit ScriptedWorld(bool pairAlgorithm = true) : BulletTestWorld<btHybridDynamicsWorld>(usualMode) {
     world.setGravity(btVector3(0, 0, 0));
     world.getSwitchingInfo().m_proximity = false;
     btHybridCollisionInfo collision;
@@ -115,5 +120,20 @@ class ScriptedWorld : public BulletTestWorld<btHybridDynamicsWorld> {
     world.addRigidBody(body);
   }
 };
+
+/// Runs a suite in pair switching and in body switching.
+class InBothModes : public testing::TestWithParam<btHybridSwitchingMode> {
+ protected:
+  void SetUp() override { ScriptedWorld::usualMode = GetParam(); }
+  void TearDown() override { ScriptedWorld::usualMode = BT_HYBRID_PAIR_SWITCHING; }
+};
+
+inline auto bothModes() {
+  return testing::Values(BT_HYBRID_PAIR_SWITCHING, BT_HYBRID_BODY_SWITCHING);
+}
+
+inline std::string nameOfMode(const testing::TestParamInfo<btHybridSwitchingMode>& mode) {
+  return mode.param == BT_HYBRID_PAIR_SWITCHING ? "ByPairs" : "ByBodies";
+}
 
 }  // namespace scatter::test

@@ -65,11 +65,19 @@ btDefaultCollisionConstructionInfo bigPools() {
 class Swaying {
  public:
   explicit Swaying(int count) : shapes_(3) {
-    world.getSwitchingInfo().m_proximity = false;
-    const btHybridLevelSet& levels = shapes_.oneLevel(shapes_.plainCompound(20, 1));
+    auto* middle = shapes_.make<btCompoundShape>();
+    auto* octant = shapes_.make<btBoxShape>(btVector3(0.3F, 0.3F, 0.3F));
+    for (int i = 0; i < 8; ++i) {
+      const btVector3 corner(i % 2 == 0 ? -0.3F : 0.3F, i / 2 % 2 == 0 ? -0.3F : 0.3F,
+                             i / 4 == 0 ? -0.3F : 0.3F);
+      middle->addChildShape(btTransform(btQuaternion::getIdentity(), corner), octant);
+    }
+    levels.addLevel(shapes_.make<btBoxShape>(btVector3(0.7F, 0.7F, 0.7F)));
+    levels.addLevel(middle);
+    levels.addLevel(shapes_.plainCompound(20, 1));
     for (int i = 0; i < count; ++i) {
       rest_.push_back(shapes_.random.pose(0.8F));
-      btRigidBody::btRigidBodyConstructionInfo info(1, nullptr, levels.getLevelShape(1), btVector3(1, 1, 1));
+      btRigidBody::btRigidBodyConstructionInfo info(1, nullptr, levels.getLevelShape(3), btVector3(1, 1, 1));
       bodies_.push_back(std::make_unique<btHybridRigidBody>(info, &levels));
       bodies_.back()->setActivationState(DISABLE_DEACTIVATION);
       bodies_.back()->setWorldTransform(rest_.back());
@@ -100,6 +108,7 @@ class Swaying {
     return allocations - before;
   }
 
+  btHybridLevelSet levels;
   btDefaultCollisionConfiguration configuration{bigPools()};
   btCollisionDispatcher dispatcher{&configuration};
   btDbvtBroadphase broadphase;
@@ -112,21 +121,56 @@ class Swaying {
   std::vector<std::unique_ptr<btHybridRigidBody>> bodies_;
 };
 
-TEST(Allocations, TheNarrowphaseMakesNoneAfterWarmUp) {
-  btAlignedAllocSetCustom(counted, release);
-  btAlignedAllocSetCustomAligned(countedAligned, release);
-  {
-    Swaying w(20);
-    long warmUp = 0;
-    for (int i = 0; i < 3 * Swaying::kPeriod; ++i) warmUp += w.step(i);
-    EXPECT_GT(warmUp, 0);
-    long later = 0;
-    for (int i = 0; i < 3 * Swaying::kPeriod; ++i) later += w.step(i);
-    EXPECT_EQ(later, 0);
-    EXPECT_GT(w.dispatcher.getNumManifolds(), 100);
+/// Counts Bullet's own allocations too, for as long as it lives.
+class Counting {
+ public:
+  Counting() {
+    btAlignedAllocSetCustom(counted, release);
+    btAlignedAllocSetCustomAligned(countedAligned, release);
   }
-  btAlignedAllocSetCustom(nullptr, nullptr);
-  btAlignedAllocSetCustomAligned(nullptr, nullptr);
+  ~Counting() {
+    btAlignedAllocSetCustom(nullptr, nullptr);
+    btAlignedAllocSetCustomAligned(nullptr, nullptr);
+  }
+  Counting(const Counting&) = delete;
+  Counting& operator=(const Counting&) = delete;
+};
+
+TEST(Allocations, TheNarrowphaseMakesNoneAfterWarmUp) {
+  const Counting counting;
+  Swaying w(20);
+  long warmUp = 0;
+  for (int i = 0; i < 3 * Swaying::kPeriod; ++i) warmUp += w.step(i);
+  EXPECT_GT(warmUp, 0);
+  long later = 0;
+  for (int i = 0; i < 3 * Swaying::kPeriod; ++i) later += w.step(i);
+  EXPECT_EQ(later, 0);
+  EXPECT_GT(w.dispatcher.getNumManifolds(), 100);
+}
+
+TEST(Allocations, PairsThatSwitchWithinABudgetMakeNoneAfterWarmUp) {
+  const Counting counting;
+  Swaying w(20);
+  ASSERT_EQ(w.world.addPolicy("speed"), nullptr);
+  ASSERT_EQ(w.world.addPolicy("group-density"), nullptr);
+  // The budget comes and goes with the swaying, so that pairs switch all the time.
+  int switches = 0;
+  const auto run = [&w, &switches](int steps) {
+    long count = 0;
+    for (int i = 0; i < steps; ++i) {
+      const btHybridPairStepInfo info = w.world.getPairStepInfo();
+      switches += info.m_switchesCoarser + info.m_switchesFiner;
+      count += w.step(i);
+    }
+    return count;
+  };
+  std::vector<double> units;
+  for (int i = 0; i < 100 * Swaying::kPeriod; ++i) units.push_back(i % Swaying::kPeriod < 25 ? 150 : 4000);
+  w.world.replayBudget(units.data(), static_cast<int>(units.size()));
+  EXPECT_GT(run(20 * Swaying::kPeriod), 0);
+  switches = 0;
+  EXPECT_EQ(run(6 * Swaying::kPeriod), 0);
+  EXPECT_GT(switches, 100);
 }
 
 }  // namespace

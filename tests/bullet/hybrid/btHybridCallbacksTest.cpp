@@ -71,7 +71,10 @@ Heard listen(Heap& w, std::vector<AddedContact>& contacts) {
   return result;
 }
 
-TEST(ContactCallbacks, GiveTheChildrenAsBulletGivesThem) {
+class ContactCallbacks : public InBothModes {};
+INSTANTIATE_TEST_SUITE_P(Modes, ContactCallbacks, bothModes(), nameOfMode);
+
+TEST_P(ContactCallbacks, GiveTheChildrenAsBulletGivesThem) {
   Heap ours(true);
   Heap bullets(false);
   std::vector<AddedContact> heardOurs;
@@ -112,7 +115,7 @@ void countEnded(btPersistentManifold* const&) {
   ++ended;
 }
 
-TEST(ContactCallbacks, EveryManifoldThatStartsAlsoEnds) {
+TEST_P(ContactCallbacks, EveryManifoldThatStartsAlsoEnds) {
   for (const bool pairAlgorithm : {true, false}) {
     started = ended = 0;
     gContactStartedCallback = countStarted;
@@ -144,7 +147,7 @@ bool attach(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
   return false;
 }
 
-TEST(ContactCallbacks, UserDataOfPointsIsGivenBack) {
+TEST_P(ContactCallbacks, UserDataOfPointsIsGivenBack) {
   // The address sanitizer sees what is lost or freed twice.
   gContactDestroyedCallback = destroyed;
   {
@@ -175,7 +178,10 @@ struct PairHits : btCollisionWorld::ContactResultCallback {
   btScalar deepest = 1e9F;
 };
 
-TEST(Queries, ContactTestsGiveWhatBulletGives) {
+class Queries : public InBothModes {};
+INSTANTIATE_TEST_SUITE_P(Modes, Queries, bothModes(), nameOfMode);
+
+TEST_P(Queries, ContactTestsGiveWhatBulletGives) {
   Heap ours(true);
   Heap bullets(false);
   ours.detect();
@@ -211,7 +217,7 @@ struct ChildRay : btCollisionWorld::ClosestRayResultCallback {
   int child = -2;
 };
 
-TEST(Queries, RaysHitTheSameChildren) {
+TEST_P(Queries, RaysHitTheSameChildren) {
   Heap ours(true);
   Heap bullets(false);
   ours.detect();

@@ -75,7 +75,10 @@ class Shooting : public ScriptedWorld {
   btRigidBody* shot_ = nullptr;
 };
 
-TEST(Ccd, FastBodiesStopWhereTheyStopInPlainBullet) {
+class Ccd : public InBothModes {};
+INSTANTIATE_TEST_SUITE_P(Modes, Ccd, bothModes(), nameOfMode);
+
+TEST_P(Ccd, FastBodiesStopWhereTheyStopInPlainBullet) {
   int stopped = 0;
   int through = 0;
   for (const Shot kind : {Shot::kHybridOfParts, Shot::kConvexHybrid, Shot::kSphere}) {
@@ -107,7 +110,7 @@ TEST(Ccd, FastBodiesStopWhereTheyStopInPlainBullet) {
   EXPECT_GT(through, 5);
 }
 
-TEST(Ccd, TheBoundsOfAContinuousStepMakeNoContacts) {
+TEST_P(Ccd, TheBoundsOfAContinuousStepMakeNoContacts) {
   for (const bool continuous : {false, true}) {
     Shooting w(true, Shot::kConvexHybrid, 200, true, true);
     w.world.getDispatchInfo().m_useContinuous = continuous;

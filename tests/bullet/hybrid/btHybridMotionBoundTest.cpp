@@ -47,7 +47,10 @@ class Duo : public ScriptedWorld {
   RandomShapes shapes;
 };
 
-TEST(MotionBound, HoldsOverManyTinySteps) {
+class MotionBound : public InBothModes {};
+INSTANTIATE_TEST_SUITE_P(Modes, MotionBound, bothModes(), nameOfMode);
+
+TEST_P(MotionBound, HoldsOverManyTinySteps) {
   for (const float end : {1.0F, 1000.0F}) {
     Duo w(1);
     w.world.verifyContacts(97);
@@ -63,7 +66,7 @@ TEST(MotionBound, HoldsOverManyTinySteps) {
   }
 }
 
-TEST(MotionBound, HoldsWhenOnlyTheTurnIsTiny) {
+TEST_P(MotionBound, HoldsWhenOnlyTheTurnIsTiny) {
   Duo w(2);
   w.world.verifyContacts(101);
   w.place(0, at(btVector3(0, 0, 0)));
@@ -75,7 +78,7 @@ TEST(MotionBound, HoldsWhenOnlyTheTurnIsTiny) {
   expectNoneMissed(w, "turning", 10);
 }
 
-TEST(MotionBound, HoldsForShapesFarFromTheirBodysOrigin) {
+TEST_P(MotionBound, HoldsForShapesFarFromTheirBodysOrigin) {
   for (std::uint64_t seed = 10; seed < 20; ++seed) {
     Duo w(seed, 10, btVector3(100, 0, 0));
     for (int i = 0; i < 400; ++i) {
@@ -90,7 +93,7 @@ TEST(MotionBound, HoldsForShapesFarFromTheirBodysOrigin) {
   }
 }
 
-TEST(MotionBound, HoldsForTheTipOfAStickThatTurnsAboutItsMiddle) {
+TEST_P(MotionBound, HoldsForTheTipOfAStickThatTurnsAboutItsMiddle) {
   // The tip goes straight at the other body as fast as the turn allows: the bound is tight.
   long expected = 0;
   for (std::uint64_t seed = 80; seed < 110; ++seed) {
@@ -114,7 +117,7 @@ TEST(MotionBound, HoldsForTheTipOfAStickThatTurnsAboutItsMiddle) {
   EXPECT_GT(expected, 1000);
 }
 
-TEST(MotionBound, HoldsForBodiesThatMoveTogether) {
+TEST_P(MotionBound, HoldsForBodiesThatMoveTogether) {
   long expected = 0;
   for (std::uint64_t seed = 20; seed < 30; ++seed) {
     Duo w(seed);
@@ -134,7 +137,7 @@ TEST(MotionBound, HoldsForBodiesThatMoveTogether) {
   EXPECT_GT(expected, 1000);
 }
 
-TEST(MotionBound, HoldsWhenOneBodyMovesAndThenTheOther) {
+TEST_P(MotionBound, HoldsWhenOneBodyMovesAndThenTheOther) {
   for (std::uint64_t seed = 30; seed < 40; ++seed) {
     Duo w(seed);
     btTransform poses[2] = {at(btVector3(0, 0, 0)), at(btVector3(1.5F, 0, 0))};
@@ -152,7 +155,7 @@ TEST(MotionBound, HoldsWhenOneBodyMovesAndThenTheOther) {
   }
 }
 
-TEST(MotionBound, HoldsForABodyThatLeavesAndComesBack) {
+TEST_P(MotionBound, HoldsForABodyThatLeavesAndComesBack) {
   long expected = 0;
   for (std::uint64_t seed = 40; seed < 50; ++seed) {
     Duo w(seed);
@@ -171,7 +174,7 @@ TEST(MotionBound, HoldsForABodyThatLeavesAndComesBack) {
   EXPECT_GT(expected, 500);
 }
 
-TEST(MotionBound, ApproachesTheThresholdFromOutside) {
+TEST_P(MotionBound, ApproachesTheThresholdFromOutside) {
   long expected = 0;
   // The first step within the threshold must have the contact: the bound is tight there.
   for (std::uint64_t seed = 50; seed < 80; ++seed) {
@@ -206,7 +209,7 @@ btConvexHullShape* cubeHull(RandomShapes& shapes) {
   return hull;
 }
 
-TEST(MotionBound, ApproachesWithFlatSides) {
+TEST_P(MotionBound, ApproachesWithFlatSides) {
   // With and without another child pair that is in contact all the while and keeps the pair awake.
   long expected = 0;
   for (std::uint64_t seed = 110; seed < 150; ++seed) {
@@ -236,7 +239,7 @@ TEST(MotionBound, ApproachesWithFlatSides) {
   EXPECT_GT(expected, 1000);
 }
 
-TEST(MotionBound, PosesThatAreNotNumbersDoNoHarm) {
+TEST_P(MotionBound, PosesThatAreNotNumbersDoNoHarm) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float infinite = std::numeric_limits<float>::infinity();
   for (const btVector3& bad : {btVector3(nan, nan, nan), btVector3(0.5F, nan, 0), btVector3(infinite, 0, 0),

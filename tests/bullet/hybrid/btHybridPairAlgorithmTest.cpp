@@ -106,29 +106,32 @@ Total runRounds(std::uint64_t firstSeed, const Setting& setting) {
   return total;
 }
 
-TEST(PairAlgorithm, FindsTheContactsOfRandomShapesInRandomMotion) {
+class PairAlgorithm : public InBothModes {};
+INSTANTIATE_TEST_SUITE_P(Modes, PairAlgorithm, bothModes(), nameOfMode);
+
+TEST_P(PairAlgorithm, FindsTheContactsOfRandomShapesInRandomMotion) {
   expectEnough(runRounds(1000, {}), 1000 * kRounds);
 }
 
-TEST(PairAlgorithm, FindsTheContactsOfTinyBodies) {
+TEST_P(PairAlgorithm, FindsTheContactsOfTinyBodies) {
   Setting setting;
   setting.size = 1e-3F;
   expectEnough(runRounds(2000, setting), 50 * kRounds);
 }
 
-TEST(PairAlgorithm, FindsTheContactsOfHugeBodies) {
+TEST_P(PairAlgorithm, FindsTheContactsOfHugeBodies) {
   Setting setting;
   setting.size = 1e3F;
   expectEnough(runRounds(3000, setting), 100 * kRounds);
 }
 
-TEST(PairAlgorithm, FindsTheContactsOfDegenerateHulls) {
+TEST_P(PairAlgorithm, FindsTheContactsOfDegenerateHulls) {
   Setting setting;
   setting.degenerate = 0.5F;
   expectEnough(runRounds(4000, setting), 100 * kRounds);
 }
 
-TEST(PairAlgorithm, FindsTheContactsFarFromTheOrigin) {
+TEST_P(PairAlgorithm, FindsTheContactsFarFromTheOrigin) {
   Setting setting;
   setting.centre = {1000, -2000, 500};
   expectEnough(runRounds(5000, setting), 100 * kRounds);
@@ -136,7 +139,7 @@ TEST(PairAlgorithm, FindsTheContactsFarFromTheOrigin) {
   expectEnough(runRounds(6000, setting), 100 * kRounds);
 }
 
-TEST(PairAlgorithm, FindsTheContactsBetweenTinyAndHugeBodies) {
+TEST_P(PairAlgorithm, FindsTheContactsBetweenTinyAndHugeBodies) {
   Total total;
   for (std::uint64_t seed = 7000; seed < 7000 + kRounds; ++seed) {
     RandomShapes shapes(seed);
@@ -222,7 +225,7 @@ void compareFreshContacts(std::uint64_t seed, float size, Comparison& result) {
   expectSameAsBruteForce(bullets, "Bullet's own, seed " + std::to_string(seed));
 }
 
-TEST(PairAlgorithm, GivesBulletsDistancesAndNormals) {
+TEST_P(PairAlgorithm, GivesBulletsDistancesAndNormals) {
   Comparison result;
   for (std::uint64_t seed = 0; seed < kRounds; ++seed) {
     compareFreshContacts(8000 + seed, 1, result);

@@ -134,12 +134,15 @@ void expectContactsGoOn(Twins& twins, btCollisionShape* odd, const btVector3& wh
   expectAlike(twins, true);
 }
 
-TEST(PairShapeChanges, AChildThatIsACompoundLeavesThePairToBullet) {
+class PairShapeChanges : public InBothModes {};
+INSTANTIATE_TEST_SUITE_P(Modes, PairShapeChanges, bothModes(), nameOfMode);
+
+TEST_P(PairShapeChanges, AChildThatIsACompoundLeavesThePairToBullet) {
   Twins twins;
   expectContactsGoOn(twins, twins.cube(), {-0.5F, -0.5F, 0});
 }
 
-TEST(PairShapeChanges, AChildThatIsAMeshLeavesThePairToBullet) {
+TEST_P(PairShapeChanges, AChildThatIsAMeshLeavesThePairToBullet) {
   btTriangleMesh mesh;
   mesh.addTriangle(btVector3(-3, -1, -3), btVector3(3, -1, -3), btVector3(0, -1, 3));
   Twins twins;
@@ -149,7 +152,7 @@ TEST(PairShapeChanges, AChildThatIsAMeshLeavesThePairToBullet) {
 // The partner's edge is 0.35 m from the hybrid's face; their bounds overlap.
 const btVector3 kBesideAnEdge(1.1F, 1.1F, 0);
 
-TEST(PairShapeChanges, AHullGetsAPoint) {
+TEST_P(PairShapeChanges, AHullGetsAPoint) {
   Twins twins;
   btConvexHullShape* hull = twins.hullCube(0.04F);
   twins.addHybrid(twins.cube(), turnedAt({0, 0, 0}));
@@ -164,7 +167,7 @@ TEST(PairShapeChanges, AHullGetsAPoint) {
   expectAlike(twins, true);
 }
 
-TEST(PairShapeChanges, AnotherBoxIsMadeInThePlaceOfOne) {
+TEST_P(PairShapeChanges, AnotherBoxIsMadeInThePlaceOfOne) {
   std::optional<btBoxShape> box(std::in_place, kHalfMetre);
   Twins twins;
   twins.addHybrid(twins.cube(), turnedAt({0, 0, 0}));
@@ -208,7 +211,7 @@ void expectBoardAsBullets(btConvexShape* tip, bool isPart) {
   EXPECT_LT((ours.getPositionWorldOnB() - bullets.getPositionWorldOnB()).length(), 1e-5F);
 }
 
-TEST(PairShapeChanges, ABoardIsThinnerThanItsMargin) {
+TEST_P(PairShapeChanges, ABoardIsThinnerThanItsMargin) {
   btSphereShape sphere(0.5F);
   btConvexHullShape spike;
   spike.setMargin(0.01F);
@@ -223,7 +226,7 @@ TEST(PairShapeChanges, ABoardIsThinnerThanItsMargin) {
   }
 }
 
-TEST(PairShapeChanges, PairsDispatchedByHandSeeAChangeAtOnce) {
+TEST_P(PairShapeChanges, PairsDispatchedByHandSeeAChangeAtOnce) {
   Twins twins;
   btCompoundShape* partner = twins.cube();
   twins.addHybrid(twins.cube(), turnedAt({0, 0, 0}));
@@ -240,7 +243,7 @@ TEST(PairShapeChanges, PairsDispatchedByHandSeeAChangeAtOnce) {
   expectAlike(twins, false);
 }
 
-TEST(PairShapeChanges, AnotherWorldOnTheDispatcherSeesAChangeAtOnce) {
+TEST_P(PairShapeChanges, AnotherWorldOnTheDispatcherSeesAChangeAtOnce) {
   RandomShapes shapes(1);
   ScriptedWorld idle;
   btDbvtBroadphase broadphase;
@@ -272,7 +275,7 @@ bool countProcessed(btManifoldPoint& /*point*/, void* /*body0*/, void* /*body1*/
   return false;
 }
 
-TEST(PairShapeChanges, TheProcessedCallbackHearsOfAContactInItsFirstStep) {
+TEST_P(PairShapeChanges, TheProcessedCallbackHearsOfAContactInItsFirstStep) {
   Twins twins;
   twins.addHybrid(twins.compound({{twins.hullCube(0.04F), btVector3(-1.5F, 0, 0)},
                                   {twins.shapes.make<btBoxShape>(kHalfMetre), btVector3(0, 0, 0)},
@@ -328,7 +331,7 @@ void expectFilterAsBullets(bool hybridFirst, bool hybridIsCompound) {
   }
 }
 
-TEST(PairShapeChanges, TheFilterGetsTheCompoundsChildLast) {
+TEST_P(PairShapeChanges, TheFilterGetsTheCompoundsChildLast) {
   const Global filter(gCompoundChildShapePairCallback, &ask);
   for (const bool hybridFirst : {true, false}) {
     for (const bool hybridIsCompound : {true, false}) {
@@ -355,7 +358,7 @@ void expectTreelessAsBullets(bool partnerFirst, const btTransform& hybridPose, c
   expectAlike(twins, some);
 }
 
-TEST(PairShapeChanges, ACompoundWithoutATreeHasBulletsContacts) {
+TEST_P(PairShapeChanges, ACompoundWithoutATreeHasBulletsContacts) {
   expectTreelessAsBullets(false, turnedAt({0, 0, 0}), turnedAt({0, 0, 0}), true);
   expectTreelessAsBullets(true, turnedAt({0, 0, 0}), turnedAt({0, 0, 0}), false);
   // The hybrid's edge meets the face that the partner turns to it.
@@ -365,7 +368,7 @@ TEST(PairShapeChanges, ACompoundWithoutATreeHasBulletsContacts) {
   expectTreelessAsBullets(false, hybrid, partner, true);
 }
 
-TEST(PairShapeChanges, AParallelDispatcherRunsBulletsAlgorithms) {
+TEST_P(PairShapeChanges, AParallelDispatcherRunsBulletsAlgorithms) {
   if (btGetTaskScheduler() == nullptr) btSetTaskScheduler(btGetSequentialTaskScheduler());
   RandomShapes shapes(1);
   auto* form = shapes.make<btCompoundShape>();
@@ -427,7 +430,7 @@ int pairsInContact(btCollisionDispatcher& dispatcher, btCollisionConfiguration& 
   return inContact;
 }
 
-TEST(PairShapeChanges, AProgramsOwnCreateFunctionsStay) {
+TEST_P(PairShapeChanges, AProgramsOwnCreateFunctionsStay) {
   btDefaultCollisionConfiguration configuration;
   btCollisionDispatcher dispatcher(&configuration);
   std::array<CountingCreate, 2> creates;

@@ -82,7 +82,10 @@ long compareWithBullet(const char* what, const MakeShape& makeOther, const btVec
   return compared;
 }
 
-TEST(PairShapes, ConvexPrimitives) {
+class PairShapes : public InBothModes {};
+INSTANTIATE_TEST_SUITE_P(Modes, PairShapes, bothModes(), nameOfMode);
+
+TEST_P(PairShapes, ConvexPrimitives) {
   const btVector3 half(0.5F, 0.4F, 0.3F);
   EXPECT_GT(compareWithBullet("box", [&](RandomShapes& s) { return s.make<btBoxShape>(half); }), 50);
   EXPECT_GT(compareWithBullet("sphere", [](RandomShapes& s) { return s.make<btSphereShape>(0.5F); }), 50);
@@ -105,14 +108,14 @@ TEST(PairShapes, ConvexPrimitives) {
   EXPECT_GT(compareWithBullet("hull", [](RandomShapes& s) { return s.hull(1, 30); }), 50);
 }
 
-TEST(PairShapes, CylindersThatReachOutOfTheirBounds) {
+TEST_P(PairShapes, CylindersThatReachOutOfTheirBounds) {
   // Bullet takes one of the three half extents for the radius and bounds the cylinder by all of them.
   const btVector3 half(0.5F, 0.4F, 0.3F);
   EXPECT_GT(compareWithBullet("y", [&](RandomShapes& s) { return s.make<btCylinderShape>(half); }), 50);
   EXPECT_GT(compareWithBullet("x", [&](RandomShapes& s) { return s.make<btCylinderShapeX>(half); }), 50);
 }
 
-TEST(PairShapes, UnusualConvexShapes) {
+TEST_P(PairShapes, UnusualConvexShapes) {
   EXPECT_GT(compareWithBullet("triangle",
                               [](RandomShapes& s) {
                                 return s.make<btTriangleShape>(btVector3(-1, 0, -1), btVector3(1, 0, -1),
@@ -153,7 +156,7 @@ TEST(PairShapes, UnusualConvexShapes) {
             50);
 }
 
-TEST(PairShapes, Compounds) {
+TEST_P(PairShapes, Compounds) {
   EXPECT_GT(compareWithBullet("one part", [](RandomShapes& s) { return s.compound(1, 1); }), 50);
   EXPECT_GT(compareWithBullet("many parts", [](RandomShapes& s) { return s.compound(40, 1); }), 50);
   EXPECT_GT(compareWithBullet("no tree",
@@ -185,7 +188,7 @@ TEST(PairShapes, Compounds) {
             0);
 }
 
-TEST(PairShapes, ConcaveShapes) {
+TEST_P(PairShapes, ConcaveShapes) {
   EXPECT_GT(
       compareWithBullet("plane",
                         [](RandomShapes& s) { return s.make<btStaticPlaneShape>(btVector3(0, 1, 0), 0.0F); }),
@@ -222,7 +225,7 @@ TEST(PairShapes, ConcaveShapes) {
             50);
 }
 
-TEST(PairShapes, ABareConvexLevel) {
+TEST_P(PairShapes, ABareConvexLevel) {
   // A hybrid whose level is one convex shape, without a compound around it.
   RandomShapes shapes(5);
   ScriptedWorld w;

@@ -196,6 +196,7 @@ TEST(BulletWorld, HashTellsLevelsApart) {
   const auto hashWith = [](Policy policy) {
     PhysicsDef def;
     def.world = WorldKind::kHybrid;
+    def.switching.switching = Switching::kBody;
     def.switching.policy = policy;
     auto physics = makeBulletPhysics(def);
     create(*physics, bodyAt({}, cubeLevels()));
@@ -207,6 +208,7 @@ TEST(BulletWorld, HashTellsLevelsApart) {
 TEST(BulletWorld, PolicyDecidesWhereBodiesBegin) {
   PhysicsDef def;
   def.world = WorldKind::kHybrid;
+  def.switching.switching = Switching::kBody;
   def.switching.policy = Policy::kCoarsest;
   auto coarsest = makeBulletPhysics(def);
   const BodyId body = create(*coarsest, bodyAt({}, cubeLevels()));
@@ -226,6 +228,8 @@ namespace {
 std::uint32_t requestsOnApproach(std::uint32_t loadFinePairs) {
   PhysicsDef def;
   def.world = WorldKind::kHybrid;
+  def.switching.switching = Switching::kBody;
+  def.switching.policy = Policy::kProximity;
   def.switching.loadFinePairs = loadFinePairs;
   auto physics = makeBulletPhysics(def);
   for (const float side : {-1.0F, 1.0F}) {

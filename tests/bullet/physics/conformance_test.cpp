@@ -6,9 +6,16 @@ namespace scatter::test {
 
 namespace {
 
+std::unique_ptr<Physics> makeWithBodySwitching(PhysicsDef def) {
+  def.switching.switching = Switching::kBody;
+  def.switching.policy = Policy::kProximity;
+  return makeBulletPhysics(def);
+}
+
 std::vector<PhysicsFactory> factories() {
   return {{"Standard", WorldKind::kStandard, makeBulletPhysics},
-          {"Hybrid", WorldKind::kHybrid, makeBulletPhysics}};
+          {"Hybrid", WorldKind::kHybrid, makeBulletPhysics},
+          {"HybridByBodies", WorldKind::kHybrid, makeWithBodySwitching}};
 }
 
 }  // namespace

@@ -1,0 +1,128 @@
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "PairTestWorld.h"
+
+// Runs within a budget are repeated exactly.
+
+namespace scatter::test {
+namespace {
+
+constexpr int kSteps = 240;
+
+/// Ships that are drawn together, and have met.
+class Gathering : public PairTestWorld {
+ public:
+  Gathering() {
+    Random random(6);
+    for (int i = 0; i < 24; ++i) {
+      const btVector3 cell(static_cast<float>(i % 3), static_cast<float>(i / 3 % 3),
+                           static_cast<float>(i / 9));
+      addBody(i % 3 == 0 ? block : ship, btTransform(random.rotation(), 2.6F * cell));
+    }
+    for (int i = 0; i < 80; ++i) pull();
+  }
+
+  void pull() {
+    for (auto& body : bodies) {
+      body->applyCentralForce((btVector3(3, 3, 3) - body->getWorldTransform().getOrigin()) * 4);
+    }
+    step();
+  }
+};
+
+struct Recording {
+  std::vector<std::vector<std::uint32_t>> bits;
+  std::vector<double> units;  ///< That each step was allowed.
+  std::vector<int> switches;
+  int onCredit = 0;
+};
+
+Recording record(Gathering& w) {
+  Recording run;
+  for (int i = 0; i < kSteps; ++i) {
+    w.pull();
+    const btHybridPairStepInfo info = w.pairInfo();
+    run.bits.push_back(w.bits());
+    run.units.push_back(info.m_budgetUnits);
+    run.switches.push_back(info.m_switchesCoarser + info.m_switchesFiner);
+    run.onCredit += info.m_creditSwitches;
+  }
+  return run;
+}
+
+void expectSame(const Recording& one, const Recording& other) {
+  for (std::size_t i = 0; i < one.bits.size(); ++i) {
+    ASSERT_EQ(one.bits[i], other.bits[i]) << "first diverged at step " << i;
+    ASSERT_EQ(one.switches[i], other.switches[i]) << "step " << i;
+  }
+}
+
+TEST(Budget, InUnitsGivesTheSameRunEveryTime) {
+  for (const double units : {60.0, 200.0}) {
+    Gathering first;
+    Gathering second;
+    for (Gathering* w : {&first, &second}) {
+      w->world.setBudgetUnits(units);
+      ASSERT_EQ(w->world.addPolicy("speed"), nullptr);
+    }
+    const Recording one = record(first);
+    expectSame(one, record(second));
+    EXPECT_GT(one.onCredit, 5) << "nothing was at stake";
+  }
+}
+
+TEST(Budget, InMillisecondsIsReplayedFromItsUnits) {
+  Gathering timed;
+  // So small that there is always something to do, whatever the machine.
+  timed.world.setBudgetMilliseconds(0.05);
+  const Recording recorded = record(timed);
+  Gathering replayed;
+  replayed.world.replayBudget(recorded.units.data(), static_cast<int>(recorded.units.size()));
+  const Recording replay = record(replayed);
+  expectSame(recorded, replay);
+  EXPECT_EQ(recorded.units, replay.units);
+  int switches = 0;
+  for (const int count : recorded.switches) switches += count;
+  EXPECT_GT(switches, 20);
+}
+
+TEST(Budget, IsThereAfterItIsSetAndGoneWhenItIsRemoved) {
+  Gathering w;
+  w.pull();
+  EXPECT_EQ(w.pairInfo().m_budgetUnits, 0);
+  w.world.setBudgetUnits(100);
+  w.pull();
+  EXPECT_EQ(w.pairInfo().m_budgetUnits, 100);
+  w.world.removeBudget();
+  w.pull();
+  EXPECT_EQ(w.pairInfo().m_budgetUnits, 0);
+}
+
+TEST(Audit, IsMadeAfterTheMotionThatIsAllowedAndNeverAtZero) {
+  for (const float distance : {0.0F, 0.01F}) {
+    Gathering w;
+    w.world.getPairSwitchingInfo().m_auditDistance = distance;
+    w.world.setBudgetUnits(20000);
+    for (int i = 0; i < 100; ++i) w.pull();
+    w.world.removeBudget();
+    w.requestAll(2);
+    int audits = 0;
+    int credited = 0;
+    for (int i = 0; i < 100; ++i) {
+      w.pull();
+      audits += w.pairInfo().m_audits;
+      credited = btMax(credited, w.pairInfo().m_creditedPairs);
+    }
+    EXPECT_GT(credited, 10);
+    if (distance > 0) {
+      EXPECT_GT(audits, 10);
+    } else {
+      EXPECT_EQ(audits, 0);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace scatter::test
