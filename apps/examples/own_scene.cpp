@@ -28,6 +28,7 @@ int main() {
   scatter::RunOptions standard{.scene = "drop", .engine = scatter::makeBulletPhysics};
   scatter::RunOptions hybrid = standard;
   hybrid.physics.world = scatter::WorldKind::kHybrid;
+  hybrid.physics.switching.budget.units = 500.0;  // or .milliseconds
   auto comparison = scatter::compareWorlds({.runs = {standard, hybrid}, .repeat = 2});
   if (!comparison) {
     std::fprintf(stderr, "%s\n", comparison.error().message.c_str());

@@ -25,6 +25,13 @@ void addBenchArguments(CLI::App& command, BenchArguments& arguments) {
   command.add_flag("--quiet", arguments.quiet, "No progress on standard error");
 }
 
+void addRepeatArgument(CLI::App& command, int& repeat) {
+  command.add_option("--repeat", repeat, "Runs of each world, interleaved; figures are medians over them")
+      ->check(CLI::Range(1, 1000))
+      ->type_name("N")
+      ->capture_default_str();
+}
+
 void addSceneArgument(CLI::App& command, std::string& scene) {
   command.add_option("--scene", scene, "The scene's name, as `scatter list` shows it")
       ->type_name("NAME")

@@ -22,6 +22,7 @@ struct BenchArguments {
 
 /// `arguments` must outlive the parsing.
 void addBenchArguments(CLI::App& command, BenchArguments& arguments);
+void addRepeatArgument(CLI::App& command, int& repeat);
 void addSceneArgument(CLI::App& command, std::string& scene);
 
 /// A run of the scene in the named world (see worldChoices()) as the arguments say. Fails on an unknown

@@ -41,7 +41,8 @@ Command addBenchCommand(CLI::App& program) {
   auto bench = std::make_shared<Bench>();
   command->add_flag("--list", bench->list, "Show what can be measured");
   bench->commands = {addBenchCollisionCommand(*command), addBenchContactsCommand(*command),
-                     addBenchSpreadCommand(*command)};
+                     addBenchSpreadCommand(*command), addBenchWorldsCommand(*command),
+                     addBenchFidelityCommand(*command)};
   return {command, [bench] { return execute(*bench); }};
 }
 

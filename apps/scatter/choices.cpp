@@ -6,24 +6,50 @@ namespace scatter::app {
 
 const std::vector<WorldChoice>& worldChoices() {
   static const std::vector<WorldChoice> choices{
-      {"hybrid", "switches levels, as the policy says", WorldKind::kHybrid},
-      {"standard", "the plain engine, always at the finest level", WorldKind::kStandard},
-      {"finest", "a hybrid world with the policy finest", WorldKind::kHybrid, Policy::kFinest},
-      {"coarsest", "a hybrid world with the policy coarsest", WorldKind::kHybrid, Policy::kCoarsest},
-      {"hybrid-bullet", "the world hybrid with Bullet's own collision", WorldKind::kHybrid, std::nullopt,
-       Narrowphase::kEngine},
-      {"finest-bullet", "the world finest with Bullet's own collision", WorldKind::kHybrid, Policy::kFinest,
-       Narrowphase::kEngine},
+      {.name = "hybrid",
+       .summary =
+           "switches levels, as budget and policies say; hybrid@5ms and hybrid@3000units bring a budget",
+       .kind = WorldKind::kHybrid},
+      {.name = "standard", .summary = "the plain engine, always at the finest level"},
+      {.name = "finest",
+       .summary = "a hybrid world with the policy finest",
+       .kind = WorldKind::kHybrid,
+       .policy = Policy::kFinest},
+      {.name = "coarsest",
+       .summary = "a hybrid world with the policy coarsest",
+       .kind = WorldKind::kHybrid,
+       .policy = Policy::kCoarsest},
+      {.name = "hybrid-body",
+       .summary = "a hybrid world that switches bodies, not pairs",
+       .kind = WorldKind::kHybrid,
+       .switching = Switching::kBody},
+      {.name = "coarsest-body",
+       .summary = "every body at level 1 from the start: the lowest cost there is",
+       .kind = WorldKind::kHybrid,
+       .switching = Switching::kBody,
+       .policy = Policy::kCoarsest},
+      {.name = "hybrid-bullet",
+       .summary = "the world hybrid-body with Bullet's own collision",
+       .kind = WorldKind::kHybrid,
+       .switching = Switching::kBody,
+       .narrowphase = Narrowphase::kEngine},
+      {.name = "finest-bullet",
+       .summary = "the world finest with Bullet's own collision",
+       .kind = WorldKind::kHybrid,
+       .switching = Switching::kBody,
+       .policy = Policy::kFinest,
+       .narrowphase = Narrowphase::kEngine},
   };
   return choices;
 }
 
 const std::vector<PolicyChoice>& policyChoices() {
   static const std::vector<PolicyChoice> choices{
-      {"proximity", "coarser when others come near, finer when free", Policy::kProximity},
+      {"none", "only what the budget and the scene ask for; the default of pairs", Policy::kNone},
+      {"proximity", "coarser when others come near, finer when free; the default of bodies",
+       Policy::kProximity},
       {"finest", "everything at level n, always", Policy::kFinest},
       {"coarsest", "everything at level 1, always", Policy::kCoarsest},
-      {"none", "only what the scene asks for", Policy::kNone},
   };
   return choices;
 }
@@ -46,7 +72,9 @@ const std::vector<EngineChoice>& engineChoices() {
 
 const std::vector<SwitchingChoice>& switchingChoices() {
   static const std::vector<SwitchingChoice> choices{
-      {"body", "a body has one level at a time, the same for all its neighbours"},
+      {"pair", "every pair of bodies has a level of its own", Switching::kPair, Policy::kNone},
+      {"body", "a body has one level at a time, the same for all its neighbours", Switching::kBody,
+       Policy::kProximity},
   };
   return choices;
 }

@@ -12,19 +12,21 @@
 
 namespace scatter::app {
 
-/// What the command line calls a world. A world may bring its policy and its narrowphase with it.
+/// What the command line calls a world. A world may bring its switching mode, policy and narrowphase with it.
 struct WorldChoice {
   std::string name;
   std::string summary;
   WorldKind kind = WorldKind::kStandard;
+  std::optional<Switching> switching{};
   std::optional<Policy> policy{};
   std::optional<Narrowphase> narrowphase{};
 };
 
+/// A policy that every switching mode has; pair switching has more, see lod::knownPolicies().
 struct PolicyChoice {
   std::string name;
   std::string summary;
-  Policy policy = Policy::kProximity;
+  Policy policy = Policy::kNone;
 };
 
 struct CollisionChoice {
@@ -42,14 +44,26 @@ struct EngineChoice {
 struct SwitchingChoice {
   std::string name;
   std::string summary;
+  Switching switching = Switching::kPair;
+  Policy policy = Policy::kNone;  ///< Unless another one is asked for.
 };
 
-/// The first of each is the default.
+/// The first of each is the default; of policies, the switching mode's.
 [[nodiscard]] const std::vector<WorldChoice>& worldChoices();
 [[nodiscard]] const std::vector<PolicyChoice>& policyChoices();
 [[nodiscard]] const std::vector<CollisionChoice>& collisionChoices();
 [[nodiscard]] const std::vector<EngineChoice>& engineChoices();
 [[nodiscard]] const std::vector<SwitchingChoice>& switchingChoices();
+
+/// Such as "pair, body".
+template <class Choice>
+[[nodiscard]] std::string namesOf(const std::vector<Choice>& choices) {
+  std::string names;
+  for (const Choice& choice : choices) {
+    names += (names.empty() ? "" : ", ") + choice.name;
+  }
+  return names;
+}
 
 /// The choice of that name. Fails with a line that lists the known ones and the nearest.
 template <class Choice>

@@ -33,5 +33,7 @@ Command addBenchCommand(CLI::App& program);
 Command addBenchCollisionCommand(CLI::App& bench);
 Command addBenchContactsCommand(CLI::App& bench);
 Command addBenchSpreadCommand(CLI::App& bench);
+Command addBenchWorldsCommand(CLI::App& bench);
+Command addBenchFidelityCommand(CLI::App& bench);
 
 }  // namespace scatter::app

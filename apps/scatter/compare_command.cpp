@@ -62,6 +62,9 @@ ExitStatus compare(const Arguments& arguments) {
   if (!runs) {
     return refuse(runs.error());
   }
+  for (RunOptions& run : *runs) {
+    run.keepEvents = true;
+  }
   const std::string out = arguments.out.value_or("out/" + arguments.run.scene);
   if (auto writable = checkOutput(out); !writable) {
     return refuse(writable.error());

@@ -7,6 +7,7 @@
 
 #include "choices.h"
 #include "command.h"
+#include "lod/policy_catalog.h"
 
 namespace scatter::app {
 
@@ -21,6 +22,26 @@ void printChoices(const char* heading, const std::vector<Choice>& choices) {
   }
 }
 
+// The parameters of a policy, each on a line of its own.
+void printParameters(const lod::PolicyInfo& policy) {
+  for (const lod::ParameterInfo& parameter : policy.parameters) {
+    fmt::print("  {:<13}    {}={:g}{}{}: {}\n", "", parameter.name, parameter.standard,
+               parameter.unit.empty() ? "" : " ", parameter.unit, parameter.meaning);
+  }
+}
+
+void printPolicies() {
+  fmt::print("\nPolicies of a hybrid world (--policy), one of\n");
+  for (const PolicyChoice& choice : policyChoices()) {
+    fmt::print("  {:<13}  {}\n", choice.name, choice.summary);
+  }
+  fmt::print("and with pair switching any of these, with parameters as in --policy speed:from=5,held\n");
+  for (const lod::PolicyInfo& policy : lod::knownPolicies()) {
+    fmt::print("  {:<13}  {} ({})\n", policy.name, policy.summary, lod::nameOf(policy.scope));
+    printParameters(policy);
+  }
+}
+
 void printScenes() {
   fmt::print("Scenes (frames of 1/60 s)\n");
   for (const SceneInfo* scene : SceneRegistry::instance().all()) {
@@ -31,8 +52,8 @@ void printScenes() {
 ExitStatus list() {
   printScenes();
   printChoices("Worlds (--world)", worldChoices());
-  printChoices("Policies of a hybrid world (--policy)", policyChoices());
   printChoices("Switching modes of a hybrid world (--switching)", switchingChoices());
+  printPolicies();
   printChoices("Collision of hybrid bodies in a hybrid world (--collision)", collisionChoices());
   printChoices("Engines (--engine)", engineChoices());
   return ExitStatus::kOk;

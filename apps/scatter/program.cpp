@@ -108,6 +108,11 @@ std::optional<ExitStatus> parse(CLI::App& program, int argc, char** argv) {
   return std::nullopt;
 }
 
+ExitStatus cannotPrint() {
+  printError("cannot write to standard output; is the disk full?");
+  return ExitStatus::kBadInput;
+}
+
 ExitStatus execute(const std::vector<Command>& commands) {
   const auto given = std::find_if(commands.begin(), commands.end(),
                                   [](const Command& command) { return command.arguments->parsed(); });
@@ -121,6 +126,9 @@ ExitStatus execute(const std::vector<Command>& commands) {
     printError("interrupted; no files were written");
     return ExitStatus::kInterrupted;
   } catch (const std::exception& error) {
+    if (std::ferror(stdout) != 0) {
+      return cannotPrint();
+    }
     printError(error.what());
     return ExitStatus::kFailedCheck;
   }
@@ -129,11 +137,7 @@ ExitStatus execute(const std::vector<Command>& commands) {
 // A table that went to a full disk is not a success.
 ExitStatus checkStandardOutput(ExitStatus status) {
   const bool failed = std::fflush(stdout) != 0 || std::ferror(stdout) != 0;
-  if (failed && status == ExitStatus::kOk) {
-    printError("cannot write to standard output; is the disk full?");
-    return ExitStatus::kBadInput;
-  }
-  return status;
+  return failed && status == ExitStatus::kOk ? cannotPrint() : status;
 }
 
 // As a shell would take it again.

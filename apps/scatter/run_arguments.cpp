@@ -4,53 +4,13 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <utility>
 
 #include "number_checks.h"
 
 namespace scatter::app {
 
 namespace {
-
-template <class Choice>
-std::string namesOf(const std::vector<Choice>& choices) {
-  std::string names;
-  for (const Choice& choice : choices) {
-    names += (names.empty() ? "" : ", ") + choice.name;
-  }
-  return names;
-}
-
-void addSwitchingArguments(CLI::App& command, RunArguments& arguments) {
-  const SwitchingDef defaults;
-  command.add_option("--switching", arguments.switching, "What has a level: " + namesOf(switchingChoices()))
-      ->type_name("NAME")
-      ->capture_default_str();
-  command
-      .add_option("--policy", arguments.policy,
-                  fmt::format("What asks for levels in a hybrid world: {} [{}]", namesOf(policyChoices()),
-                              policyChoices().front().name))
-      ->type_name("NAME");
-  command
-      .add_option("--proximity-steps", arguments.proximitySteps,
-                  fmt::format("Requests come this many steps before level-1 boxes can touch [{:g}]",
-                              defaults.proximitySteps))
-      ->check(numberAbove(1.0))
-      ->type_name("STEPS");
-  command
-      .add_option(
-          "--retry-interval", arguments.retryInterval,
-          fmt::format("Steps between tries of a switch that was not safe [{}]", defaults.retryInterval))
-      ->check(wholeNumber<int>(1))
-      ->type_name("STEPS");
-  command
-      .add_option("--load-fine-pairs", arguments.loadFinePairs,
-                  fmt::format("Nothing is switched while fewer narrowphase pairs are at work; 0: never [{}]",
-                              defaults.loadFinePairs))
-      ->check(wholeNumber<std::uint32_t>(0))
-      ->type_name("PAIRS");
-  command.add_flag("--unsafe-switching", arguments.unsafeSwitching,
-                   "Switch without the safety conditions, to see what they prevent");
-}
 
 void addCollisionArguments(CLI::App& command, RunArguments& arguments) {
   command
@@ -68,64 +28,48 @@ void addCollisionArguments(CLI::App& command, RunArguments& arguments) {
 
 // Arguments that were given although only a hybrid world has a use for them.
 std::string hybridArgumentOf(const RunArguments& arguments) {
-  if (arguments.policy) {
-    return "--policy";
-  }
-  if (arguments.collision) {
-    return "--collision";
-  }
-  if (arguments.verifyEvery) {
-    return "--verify-contacts";
-  }
-  if (arguments.proximitySteps) {
-    return "--proximity-steps";
-  }
-  if (arguments.retryInterval) {
-    return "--retry-interval";
-  }
-  if (arguments.loadFinePairs) {
-    return "--load-fine-pairs";
-  }
-  return arguments.unsafeSwitching ? "--unsafe-switching" : "";
-}
-
-Result<void> checkMeaning(const RunArguments& arguments, const std::vector<WorldChoice>& worlds) {
-  const std::string given = hybridArgumentOf(arguments);
-  const auto isHybrid = [](const WorldChoice& world) { return world.kind == WorldKind::kHybrid; };
-  if (!given.empty() && std::none_of(worlds.begin(), worlds.end(), isHybrid)) {
-    return fail(given + " has no meaning in a standard world; leave it out or use the hybrid world");
-  }
-  const auto takesPolicy = [&](const WorldChoice& world) { return isHybrid(world) && !world.policy; };
-  if (arguments.policy && std::none_of(worlds.begin(), worlds.end(), takesPolicy)) {
-    return fail("the world " + worlds.back().name +
-                " has its own policy; leave --policy out or use the hybrid world");
-  }
-  const auto takesCollision = [&](const WorldChoice& world) { return isHybrid(world) && !world.narrowphase; };
-  if (arguments.collision && std::none_of(worlds.begin(), worlds.end(), takesCollision)) {
-    return fail("the world " + worlds.back().name +
-                " has its own collision; leave --collision out or use the hybrid world");
+  const SwitchingArguments& switching = arguments.switching;
+  const std::pair<const char*, bool> given[] = {
+      {"--switching", switching.switching.has_value()},
+      {"--policy", !switching.policies.empty()},
+      {"--budget-units", switching.budgetUnits.has_value()},
+      {"--replay", switching.replay.has_value()},
+      {"--credit-level", switching.creditLevel.has_value()},
+      {"--no-credit", switching.noCredit},
+      {"--collision", arguments.collision.has_value()},
+      {"--verify-contacts", arguments.verifyEvery.has_value()},
+      {"--proximity-steps", switching.proximitySteps.has_value()},
+      {"--retry-interval", switching.retryInterval.has_value()},
+      {"--load-fine-pairs", switching.loadFinePairs.has_value()},
+      {"--unsafe-switching", switching.unsafeSwitching},
+  };
+  for (const auto& [argument, isGiven] : given) {
+    if (isGiven) {
+      return argument;
+    }
   }
   return {};
 }
 
-Result<SwitchingDef> makeSwitching(const RunArguments& arguments, const WorldChoice& world) {
-  SwitchingDef switching;
-  if (const auto mode = choose(switchingChoices(), "switching mode", arguments.switching); !mode) {
-    return tl::unexpected(mode.error());
+Result<void> checkMeaning(const RunArguments& arguments, const std::vector<WorldSpec>& worlds) {
+  const std::string given = hybridArgumentOf(arguments);
+  const auto isHybrid = [](const WorldSpec& spec) { return spec.world.kind == WorldKind::kHybrid; };
+  if (!given.empty() && std::none_of(worlds.begin(), worlds.end(), isHybrid)) {
+    return fail(given + " has no meaning in a standard world; leave it out or use the hybrid world");
   }
-  if (arguments.policy) {
-    const auto policy = choose(policyChoices(), "policy", *arguments.policy);
-    if (!policy) {
-      return tl::unexpected(policy.error());
-    }
-    switching.policy = policy->policy;
+  const auto takesPolicy = [&](const WorldSpec& spec) { return isHybrid(spec) && !spec.world.policy; };
+  if (!arguments.switching.policies.empty() && std::none_of(worlds.begin(), worlds.end(), takesPolicy)) {
+    return fail("the world " + worlds.back().world.name +
+                " has its own policy; leave --policy out or use the hybrid world");
   }
-  switching.policy = world.policy.value_or(switching.policy);
-  switching.proximitySteps = arguments.proximitySteps.value_or(switching.proximitySteps);
-  switching.retryInterval = arguments.retryInterval.value_or(switching.retryInterval);
-  switching.loadFinePairs = arguments.loadFinePairs.value_or(switching.loadFinePairs);
-  switching.safetyConditions = !arguments.unsafeSwitching;
-  return switching;
+  const auto takesCollision = [&](const WorldSpec& spec) {
+    return isHybrid(spec) && !spec.world.narrowphase;
+  };
+  if (arguments.collision && std::none_of(worlds.begin(), worlds.end(), takesCollision)) {
+    return fail("the world " + worlds.back().world.name +
+                " has its own collision; leave --collision out or use the hybrid world");
+  }
+  return {};
 }
 
 Result<CollisionDef> makeCollision(const RunArguments& arguments, const WorldChoice& world) {
@@ -143,39 +87,51 @@ Result<CollisionDef> makeCollision(const RunArguments& arguments, const WorldCho
 }
 
 Result<RunOptions> makeRun(const RunArguments& arguments, const EngineChoice& engine,
-                           const WorldChoice& world) {
-  const auto switching = makeSwitching(arguments, world);
-  if (!switching) {
-    return tl::unexpected(switching.error());
-  }
-  const auto collision = makeCollision(arguments, world);
+                           const SwitchingChoices& switching, const WorldSpec& spec) {
+  const auto collision = makeCollision(arguments, spec.world);
   if (!collision) {
     return tl::unexpected(collision.error());
   }
   RunOptions options;
   options.scene = arguments.scene;
   options.engine = engine.make;
-  options.physics.world = world.kind;
+  options.physics.world = spec.world.kind;
   options.physics.profiling = !arguments.noProfiling;
-  if (world.kind == WorldKind::kHybrid) {
-    options.physics.switching = *switching;
+  if (spec.world.kind == WorldKind::kHybrid) {
+    options.physics.switching = makeSwitching(arguments.switching, switching, spec, collision->narrowphase);
     options.physics.collision = *collision;
   }
   options.frames = arguments.frames.value_or(0);
   options.seed = arguments.seed;
-  options.budgetMs = arguments.budgetMs;
-  options.label = world.name;
+  options.fidelityEvery = arguments.fidelityEvery.value_or(0);
+  options.budgetMs = arguments.switching.budgetMs.value_or(options.budgetMs);
+  if (spec.budget && spec.budget->milliseconds > 0.0) {
+    options.budgetMs = spec.budget->milliseconds;
+  }
+  options.label = spec.label;
   return resolveRun(std::move(options));
 }
 
 }  // namespace
+
+void addFidelityArgument(CLI::App& command, std::optional<int>& every) {
+  command
+      .add_option(
+          "--fidelity", every,
+          "Measure every N frames how true contacts are to the finest shapes, outside of what is timed "
+          "[10 if N is left out]")
+      ->expected(0, 1)
+      ->default_str(std::to_string(kFidelityEvery))
+      ->check(wholeNumber<int>(1))
+      ->type_name("[N]");
+}
 
 void addRunArguments(CLI::App& command, RunArguments& arguments) {
   command.add_option("SCENE", arguments.scene, "The scene's name, as `scatter list` shows it")->required();
   command.add_option("--engine", arguments.engine, "The physics engine: " + namesOf(engineChoices()))
       ->type_name("NAME")
       ->capture_default_str();
-  addSwitchingArguments(command, arguments);
+  addSwitchingArguments(command, arguments.switching);
   addCollisionArguments(command, arguments);
   command.add_option("--frames", arguments.frames, "Steps of 1/60 s [as many as the scene's story takes]")
       ->check(wholeNumber<int>(1))
@@ -184,12 +140,7 @@ void addRunArguments(CLI::App& command, RunArguments& arguments) {
       ->check(wholeNumber<std::uint64_t>(0))
       ->type_name("N")
       ->capture_default_str();
-  command
-      .add_option("--budget-ms", arguments.budgetMs,
-                  "Milliseconds that a frame's physics should fit into; frames beyond are counted")
-      ->check(numberAbove(0.0))
-      ->type_name("MS")
-      ->capture_default_str();
+  addFidelityArgument(command, arguments.fidelityEvery);
   command.add_flag("--no-profiling", arguments.noProfiling, "Do not time the stages of a step");
   command.add_flag("--quiet", arguments.quiet, "No progress on standard error");
 }
@@ -200,21 +151,30 @@ Result<std::vector<RunOptions>> makeRuns(const RunArguments& arguments,
   if (!engine) {
     return tl::unexpected(engine.error());
   }
-  std::vector<WorldChoice> choices;
+  const auto switching = chooseSwitching(arguments.switching);
+  std::vector<WorldSpec> specs;
   std::vector<RunOptions> runs;
+  std::vector<PhysicsDef> physics;
   for (const std::string& name : worlds) {
-    const auto world = choose(worldChoices(), "world", name);
-    if (!world) {
-      return tl::unexpected(world.error());
+    auto spec = parseWorld(name);
+    if (!spec) {
+      return tl::unexpected(spec.error());
     }
-    auto run = makeRun(arguments, *engine, *world);
+    if (!switching) {
+      return tl::unexpected(switching.error());
+    }
+    auto run = makeRun(arguments, *engine, *switching, *spec);
     if (!run) {
       return tl::unexpected(run.error());
     }
-    choices.push_back(*world);
+    specs.push_back(std::move(*spec));
+    physics.push_back(run->physics);
     runs.push_back(std::move(*run));
   }
-  if (auto meaningful = checkMeaning(arguments, choices); !meaningful) {
+  if (auto meaningful = checkMeaning(arguments, specs); !meaningful) {
+    return tl::unexpected(meaningful.error());
+  }
+  if (auto meaningful = checkSwitching(arguments.switching, *switching, specs, physics); !meaningful) {
     return tl::unexpected(meaningful.error());
   }
   return runs;

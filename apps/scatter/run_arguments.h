@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "choices.h"
+#include "switching_arguments.h"
 
 namespace CLI {
 class App;
@@ -20,26 +21,27 @@ namespace scatter::app {
 struct RunArguments {
   std::string scene;
   std::string engine = engineChoices().front().name;
-  std::string switching = switchingChoices().front().name;
-  std::optional<std::string> policy;
+  SwitchingArguments switching;
   std::optional<std::string> collision;
   std::optional<int> verifyEvery;
+  std::optional<int> fidelityEvery;
   std::optional<int> frames;
   std::uint64_t seed = 1;
-  double budgetMs = 1000.0 / 60.0;
-  std::optional<int> retryInterval;
-  std::optional<float> proximitySteps;
-  std::optional<std::uint32_t> loadFinePairs;
   bool noProfiling = false;
-  bool unsafeSwitching = false;
   bool quiet = false;
 };
 
 /// `arguments` must outlive the parsing.
 void addRunArguments(CLI::App& command, RunArguments& arguments);
 
-/// One run for each of the named worlds. Fails on an unknown name and on an argument that has no meaning in
-/// any of the worlds.
+/// Frames from one measurement of fidelity to the next, if it is asked for without a number.
+inline constexpr int kFidelityEvery = 10;
+
+/// --fidelity [N]. `every` must outlive the parsing.
+void addFidelityArgument(CLI::App& command, std::optional<int>& every);
+
+/// One run for each of the named worlds (see parseWorld()). Fails on an unknown name and on an argument that
+/// has no meaning in any of the worlds.
 [[nodiscard]] Result<std::vector<RunOptions>> makeRuns(const RunArguments& arguments,
                                                        const std::vector<std::string>& worlds);
 

@@ -49,11 +49,15 @@ ExitStatus run(const Arguments& arguments) {
   }
   const Summary& summary = result->summary;
   fmt::print("{}", formatSummary(summary));
+  if (summary.fidelity.every > 0) {
+    fmt::print("\n{}", formatFidelity(summary.fidelity));
+  }
   if (summary.contactCheck.steps > 0) {
     fmt::print("{}", formatContactCheck(summary));
   }
   if (arguments.out) {
-    fmt::print("\nevery frame: {0}/frames.csv\nthe summary: {0}/summary.json\n", *arguments.out);
+    fmt::print("\nevery frame: {0}/frames.csv\nlevel events: {0}/events.csv\nthe summary: {0}/summary.json\n",
+               *arguments.out);
   }
   return summary.contactCheck.missed > 0 ? ExitStatus::kFailedCheck : ExitStatus::kOk;
 }
@@ -69,7 +73,8 @@ Command addRunCommand(CLI::App& program) {
                    "hybrid, standard, finest, coarsest and more; see `scatter list`")
       ->type_name("NAME")
       ->capture_default_str();
-  command->add_option("--out", arguments->out, "Write frames.csv and summary.json into this folder")
+  command
+      ->add_option("--out", arguments->out, "Write frames.csv, events.csv and summary.json into this folder")
       ->type_name("DIR");
   return {command, [arguments] { return run(*arguments); }};
 }

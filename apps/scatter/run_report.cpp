@@ -54,6 +54,28 @@ std::string formatSummary(const Summary& summary) {
          fmt::format("\nstate hash of the last frame: {:016x}\n", summary.stateHash);
 }
 
+std::string formatFidelity(const FidelityStatistics& fidelity) {
+  std::string text = fmt::format(
+      "fidelity, {} samples\n"
+      "  visible overlaps      mean {:.2f}, peak {}, {:.2f} per 100 touching pairs\n"
+      "  contact gap p95       {:.3f} m, {:.2f} % of {:.3g} m\n",
+      fidelity.samples, fidelity.visibleOverlapMean, fidelity.visibleOverlapPeak,
+      fidelity.visibleOverlapPer100, fidelity.contactGapP95, fidelity.contactGapP95Percent(),
+      fidelity.length);
+  text += fmt::format("  touching finely       mean {:.1f} %, worst {:.1f} %",
+                      100.0 * fidelity.finestShareMean, 100.0 * fidelity.finestShareWorst);
+  if (fidelity.finestShareWorstFrame > 0) {
+    text += fmt::format(" (frame {})", fidelity.finestShareWorstFrame);
+  }
+  text += '\n';
+  for (std::size_t below = 1; below < fidelity.touchingByLevel.size(); ++below) {
+    text += fmt::format("  {} below the finest    {:.1f} % of touching pairs\n", below,
+                        100.0 * fidelity.share(below));
+  }
+  return text + fmt::format("  largest jump          {:.4f} m (frame {})\n", fidelity.largestJump,
+                            fidelity.largestJumpFrame);
+}
+
 std::string formatContactCheck(const Summary& summary) {
   const ContactCheck& check = summary.contactCheck;
   return fmt::format(

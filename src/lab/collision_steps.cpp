@@ -23,6 +23,7 @@ CollisionStep hybridStep(std::string label, std::string what, const PairAlgorith
                          Policy policy = Policy::kFinest) {
   CollisionStep step{.label = std::move(label), .what = std::move(what), .physics = {}};
   step.physics.world = WorldKind::kHybrid;
+  step.physics.switching.switching = Switching::kBody;
   step.physics.switching.policy = policy;
   step.physics.collision.pairAlgorithm = steps;
   return step;

@@ -31,7 +31,11 @@ lab::Json worldJson(const ComparedWorld& world) {
   lab::Json repeats = lab::Json::array();
   for (const Run& run : world.repeats) {
     const lab::Json summary = lab::summaryJson(run.summary);
-    repeats.push_back({{"physics_ms", summary["physics_ms"]}, {"physics_cpu_ms", summary["physics_cpu_ms"]}});
+    lab::Json repeat{{"physics_ms", summary["physics_ms"]}, {"physics_cpu_ms", summary["physics_cpu_ms"]}};
+    if (summary.contains("fidelity")) {
+      repeat["fidelity"] = summary["fidelity"];
+    }
+    repeats.push_back(std::move(repeat));
   }
   lab::Json summary = lab::summaryJson(world.run().summary);
   for (const char* shared : {"scene", "build", "machine"}) {
@@ -40,6 +44,7 @@ lab::Json worldJson(const ComparedWorld& world) {
   return {{"label", world.label()},
           {"written_repeat", world.typical + 1},
           {"written_repeat_is", "the repeat with the median total of physics_cpu_ms"},
+          {"governed_by_clock", isClockGoverned(world.run().options.physics)},
           {"ratios_to_first_world",
            {{"physics_ms", ratiosJson(world.physicsMs)}, {"physics_cpu_ms", ratiosJson(world.physicsCpuMs)}}},
           {"summary", std::move(summary)},
@@ -70,6 +75,11 @@ Result<void> writeWorld(const ComparedWorld& world, const fs::path& folder) {
   if (auto written = writeFrameCsv(folder / "frames.csv", world.run().table); !written) {
     return written;
   }
+  if (world.run().options.keepEvents) {
+    if (auto written = writeEventCsv(folder / "events.csv", world.run().events); !written) {
+      return written;
+    }
+  }
   return writeSummary(folder / "summary.json", world.run().summary);
 }
 
@@ -77,7 +87,10 @@ Result<void> writeFiguresAndReport(const Comparison& comparison, const fs::path&
   const RunOptions& first = comparison.options.runs.front();
   std::vector<FigureWorld> worlds;
   for (const ComparedWorld& world : comparison.worlds) {
-    worlds.push_back({.label = world.label(), .table = &world.median});
+    const PhysicsDef& physics = world.run().options.physics;
+    worlds.push_back({.label = world.label(),
+                      .table = &world.median,
+                      .governedMs = isClockGoverned(physics) ? physics.switching.budget.milliseconds : 0.0});
   }
   const fs::path figureFolder = folder / "figures";
   const auto figures =

@@ -5,6 +5,8 @@
 
 #include <fstream>
 
+#include "commit.h"
+
 namespace scatter {
 
 namespace {
@@ -48,6 +50,7 @@ std::string systemName() {
 
 BuildInfo buildInfo() {
   return {.version = SCATTER_VERSION,
+          .commit = SCATTER_COMMIT,
           .compiler = compilerName(),
           .buildType = SCATTER_BUILD_TYPE,
           .flags = SCATTER_BUILD_FLAGS};

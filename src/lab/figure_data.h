@@ -28,6 +28,7 @@ class FigureData {
 
   [[nodiscard]] std::size_t worlds() const { return worlds_.size(); }
   [[nodiscard]] const std::string& label(std::size_t world) const { return worlds_[world].label; }
+  [[nodiscard]] double governedMs(std::size_t world) const { return worlds_[world].governedMs; }
   [[nodiscard]] const FigureOptions& options() const { return options_; }
 
   [[nodiscard]] FrameRange allFrames() const;

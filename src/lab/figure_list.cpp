@@ -63,6 +63,15 @@ bool budgetInRange(const FigureData& data, double highest) {
   return data.options().budgetMs <= highest * 1.5;
 }
 
+bool isGoverned(const FigureData& data) {
+  for (std::size_t world = 0; world < data.worlds(); ++world) {
+    if (data.governedMs(world) > 0.0) {
+      return true;
+    }
+  }
+  return false;
+}
+
 Curve budgetLine(const FigureData& data, double highest) {
   const double budget = data.options().budgetMs;
   if (!budgetInRange(data, highest)) {
@@ -71,6 +80,19 @@ Curve budgetLine(const FigureData& data, double highest) {
   return {.plot = shortestNumber(budget),
           .style = coloured("lines linewidth 1.4 dashtype (6,4)", color::kBlack),
           .title = "budget " + readableNumber(budget) + " ms"};
+}
+
+// A line for each world that is governed to a time, in the world's colour.
+void addGovernedLines(const FigureData& data, Panel& panel) {
+  for (std::size_t world = 0; world < data.worlds(); ++world) {
+    const double budget = data.governedMs(world);
+    if (budget > 0.0) {
+      panel.yMax = std::max(panel.yMax, axisTop(budget));
+      panel.curves.push_back({.plot = shortestNumber(budget),
+                              .style = coloured("lines linewidth 1.4 dashtype (6,4)", worldColor(world)),
+                              .title = "its budget " + readableNumber(budget) + " ms"});
+    }
+  }
 }
 
 std::string peakSentence(const FigureData& data, std::string_view column, const std::string& unit) {
@@ -108,7 +130,9 @@ FigureScript overview(const FigureData& data) {
                                    worldTitle(data, world)));
     panel.extra.push_back(peakMark(data, world));
   }
-  if (Curve budget = budgetLine(data, highest); !budget.plot.empty()) {
+  addGovernedLines(data, panel);
+  // Worlds with a budget of their own are not judged by another one.
+  if (Curve budget = budgetLine(data, highest); !budget.plot.empty() && !isGoverned(data)) {
     panel.curves.push_back(std::move(budget));
   }
   return {

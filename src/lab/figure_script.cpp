@@ -59,7 +59,7 @@ std::string axisCommands(const FigureScript& figure, const Panel& panel, bool la
   text += "set yrange [" + shortestNumber(panel.yMin) + ":" + shortestNumber(panel.yMax) + "]\n";
   text += "set ytics nomirror textcolor rgb " + quoted(panel.yColor) + '\n';
   text += axisTitle(3, panel.yLabel, 20.0, panel.yColor);
-  text += last ? "set xlabel 'frame (1/60 second of simulated time each)' offset 0,0.3\n" : "unset xlabel\n";
+  text += last ? "set xlabel " + quoted(figure.xLabel) + " offset 0,0.3\n" : std::string("unset xlabel\n");
   if (panel.y2Label.empty()) {
     return text + "unset y2tics\n";
   }

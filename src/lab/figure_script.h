@@ -28,14 +28,15 @@ struct Panel {
   std::vector<std::string> extra{};  ///< Further gnuplot commands, such as labels.
 };
 
-/// A figure: panels below each other with one frame axis, the legend of each to its right.
+/// A figure: panels below each other with one horizontal axis, the legend of each to its right.
 struct FigureScript {
   std::string name;
   std::string title;
   std::string caption;
-  FrameRange frames;
+  FrameRange frames;  ///< The horizontal axis.
   std::vector<Panel> panels;
   double panelHeight = 230.0;  ///< Pixels of the plot area.
+  std::string xLabel = "frame (1/60 second of simulated time each)";
 };
 
 /// Okabe and Ito's colours, which colour-blind readers can tell apart ("Color Universal Design", 2008).

@@ -3,6 +3,7 @@
 
 #include <scatter/lab/output_folder.h>
 
+#include "lab/figure_drawing.h"
 #include "lab/figure_list.h"
 #include "lab/gnuplot.h"
 
@@ -27,27 +28,6 @@ Result<void> requireFrames(const std::vector<FigureWorld>& worlds) {
   return {};
 }
 
-Result<void> draw(const lab::FigureScript& figure, const fs::path& folder) {
-  const fs::path script = folder / (figure.name + ".gnuplot");
-  if (auto written = writeFile(script, lab::gnuplotScript(figure)); !written) {
-    return written;
-  }
-  // -d: whatever the user's own gnuplot settings are.
-  if (auto drawn = lab::runGnuplot({"-d", script.filename().string()}, folder); !drawn) {
-    return drawn;
-  }
-  std::error_code error;
-  for (const char* ending : {".svg", ".png"}) {
-    const auto bytes = fs::file_size(folder / (figure.name + ending), error);
-    if (error || bytes == 0) {
-      return fail("gnuplot drew nothing into " + figure.name + ending +
-                  "; see that the disk is not full and that gnuplot has its svg and pngcairo terminals");
-    }
-  }
-  fs::remove(script, error);
-  return {};
-}
-
 }  // namespace
 
 Result<void> checkGnuplot() {
@@ -69,7 +49,7 @@ Result<std::vector<Figure>> drawFigures(const std::vector<FigureWorld>& worlds,
   }
   std::vector<Figure> figures;
   for (const lab::FigureScript& figure : lab::figureList(data)) {
-    if (auto drawn = draw(figure, staged->path()); !drawn) {
+    if (auto drawn = lab::drawFigure(figure, staged->path()); !drawn) {
       return tl::unexpected(drawn.error());
     }
     figures.push_back({.name = figure.name, .title = figure.title, .caption = figure.caption});

@@ -5,6 +5,7 @@
 #include "lab/text.h"
 
 #include <cassert>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -12,8 +13,11 @@ namespace scatter {
 
 namespace {
 
-std::string cellOf(ChannelKind kind, double value) {
-  return kind == ChannelKind::kInteger ? lab::fixedNumber(value, 0) : lab::shortestNumber(value);
+std::string cellOf(const Channel& channel, double value) {
+  if (channel.sampled && std::isnan(value)) {
+    return {};
+  }
+  return channel.kind == ChannelKind::kInteger ? lab::fixedNumber(value, 0) : lab::shortestNumber(value);
 }
 
 std::string headerOf(const std::vector<Channel>& channels) {
@@ -50,8 +54,9 @@ Result<void> FrameCsv::write(const FrameData& data) {
   for (std::size_t i = 0; i < channels_; ++i) {
     const auto id = static_cast<ChannelId>(i);
     line += i == 0 ? "" : ",";
-    const ChannelKind kind = data.channel(id).kind;
-    line += kind == ChannelKind::kHash ? lab::hexNumber(data.hash(id)) : cellOf(kind, data.value(id));
+    const Channel& channel = data.channel(id);
+    line +=
+        channel.kind == ChannelKind::kHash ? lab::hexNumber(data.hash(id)) : cellOf(channel, data.value(id));
   }
   return file_->write(line + '\n');
 }
@@ -70,9 +75,8 @@ Result<void> writeFrameCsv(const std::filesystem::path& file, const FrameTable& 
   for (std::size_t frame = 0; frame < table.frames(); ++frame) {
     for (const FrameColumn& column : table.columns()) {
       text += &column == &table.columns().front() ? "" : ",";
-      const ChannelKind kind = column.channel.kind;
-      text += kind == ChannelKind::kHash ? lab::hexNumber(column.hashes[frame])
-                                         : cellOf(kind, column.values[frame]);
+      text += column.channel.kind == ChannelKind::kHash ? lab::hexNumber(column.hashes[frame])
+                                                        : cellOf(column.channel, column.values[frame]);
     }
     text += '\n';
   }

@@ -36,6 +36,22 @@ std::string nameOf(Midphase midphase) {
   return "unknown";
 }
 
+std::string nameOf(Switching switching) {
+  return switching == Switching::kPair ? "pair" : "body";
+}
+
+std::string nameOf(Scope scope) {
+  switch (scope) {
+    case Scope::kLocal:
+      return "local";
+    case Scope::kGroup:
+      return "group";
+    case Scope::kGlobal:
+      return "global";
+  }
+  return "unknown";
+}
+
 std::string nameOf(LevelEventKind kind) {
   switch (kind) {
     case LevelEventKind::kRequested:

@@ -29,6 +29,12 @@ constexpr std::array kCounters{
     CounterColumn{"retractions", &StepCounters::retractions},
     CounterColumn{"credited_pairs", &StepCounters::creditedPairs},
     CounterColumn{"finest_pairs", &StepCounters::finestPairs},
+    CounterColumn{"touching_pairs", &StepCounters::touchingPairs},
+    CounterColumn{"touching_finest_pairs", &StepCounters::touchingFinestPairs},
+    CounterColumn{"blocked_tries", &StepCounters::blockedTries},
+    CounterColumn{"separation_queries", &StepCounters::separationQueries},
+    CounterColumn{"cost_units", &StepCounters::costUnits},
+    CounterColumn{"planned_units", &StepCounters::plannedUnits},
     CounterColumn{"pairs_skipped", &StepCounters::pairsSkipped},
     CounterColumn{"list_rebuilds", &StepCounters::listRebuilds},
     CounterColumn{"child_pairs", &StepCounters::childPairs},
@@ -63,6 +69,7 @@ void FrameRecorder::addChannels() {
     counters_.push_back(data_.addChannel({std::string(counter.name), "", ChannelKind::kInteger}));
   }
   measured_[kBudget] = real("budget_ms", "ms");
+  measured_[kUnits] = real("budget_units", "");
   measured_[kEnergy] = real("kinetic_energy", "J");
   measured_[kPenetration] = real("max_penetration", "m");
   hash_ = data_.addChannel({"state_hash", "", ChannelKind::kHash});
@@ -86,6 +93,7 @@ Result<void> FrameRecorder::step() {
   }
   recordCounters();
   data_.set(measured_[kBudget], budgetMs_);
+  data_.set(measured_[kUnits], physics.budgetUnits());
   data_.set(measured_[kEnergy], physics.kineticEnergy());
   data_.set(measured_[kPenetration], physics.maxPenetration());
   data_.setHash(hash_, physics.stateHash());

@@ -32,6 +32,32 @@ std::string element(const std::string& tag, const std::string& text) {
   return '<' + tag + '>' + escaped(text) + "</" + tag + ">\n";
 }
 
+// Of pair switching: what decides about levels.
+std::string describePairs(const SwitchingDef& switching) {
+  const std::string each =
+      "Each pair of objects has a level of its own, so that one neighbour can be met in full detail and "
+      "another one coarsely. ";
+  const BudgetDef& budget = switching.budget;
+  if (switching.policy == Policy::kFinest) {
+    return each + "Here everything is asked to stay at its finest level.";
+  }
+  if (switching.policy == Policy::kCoarsest) {
+    return each + "Here everything is asked to be at its coarsest level: the lowest cost there is.";
+  }
+  if (budget.milliseconds > 0.0) {
+    return each + "A governor takes detail away where a step would take more than " +
+           readableNumber(budget.milliseconds) + " ms, where it is seen least.";
+  }
+  if (budget.units > 0.0) {
+    return each + "A governor takes detail away where a step would cost more than " +
+           readableNumber(budget.units) + " units of predicted work, where it is seen least.";
+  }
+  if (!budget.recorded.empty()) {
+    return each + "A governor repeats the decisions of an earlier run.";
+  }
+  return each + "Nothing limits the cost of a step: pairs are in full detail unless a policy asks otherwise.";
+}
+
 std::string describe(const PhysicsDef& physics) {
   if (physics.world == WorldKind::kStandard) {
     return "The plain physics engine. Every object always collides in its full detail.";
@@ -40,6 +66,9 @@ std::string describe(const PhysicsDef& physics) {
       "The same engine with switching. A detailed object has several nested collision shapes, a coarse one "
       "around "
       "finer ones, and may use a coarser one to save time. ";
+  if (physics.switching.switching == Switching::kPair) {
+    return same + describePairs(physics.switching);
+  }
   switch (physics.switching.policy) {
     case Policy::kProximity:
       return same +
@@ -135,10 +164,34 @@ std::string fact(const std::string& name, const std::string& value) {
   return element("dt", name) + "<dd>" + escaped(value) + "</dd>\n";
 }
 
+std::string budgetOf(const SwitchingDef& switching) {
+  if (switching.switching != Switching::kPair) {
+    return {};
+  }
+  const BudgetDef& budget = switching.budget;
+  std::string text = switching.credit ? ", credit to level " + std::to_string(switching.creditLevel)
+                                      : std::string(", no credit");
+  if (budget.milliseconds > 0.0) {
+    text += ", governed to " + readableNumber(budget.milliseconds) + " ms";
+  }
+  if (budget.units > 0.0) {
+    text += ", governed to " + readableNumber(budget.units) + " units";
+  }
+  if (!budget.recorded.empty()) {
+    text += ", replay of " + std::to_string(budget.recorded.size()) + " steps";
+  }
+  return text;
+}
+
 std::string optionsOf(const RunOptions& run) {
   std::string text = nameOf(run.physics.world) + " world";
   if (run.physics.world == WorldKind::kHybrid) {
+    text += ", switching " + nameOf(run.physics.switching.switching);
     text += ", policy " + nameOf(run.physics.switching.policy);
+    for (const std::string& policy : run.physics.switching.policies) {
+      text += ", policy " + policy;
+    }
+    text += budgetOf(run.physics.switching);
     text += run.physics.switching.safetyConditions ? "" : ", safety conditions off";
     text += ", collision " + nameOf(run.physics.collision.narrowphase);
   }
@@ -159,18 +212,19 @@ std::string conditions(const Comparison& comparison) {
     text += fact("Options of the " + run.label + " world", optionsOf(run));
   }
   text += fact("Engine", summary.engine);
-  text += fact("Build", "Scatter " + build.version + ", " + build.compiler + ", " + build.buildType +
-                            ", flags: " + build.flags);
+  text += fact("Build", "Scatter " + build.version + ", commit " + build.commit + ", " + build.compiler +
+                            ", " + build.buildType + ", flags: " + build.flags);
   text += fact("Machine", machine.cpu + ", " + std::to_string(machine.cores) + " cores, " +
                               fixedNumber(static_cast<double>(machine.memoryBytes) / 1073741824.0, 1) +
                               " GiB of memory, " + machine.os);
-  text += fact("Repeats",
-               std::to_string(comparison.options.repeat) +
-                   (comparison.options.repeat == 1
-                        ? " of each world."
-                        : " of each world, in alternating order; the state of every object was the same, "
-                          "bit for bit, in every frame of every repeat. Times in the figures are the median "
-                          "of the repeats in each frame."));
+  text +=
+      fact("Repeats",
+           std::to_string(comparison.options.repeat) +
+               (comparison.options.repeat == 1
+                    ? " of each world."
+                    : " of each world, in alternating order; in worlds that no clock governs, the state of "
+                      "every object was the same, bit for bit, in every frame of every repeat. Times in "
+                      "the figures are the median of the repeats in each frame."));
   return text + "</dl>\n";
 }
 

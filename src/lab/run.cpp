@@ -5,6 +5,7 @@
 #include <scatter/lab/output_folder.h>
 #include <scatter/lab/recorder.h>
 
+#include "lab/fidelity_recorder.h"
 #include "lab/names.h"
 
 #include <algorithm>
@@ -35,7 +36,13 @@ Result<std::unique_ptr<World>> buildWorld(const RunOptions& options, Scene& scen
   return world;
 }
 
-Result<std::optional<FrameCsv>> openCsv(const RunOptions& options, const FrameData& data) {
+// The files of a run that grow frame by frame.
+struct RunFiles {
+  FrameCsv frames;
+  EventCsv events;
+};
+
+Result<std::optional<RunFiles>> openFiles(const RunOptions& options, const FrameData& data) {
   if (!options.out) {
     return std::nullopt;
   }
@@ -44,23 +51,34 @@ Result<std::optional<FrameCsv>> openCsv(const RunOptions& options, const FrameDa
   }
   std::error_code error;
   std::filesystem::create_directories(*options.out, error);
-  auto csv = FrameCsv::create(*options.out / "frames.csv", data);
-  if (!csv) {
-    return tl::unexpected(csv.error());
+  auto frames = FrameCsv::create(*options.out / "frames.csv", data);
+  if (!frames) {
+    return tl::unexpected(frames.error());
   }
-  return std::optional<FrameCsv>(std::move(*csv));
+  auto events = EventCsv::create(*options.out / "events.csv");
+  if (!events) {
+    return tl::unexpected(events.error());
+  }
+  return std::optional(RunFiles{std::move(*frames), std::move(*events)});
 }
 
-void countEvents(const Physics& physics, LevelEventCounts& counts) {
-  for (const LevelEvent& event : physics.levelEvents()) {
-    ++counts[static_cast<std::size_t>(event.kind)];
+void takeEvents(const World& world, Run& run) {
+  for (const LevelEvent& event : world.physics().levelEvents()) {
+    const auto kind = static_cast<std::size_t>(event.kind);
+    ++run.summary.levelEvents[kind];
+    auto& byPolicy = run.summary.levelEventsByPolicy;
+    const auto known = byPolicy.find(event.policy);
+    ++(known != byPolicy.end() ? known->second : byPolicy[std::string(event.policy)])[kind];
+    if (run.options.keepEvents) {
+      run.events.push_back({.frame = world.frame(), .event = event});
+    }
   }
 }
 
 // What no column holds.
 void observe(const World& world, Run& run, std::uint32_t& mostChildPairs) {
   const Physics& physics = world.physics();
-  countEvents(physics, run.summary.levelEvents);
+  takeEvents(world, run);
   const std::uint32_t childPairs = physics.counters().childPairs;
   if (childPairs > mostChildPairs) {
     mostChildPairs = childPairs;
@@ -79,22 +97,26 @@ class Runner {
         scene_(scene),
         world_(world),
         data_(kReadBackFrames),
-        recorder_(world, data_, options.budgetMs) {}
+        recorder_(world, data_, options.budgetMs) {
+    if (options.fidelityEvery > 0) {
+      fidelity_.emplace(world, data_, options.fidelityEvery);
+    }
+  }
 
   Result<Run> run(const Progress& progress) {
-    auto csv = openCsv(options_, data_);
-    if (!csv) {
-      return tl::unexpected(csv.error());
+    auto files = openFiles(options_, data_);
+    if (!files) {
+      return tl::unexpected(files.error());
     }
     Run run{.options = options_, .table = FrameTable(data_.channels()), .summary = {}};
-    if (auto recorded = record(run, *csv, progress); !recorded) {
+    if (auto recorded = record(run, *files, progress); !recorded) {
       return tl::unexpected(recorded.error());
     }
     describe(run);
     if (options_.inspect) {
       options_.inspect(world_);
     }
-    if (auto finished = finish(run, *csv); !finished) {
+    if (auto finished = finish(run, *files); !finished) {
       return tl::unexpected(finished.error());
     }
     if (!run.summary.stopped.empty()) {
@@ -105,19 +127,15 @@ class Runner {
 
  private:
   // A state that is no longer finite ends the loop without an error, so that what there is can be kept.
-  Result<void> record(Run& run, std::optional<FrameCsv>& csv, const Progress& progress) {
+  Result<void> record(Run& run, std::optional<RunFiles>& files, const Progress& progress) {
     const double start = wallSeconds();
     std::uint32_t mostChildPairs = 0;
     for (int frame = 1; frame <= options_.frames && run.summary.stopped.empty(); ++frame) {
-      scene_.update(world_);
-      if (auto stepped = recorder_.step(); !stepped) {
-        run.summary.stopped =
-            "scene '" + options_.scene + "', " + options_.label + " world, " + stepped.error().message;
-      }
+      step(run);
       observe(world_, run, mostChildPairs);
       run.table.append(data_);
-      if (csv) {
-        if (auto written = csv->write(data_); !written) {
+      if (files) {
+        if (auto written = write(*files); !written) {
           return written;
         }
       }
@@ -128,6 +146,27 @@ class Runner {
     return {};
   }
 
+  void step(Run& run) {
+    scene_.update(world_);
+    if (fidelity_) {
+      fidelity_->beforeStep();
+    }
+    const auto stepped = recorder_.step();
+    if (!stepped) {
+      run.summary.stopped =
+          "scene '" + options_.scene + "', " + options_.label + " world, " + stepped.error().message;
+    }
+    if (fidelity_) {
+      // Where a body is no number says nothing about shapes.
+      stepped ? fidelity_->afterStep() : fidelity_->skipStep();
+    }
+  }
+
+  Result<void> write(RunFiles& files) {
+    return files.frames.write(data_).and_then(
+        [&] { return files.events.write(world_.frame(), world_.physics().levelEvents()); });
+  }
+
   void describe(Run& run) const {
     Summary& summary = run.summary;
     summary.scene = options_.scene;
@@ -136,14 +175,20 @@ class Runner {
     summary.physics = options_.physics;
     summary.seed = options_.seed;
     summary.budgetMs = options_.budgetMs;
+    if (fidelity_) {
+      summary.fidelity = fidelity_->statistics();
+    }
     summarise(run.table, summary);
   }
 
-  Result<void> finish(const Run& run, std::optional<FrameCsv>& csv) const {
-    if (!csv) {
+  Result<void> finish(const Run& run, std::optional<RunFiles>& files) const {
+    if (!files) {
       return {};
     }
-    if (auto finished = csv->finish(); !finished) {
+    if (auto finished = files->frames.finish(); !finished) {
+      return finished;
+    }
+    if (auto finished = files->events.finish(); !finished) {
       return finished;
     }
     return writeSummary(*options_.out / "summary.json", run.summary);
@@ -154,9 +199,16 @@ class Runner {
   World& world_;
   FrameData data_;
   FrameRecorder recorder_;
+  std::optional<lab::FidelityRecorder> fidelity_;
 };
 
 }  // namespace
+
+bool isClockGoverned(const PhysicsDef& physics) {
+  const SwitchingDef& switching = physics.switching;
+  return physics.world == WorldKind::kHybrid && switching.switching == Switching::kPair &&
+         switching.budget.milliseconds > 0.0;
+}
 
 Result<RunOptions> resolveRun(RunOptions options) {
   if (!options.engine) {
@@ -177,6 +229,10 @@ Result<RunOptions> resolveRun(RunOptions options) {
   }
   if (!(options.budgetMs > 0.0)) {
     return fail("the budget of scene '" + options.scene + "' must be more than 0 ms; give a larger one");
+  }
+  if (options.fidelityEvery < 0) {
+    return fail("fidelity of scene '" + options.scene + "' cannot be measured every " +
+                std::to_string(options.fidelityEvery) + " frames; give a number from 0");
   }
   if (options.label.empty()) {
     options.label = lab::nameOf(options.physics.world);

@@ -18,7 +18,7 @@ namespace {
 
 // Whole numbers that are no counts of what the physics did.
 bool isCounter(const Channel& channel) {
-  return channel.kind == ChannelKind::kInteger && channel.name != "frame";
+  return channel.kind == ChannelKind::kInteger && channel.name != "frame" && !channel.sampled;
 }
 
 constexpr std::ptrdiff_t kLastFrames = 100;

@@ -33,9 +33,25 @@ Json collisionJson(const CollisionDef& collision) {
   return json;
 }
 
+Json switchingJson(const SwitchingDef& switching) {
+  Json json{{"mode", nameOf(switching.switching)},         {"policy", nameOf(switching.policy)},
+            {"proximity_steps", switching.proximitySteps}, {"retry_interval", switching.retryInterval},
+            {"quiet_steps", switching.quietSteps},         {"safety_gap", switching.safetyGap},
+            {"load_fine_pairs", switching.loadFinePairs},  {"safety_conditions", switching.safetyConditions}};
+  if (switching.switching == Switching::kPair) {
+    const BudgetDef& budget = switching.budget;
+    json["policies"] = switching.policies;
+    json["budget"] = {{"milliseconds", budget.milliseconds},
+                      {"units", budget.units},
+                      {"replayed_steps", budget.recorded.size()}};
+    json["credit"] = switching.credit;
+    json["credit_level"] = switching.creditLevel;
+  }
+  return json;
+}
+
 Json optionsJson(const Summary& summary) {
   const PhysicsDef& physics = summary.physics;
-  const SwitchingDef& switching = physics.switching;
   Json options{{"world", nameOf(physics.world)},
                {"frames", summary.frames},
                {"seed", summary.seed},
@@ -45,13 +61,7 @@ Json optionsJson(const Summary& summary) {
                {"gravity", {physics.gravity.x, physics.gravity.y, physics.gravity.z}}};
   if (physics.world == WorldKind::kHybrid) {
     options["collision"] = collisionJson(physics.collision);
-    options["switching"] = {{"policy", nameOf(switching.policy)},
-                            {"proximity_steps", switching.proximitySteps},
-                            {"retry_interval", switching.retryInterval},
-                            {"quiet_steps", switching.quietSteps},
-                            {"safety_gap", switching.safetyGap},
-                            {"load_fine_pairs", switching.loadFinePairs},
-                            {"safety_conditions", switching.safetyConditions}};
+    options["switching"] = switchingJson(physics.switching);
   }
   return options;
 }
@@ -71,6 +81,43 @@ Json eventsJson(const LevelEventCounts& counts) {
     events[nameOf(static_cast<LevelEventKind>(i))] = counts[i];
   }
   return events;
+}
+
+Json eventsByPolicyJson(const Summary& summary) {
+  Json policies = Json::object();
+  for (const auto& [policy, counts] : summary.levelEventsByPolicy) {
+    policies[policy] = eventsJson(counts);
+  }
+  return policies;
+}
+
+Json fidelityJson(const FidelityStatistics& fidelity) {
+  Json shares = Json::array();
+  for (std::size_t below = 0; below < fidelity.touchingByLevel.size(); ++below) {
+    shares.push_back({{"levels_below_finest", below},
+                      {"touching_pairs", fidelity.touchingByLevel[below]},
+                      {"share", fidelity.share(below)}});
+  }
+  return {{"every", fidelity.every},
+          {"samples", fidelity.samples},
+          {"touching_pairs", fidelity.touchingPairs()},
+          {"visible_overlap_pairs",
+           {{"mean", fidelity.visibleOverlapMean},
+            {"peak", fidelity.visibleOverlapPeak},
+            {"per_100_touching", fidelity.visibleOverlapPer100}}},
+          {"contact_gaps", fidelity.contactGaps},
+          {"contact_gap_p95", fidelity.contactGapP95},
+          {"contact_gap_p95_percent", fidelity.contactGapP95Percent()},
+          {"contact_gap_max", fidelity.contactGapMax},
+          {"length", fidelity.length},
+          {"length_is", "mean over the hybrids of the longest side of the finest level's box, metres"},
+          {"touching_by_level", std::move(shares)},
+          {"finest_share",
+           {{"mean", fidelity.finestShareMean},
+            {"worst", fidelity.finestShareWorst},
+            {"worst_frame", fidelity.finestShareWorstFrame}}},
+          {"largest_jump", fidelity.largestJump},
+          {"largest_jump_frame", fidelity.largestJumpFrame}};
 }
 
 Json memoryJson(const CollisionMemory& memory) {
@@ -103,6 +150,7 @@ Json contactsJson(const ContactCheck& check) {
 
 Json buildJson(const BuildInfo& build) {
   return {{"version", build.version},
+          {"commit", build.commit},
           {"compiler", build.compiler},
           {"type", build.buildType},
           {"flags", build.flags}};
@@ -127,12 +175,16 @@ Json summaryJson(const Summary& summary) {
             {"totals", countersJson(summary, &CounterStatistics::total)},
             {"peaks", countersJson(summary, &CounterStatistics::peak)},
             {"level_events", eventsJson(summary.levelEvents)},
+            {"level_events_by_policy", eventsByPolicyJson(summary)},
             {"state_hash", hexNumber(summary.stateHash)}};
   if (summary.collisionMemory.pairs > 0) {
     json["collision_memory"] = memoryJson(summary.collisionMemory);
   }
   if (summary.contactCheck.steps > 0) {
     json["contact_check"] = contactsJson(summary.contactCheck);
+  }
+  if (summary.fidelity.every > 0) {
+    json["fidelity"] = fidelityJson(summary.fidelity);
   }
   if (!summary.stopped.empty()) {
     json["stopped"] = summary.stopped;

@@ -37,7 +37,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"sceneWithLineBreak", {"run", "to\nwer"}, "unknown scene"},
         Refusal{"unknownSceneToCompare",
                 {"compare", "towr"},
-                "armada, convergence, duel, fleet, fleet_boxes, pile, quiet_apart"},
+                "armada, breakables, convergence, duel, fleet, fleet_boxes, mugs, pile, quiet_apart"},
         Refusal{"unknownWorld", {"run", "tower", "--world", "hybird"}, "did you mean \"hybrid\"?"},
         Refusal{
             "unknownWorldToCompare", {"compare", "tower", "--worlds", "standard,hybird"}, "unknown world"},
@@ -46,7 +46,50 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"unknownPolicy", {"run", "tower", "--policy", "finset"}, "did you mean \"finest\"?"},
         Refusal{
             "unknownEngine", {"run", "tower", "--engine", "ode"}, "unknown engine \"ode\"; Known: bullet"},
-        Refusal{"unknownSwitching", {"run", "tower", "--switching", "pair"}, "Known: body"},
+        Refusal{"unknownSwitching", {"run", "tower", "--switching", "pairs"}, "did you mean \"pair\"?"},
+        Refusal{"policyParameter", {"run", "tower", "--policy", "speed:form=5"}, "form"},
+        Refusal{"policyValue", {"run", "tower", "--policy", "speed:from=fast"}, "fast"},
+        Refusal{"parameterOfNoPolicy", {"run", "tower", "--policy", "from=5"}, "--policy"},
+        Refusal{"twoModePolicies", {"run", "tower", "--policy", "finest,coarsest"}, "leave out coarsest"},
+        Refusal{"policyOfPairsForBodies",
+                {"run", "tower", "--switching", "body", "--policy", "speed"},
+                "use --switching pair"},
+        Refusal{"switchingOfAWorldWithItsOwn",
+                {"run", "tower", "--world", "coarsest-body", "--switching", "pair"},
+                "its own switching mode"},
+        Refusal{"switchingInStandardWorld",
+                {"run", "tower", "--world", "standard", "--switching", "body"},
+                "--switching has no"},
+        Refusal{"pairsWithBulletsCollision",
+                {"run", "tower", "--switching", "pair", "--collision", "bullet"},
+                "pair algorithm"},
+        Refusal{
+            "twoBudgets", {"run", "tower", "--budget-ms", "3", "--budget-units", "9"}, "give one of them"},
+        Refusal{"budgetAndReplay", {"run", "tower", "--budget-ms", "3", "--replay", "f.csv"}, "one of them"},
+        Refusal{"unitsForBodies",
+                {"run", "tower", "--switching", "body", "--budget-units", "9"},
+                "--budget-units has no meaning here"},
+        Refusal{"unitsForEverythingFinest",
+                {"run", "tower", "--policy", "finest", "--budget-units", "9"},
+                "--budget-units has no meaning here"},
+        Refusal{"creditForBodies",
+                {"compare", "tower", "--worlds", "standard,hybrid-body", "--no-credit"},
+                "--no-credit has no meaning here"},
+        Refusal{"proximityStepsForPairs",
+                {"run", "tower", "--proximity-steps", "4"},
+                "--proximity-steps has no meaning here"},
+        Refusal{"noRecording", {"run", "tower", "--replay", "nowhere/frames.csv"}, "nowhere/frames.csv"},
+        Refusal{
+            "budgetWithoutUnit", {"run", "tower", "--world", "hybrid@5"}, "hybrid@5ms or hybrid@3000units"},
+        Refusal{"negativeBudget", {"run", "tower", "--world", "hybrid@-5ms"}, "is not understood"},
+        Refusal{"budgetOfAStandardWorld", {"run", "tower", "--world", "standard@5ms"}, "takes no budget"},
+        Refusal{"budgetOfACoarseWorld", {"run", "tower", "--world", "coarsest@5ms"}, "takes no budget"},
+        Refusal{"budgetWithBodies",
+                {"run", "tower", "--world", "hybrid@5ms", "--switching", "body"},
+                "takes no budget"},
+        Refusal{"unknownBenchWorld", {"bench", "worlds", "--worlds", "standart"}, "unknown world"},
+        Refusal{"noFidelityScene", {"bench", "fidelity"}, "SCENE is required"},
+        Refusal{"noFidelityBudget", {"bench", "fidelity", "duel", "--budgets", "0"}, "is not understood"},
         Refusal{"policyInStandardWorld",
                 {"run", "tower", "--world", "standard", "--policy", "none"},
                 "--policy has no"},
@@ -87,6 +130,9 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"noRetries", {"run", "tower", "--retry-interval", "0"}, "--retry-interval"},
         Refusal{"tooNear", {"run", "tower", "--proximity-steps", "1"}, "needs a number above 1"},
         Refusal{"negativeLoad", {"run", "tower", "--load-fine-pairs", "-1"}, "--load-fine-pairs"},
+        Refusal{"noUnits", {"run", "tower", "--budget-units", "0"}, "--budget-units: needs a number above 0"},
+        Refusal{"noCreditLevel", {"run", "tower", "--credit-level", "0"}, "--credit-level"},
+        Refusal{"noSamples", {"run", "tower", "--fidelity", "0"}, "--fidelity: needs a whole number from 1"},
         Refusal{"noVerification", {"run", "tower", "--verify-contacts", "0"}, "needs a whole number from 1"},
         Refusal{"noSeeds", {"bench", "spread", "--seeds", "0"}, "--seeds"},
         Refusal{"noBenchRepeats", {"bench", "collision", "--repeat", "0"}, "--repeat"},
@@ -112,6 +158,27 @@ INSTANTIATE_TEST_SUITE_P(Paths, BadFolder,
 
 TEST_F(ProgramTest, AFolderWithoutANameIsRefused) {
   expectRefused(scatter({"run", "tower", "--out", ""}), "the output folder has no name");
+}
+
+TEST_F(ProgramTest, ARecordingThatCannotBeReplayedIsRefused) {
+  const struct {
+    const char* content;
+    const char* message;
+  } recordings[] = {
+      {"", "no column budget_units"},
+      {"frame,budget_ms\n1,16\n", "no column budget_units"},
+      {"frame,budget_units\n", "has no frames"},
+      {"frame,budget_units\n1,30\n2,many\n", "line 3"},
+      {"frame,budget_units\n1,30\n2", "line 3"},
+      {"frame,budget_units\n1,-3\n", "below 0"},
+      {"frame,budget_units\n1,0\n2,0\n", "had no budget"},
+  };
+  const fs::path file = fs::temp_directory_path() / (folder.filename().string() + ".csv");
+  for (const auto& recording : recordings) {
+    std::ofstream(file, std::ios::trunc) << recording.content;
+    expectRefused(scatter({"run", "tower", "--frames", "5", "--replay", file.string()}), recording.message);
+  }
+  fs::remove(file);
 }
 
 TEST_F(ProgramTest, AMissingGnuplotIsFoundBeforeTheRun) {

@@ -25,13 +25,13 @@ class BenchTest : public ProgramTest {
 
 TEST_F(BenchTest, ListShowsWhatCanBeMeasured) {
   const std::string output = bench({"--list"});
-  for (const char* name : {"collision", "contacts", "spread"}) {
+  for (const char* name : {"collision", "contacts", "spread", "worlds", "fidelity"}) {
     EXPECT_THAT(output, HasSubstr(name));
   }
 }
 
 TEST_F(BenchTest, EveryBenchCommandHasHelp) {
-  for (const char* name : {"collision", "contacts", "spread"}) {
+  for (const char* name : {"collision", "contacts", "spread", "worlds", "fidelity"}) {
     EXPECT_THAT(bench({name, "--help"}), HasSubstr(std::string("scatter bench ") + name));
   }
 }
@@ -62,6 +62,34 @@ TEST_F(BenchTest, SpreadHasALineForEveryWorldAndSeed) {
   EXPECT_THAT(output, HasSubstr("over 2 seeds"));
   EXPECT_THAT(output, HasSubstr("pile radius"));
   EXPECT_EQ(linesOfCsv("spread.csv"), 5U);
+}
+
+TEST_F(BenchTest, WorldsHasARowForEverySceneAndWorld) {
+  const std::string output =
+      bench({"worlds", "--scenes", "duel,tower", "--worlds", "standard,finest,hybrid@5ms", "--frames", "12",
+             "--repeat", "2", "--fidelity", "4", "--csv", "worlds.csv"});
+  EXPECT_THAT(output, HasSubstr("tower, hybrid-5ms"));
+  const auto file = folder / "worlds.csv";
+  EXPECT_EQ(linesOfCsv("worlds.csv"), 7U);
+  EXPECT_THAT(columnOf(file, "scene"),
+              testing::ElementsAre("duel", "duel", "duel", "tower", "tower", "tower"));
+  EXPECT_EQ(columnOf(file, "world")[2], "hybrid-5ms");
+  EXPECT_EQ(columnOf(file, "governed_ms")[2], "5");
+  EXPECT_EQ(columnOf(file, "peak_ratio")[0], "1");
+  EXPECT_EQ(columnOf(file, "finest_share_mean")[0], "1");
+  for (const char* column : {"commit", "compiler", "flags", "cpu", "date", "repeats", "p99_ratio_max"}) {
+    EXPECT_THAT(columnOf(file, column), testing::Each(testing::Not(""))) << column;
+  }
+}
+
+TEST_F(BenchTest, FidelityDrawsItAgainstTheBudget) {
+  const std::string output = bench(
+      {"fidelity", "convergence", "--frames", "12", "--budgets", "0.5,2", "--fidelity", "4", "--out", "f"});
+  EXPECT_THAT(output, HasSubstr("f/fidelity_budget.svg"));
+  EXPECT_EQ(linesOfCsv("f/fidelity.csv"), 4U);
+  EXPECT_THAT(columnOf(folder / "f/fidelity.csv", "governed_ms"), testing::ElementsAre("0", "0.5", "2"));
+  EXPECT_THAT(readText(folder / "f/fidelity_budget.svg"), HasSubstr("fidelity against budget"));
+  EXPECT_GT(readText(folder / "f/fidelity_budget.png").size(), 1000U);
 }
 
 }  // namespace

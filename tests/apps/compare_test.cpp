@@ -29,12 +29,12 @@ TEST_F(ProgramTest, CompareWritesDataFiguresAndReport) {
 }
 
 TEST_F(ProgramTest, CompareTakesAnyWorldsAndRepeats) {
-  const Outcome outcome = scatter(
-      {"compare", "duel", "--frames", "10", "--worlds", "finest,coarsest", "--repeat", "2", "--out", "x"});
+  const Outcome outcome = scatter({"compare", "duel", "--frames", "10", "--worlds", "finest,coarsest-body",
+                                   "--repeat", "2", "--out", "x"});
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
-  EXPECT_THAT(outcome.output, HasSubstr("coarsest/finest"));
-  EXPECT_EQ(columnOf(folder / "x/coarsest/frames.csv", "frame").size(), 10U);
-  EXPECT_NE(columnOf(folder / "x/coarsest/frames.csv", "state_hash"),
+  EXPECT_THAT(outcome.output, HasSubstr("coarsest-body/finest"));
+  EXPECT_EQ(columnOf(folder / "x/coarsest-body/frames.csv", "frame").size(), 10U);
+  EXPECT_NE(columnOf(folder / "x/coarsest-body/frames.csv", "state_hash"),
             columnOf(folder / "x/finest/frames.csv", "state_hash"));
 }
 
@@ -42,6 +42,19 @@ TEST_F(ProgramTest, WorldsThatDoTheSameHaveTheSameStates) {
   ASSERT_EQ(scatter({"compare", "tower", "--frames", "30", "--out", "x"}).status, 0);
   EXPECT_EQ(columnOf(folder / "x/standard/frames.csv", "state_hash"),
             columnOf(folder / "x/hybrid/frames.csv", "state_hash"));
+}
+
+TEST_F(ProgramTest, CompareTakesWorldsWithBudgets) {
+  const Outcome outcome =
+      scatter({"compare", "duel", "--frames", "20", "--worlds", "standard,hybrid@5ms,hybrid@300units",
+               "--repeat", "2", "--fidelity", "5", "--out", "x"});
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, HasSubstr("hybrid-300units/standard"));
+  EXPECT_THAT(outcome.output, HasSubstr("frames over 5.00 ms"));
+  EXPECT_THAT(outcome.output, HasSubstr("Governed by the clock, so that each run differs: hybrid-5ms."));
+  EXPECT_THAT(outcome.output, HasSubstr("touching finely %, worst"));
+  EXPECT_FALSE(readText(folder / "x/hybrid-5ms/events.csv").empty());
+  EXPECT_THAT(readText(folder / "x/figures/overview.svg"), HasSubstr("its budget 5.00 ms"));
 }
 
 TEST_F(ProgramTest, TheReportSaysHowItWasMade) {

@@ -11,10 +11,11 @@ TEST_F(ProgramTest, ListShowsEverythingThatCanBeNamed) {
   const Outcome outcome = scatter({"list"});
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.errors, "");
-  for (const char* name :
-       {"armada",        "convergence",  "duel",  "fleet",    "fleet_boxes", "pile",          "quiet_apart",
-        "quiet_hybrids", "quiet_stacks", "tower", "standard", "hybrid",      "finest-bullet", "proximity",
-        "finest",        "coarsest",     "none",  "body",     "bullet 3",    "--collision"}) {
+  for (const char* name : {"armada",        "convergence", "duel",          "fleet",        "fleet_boxes",
+                           "pile",          "quiet_apart", "quiet_hybrids", "quiet_stacks", "tower",
+                           "standard",      "hybrid",      "finest-bullet", "proximity",    "finest",
+                           "coarsest",      "none",        "body",          "pair",         "hybrid-body",
+                           "coarsest-body", "speed",       "from=",         "bullet 3",     "--collision"}) {
     EXPECT_THAT(outcome.output, HasSubstr(name));
   }
 }

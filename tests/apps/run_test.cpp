@@ -1,5 +1,8 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
 #include "apps/program.h"
 
 namespace scatter::test {
@@ -17,8 +20,9 @@ constexpr const char* kHeader =
     "objects,hybrids,overlapping_pairs,narrowphase_pairs,pairs_with_hybrid,pairs_without_hybrid,manifolds,"
     "contacts,"
     "new_contacts,requests,switches_coarser,switches_finer,retractions,credited_pairs,finest_pairs,"
+    "touching_pairs,touching_finest_pairs,blocked_tries,separation_queries,cost_units,planned_units,"
     "pairs_skipped,list_rebuilds,child_pairs,child_pairs_asleep,bounds_rejected,axis_rejected,gjk_runs,"
-    "gjk_iterations,detector_runs,budget_ms,"
+    "gjk_iterations,detector_runs,budget_ms,budget_units,"
     "kinetic_energy,max_penetration,state_hash";
 
 class RunTest : public ProgramTest {
@@ -38,6 +42,8 @@ TEST_F(RunTest, WritesARowForEveryFrameAndASummary) {
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.errors, "");
   EXPECT_THAT(outcome.output, HasSubstr("a/b/frames.csv"));
+  EXPECT_THAT(readText(folder / "a/b/events.csv"),
+              testing::StartsWith("frame,kind,scope,policy,body,other,from,to,on_credit\n"));
   const auto lines = linesOf(readText(folder / "a/b/frames.csv"));
   ASSERT_EQ(lines.size(), 61U);
   EXPECT_EQ(lines[0], kHeader);
@@ -81,9 +87,102 @@ TEST_F(RunTest, AnotherSeedIsAnotherScene) {
 }
 
 TEST_F(RunTest, TheWorldCoarsestIsTheHybridWorldWithThatPolicy) {
-  const auto shorthand = hashes({"run", "duel", "--world", "coarsest", "--frames", "5"}, "shorthand");
-  EXPECT_EQ(shorthand, hashes({"run", "duel", "--policy", "coarsest", "--frames", "5"}, "policy"));
-  EXPECT_NE(shorthand, hashes({"run", "duel", "--policy", "finest", "--frames", "5"}, "finest"));
+  // The two ships have met by then.
+  const auto shorthand = hashes({"run", "duel", "--world", "coarsest", "--frames", "500"}, "shorthand");
+  EXPECT_EQ(shorthand, hashes({"run", "duel", "--policy", "coarsest", "--frames", "500"}, "policy"));
+  EXPECT_NE(shorthand, hashes({"run", "duel", "--policy", "finest", "--frames", "500"}, "finest"));
+}
+
+TEST_F(RunTest, NamedWorldsAreTheHybridWorldWithTheirOptions) {
+  const auto duel = [&](std::vector<std::string> more, const std::string& out) {
+    const std::vector<std::string> common{"run", "duel", "--frames", "400"};
+    more.insert(more.begin(), common.begin(), common.end());
+    return hashes(std::move(more), out);
+  };
+  const auto body = duel({"--world", "hybrid-body"}, "hybrid-body");
+  EXPECT_EQ(body, duel({"--switching", "body"}, "body"));
+  EXPECT_EQ(body, duel({"--switching", "body", "--policy", "proximity"}, "proximity"));
+  EXPECT_THAT(columnOf(folder / "hybrid-body/events.csv", "kind"), testing::Contains("switched"));
+  const auto lowest = duel({"--world", "coarsest-body"}, "coarsest-body");
+  EXPECT_EQ(lowest, duel({"--switching", "body", "--policy", "coarsest"}, "coarsest"));
+  EXPECT_NE(lowest, body);
+}
+
+TEST_F(RunTest, EveryLevelEventIsWritten) {
+  ASSERT_FALSE(hashes({"run", "duel", "--frames", "500", "--world", "hybrid-body"}, "out").empty());
+  const auto frames = columnOf(folder / "out/events.csv", "frame");
+  EXPECT_FALSE(frames.empty());
+  const auto kinds = columnOf(folder / "out/events.csv", "kind");
+  const auto summary = nlohmann::json::parse(readText(folder / "out/summary.json"));
+  for (const char* kind : {"requested", "acknowledged", "blocked", "switched", "retracted"}) {
+    EXPECT_EQ(std::count(kinds.begin(), kinds.end(), kind), summary["level_events"][kind]) << kind;
+  }
+}
+
+TEST_F(RunTest, MeasuringFidelityChangesNothing) {
+  const std::vector<std::string> worlds[] = {{"standard"},    {"finest"},        {"hybrid"},
+                                             {"hybrid-body"}, {"coarsest-body"}, {"hybrid@300units"}};
+  for (const auto& world : worlds) {
+    const std::vector<std::string> arguments{"run", "convergence", "--world", world[0], "--frames", "450"};
+    auto measured = arguments;
+    measured.insert(measured.end(), {"--fidelity", "7"});
+    EXPECT_EQ(hashes(arguments, "without-" + world[0]), hashes(measured, "with-" + world[0])) << world[0];
+    EXPECT_FALSE(nlohmann::json::parse(readText(folder / ("without-" + world[0]) / "summary.json"))
+                     .contains("fidelity"));
+  }
+}
+
+TEST_F(RunTest, FidelityIsInTheFilesAndOnTheScreen) {
+  const Outcome outcome = scatter(
+      {"run", "convergence", "--world", "coarsest-body", "--frames", "480", "--fidelity", "--out", "o"});
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, HasSubstr("fidelity, 48 samples"));
+  EXPECT_THAT(outcome.output, HasSubstr("largest jump"));
+  const auto visible = columnOf(folder / "o/frames.csv", "visible_overlap_pairs");
+  ASSERT_EQ(visible.size(), 480U);
+  for (std::size_t i = 0; i < visible.size(); ++i) EXPECT_EQ(visible[i].empty(), (i + 1) % 10 != 0) << i;
+  const auto fidelity = nlohmann::json::parse(readText(folder / "o/summary.json"))["fidelity"];
+  EXPECT_EQ(fidelity["samples"], 48);
+  EXPECT_GT(fidelity["touching_pairs"], 0);
+  EXPECT_EQ(fidelity["finest_share"]["mean"], 0.0);
+  EXPECT_GT(fidelity["contact_gap_p95"], 0.0);
+}
+
+TEST_F(RunTest, ARecordedBudgetIsReplayedToTheSameStates) {
+  const std::vector<std::string> base{"run", "convergence", "--frames", "450"};
+  auto recorded = base;
+  recorded.insert(recorded.end(), {"--budget-ms", "0.05"});
+  const auto states = hashes(recorded, "recorded");
+  auto replayed = base;
+  replayed.insert(replayed.end(), {"--replay", "recorded/frames.csv"});
+  EXPECT_EQ(hashes(replayed, "replayed"), states);
+  EXPECT_EQ(columnOf(folder / "replayed/frames.csv", "budget_units"),
+            columnOf(folder / "recorded/frames.csv", "budget_units"));
+  const auto options = nlohmann::json::parse(readText(folder / "replayed/summary.json"))["options"];
+  EXPECT_EQ(options["switching"]["budget"]["replayed_steps"], 450);
+}
+
+TEST_F(RunTest, ABudgetOfUnitsIsTheSameRunAfterRun) {
+  const std::vector<std::string> arguments{"run", "convergence", "--frames", "450", "--budget-units", "60"};
+  const auto first = hashes(arguments, "first");
+  EXPECT_EQ(first, hashes(arguments, "second"));
+  EXPECT_EQ(first, hashes({"run", "convergence", "--frames", "450", "--world", "hybrid@60units"}, "third"));
+}
+
+TEST_F(RunTest, SwitchingIsInTheSummary) {
+  const Outcome outcome =
+      scatter({"run", "duel", "--frames", "3", "--policy", "speed:from=4,to=9,held,proximity",
+               "--credit-level", "3", "--no-credit", "--budget-ms", "7.5", "--out", "o"});
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  const auto options = nlohmann::json::parse(readText(folder / "o/summary.json"))["options"];
+  EXPECT_EQ(options["budget_ms"], 7.5);
+  const auto& switching = options["switching"];
+  EXPECT_EQ(switching["mode"], "pair");
+  EXPECT_EQ(switching["policy"], "proximity");
+  EXPECT_EQ(switching["policies"], (std::vector<std::string>{"speed:from=4,to=9", "held"}));
+  EXPECT_EQ(switching["budget"]["milliseconds"], 7.5);
+  EXPECT_EQ(switching["credit"], false);
+  EXPECT_EQ(switching["credit_level"], 3);
 }
 
 TEST_F(RunTest, BulletsCollisionIsTheStandardWorldAtTheFinestLevel) {

@@ -62,6 +62,37 @@ TEST(CompareWorlds, NamesTheWorldAndTheFirstFrameInWhichARepeatDiffers) {
   EXPECT_THAT(comparison.error().message, Not(HasSubstr("\n")));
 }
 
+// The fake of every second run is another one from step 5 on.
+EngineFactory fickleEngine() {
+  return [made = std::make_shared<int>(0)](const PhysicsDef& def) -> Result<std::unique_ptr<Physics>> {
+    const bool other = ++*made % 2 == 0;
+    return std::make_unique<test::FakePhysics>(def, test::FakeBehaviour{.hashFlipStep = other ? 5U : 0U});
+  };
+}
+
+TEST(CompareWorlds, RepeatsOfAWorldThatTheClockGovernsMayDiffer) {
+  CompareOptions options = twoWorlds(3);
+  options.runs[1].engine = fickleEngine();
+  options.runs[1].physics.switching.budget.milliseconds = 5.0;
+  options.runs[1].label = "hybrid-5ms";
+  const auto comparison = compareWorlds(options);
+  ASSERT_TRUE(comparison) << comparison.error().message;
+  const std::string table = formatTable(*comparison);
+  EXPECT_THAT(table, HasSubstr("Governed by the clock, so that each run differs: hybrid-5ms."));
+  EXPECT_THAT(table, HasSubstr("Counts of the other worlds are the same in all repeats."));
+}
+
+TEST(CompareWorlds, RepeatsOfAWorldWithABudgetOfUnitsMayNotDiffer) {
+  CompareOptions options = twoWorlds(3);
+  options.runs[1].engine = fickleEngine();
+  options.runs[1].physics.switching.budget.units = 3000.0;
+  EXPECT_FALSE(compareWorlds(options));
+  // Body switching has no budget, whatever it says.
+  options.runs[1].physics.switching.switching = Switching::kBody;
+  options.runs[1].physics.switching.budget.milliseconds = 5.0;
+  EXPECT_FALSE(compareWorlds(options));
+}
+
 TEST(CompareWorlds, RatiosAreTakenWithinRepeats) {
   const auto comparison = compareWorlds(twoWorlds(3));
   ASSERT_TRUE(comparison);
@@ -131,6 +162,41 @@ TEST(FormatTable, HasAColumnForEachWorldAndTheRatio) {
   EXPECT_LE(longest, 100U);
 }
 
+TEST(FormatTable, CountsEveryWorldAgainstEveryBudget) {
+  CompareOptions options = twoWorlds(1);
+  options.runs[1].budgetMs = 1e-9;
+  const auto comparison = compareWorlds(options);
+  ASSERT_TRUE(comparison);
+  const std::string table = formatTable(*comparison);
+  EXPECT_THAT(table, testing::ContainsRegex("frames over 16.7 ms \\(CPU\\) +0 +0 +-"));
+  EXPECT_THAT(table, testing::ContainsRegex("frames over 0.000 ms \\(CPU\\) +40 +40 +1.00"));
+}
+
+TEST(FormatTable, HasFidelityOnlyIfItWasMeasured) {
+  CompareOptions options = twoWorlds(1);
+  EXPECT_THAT(formatTable(*compareWorlds(options)), Not(HasSubstr("visible overlaps")));
+  for (RunOptions& run : options.runs) {
+    run.fidelityEvery = 10;
+  }
+  const std::string table = formatTable(*compareWorlds(options));
+  // In steps 10, 20, 30 and 40 there are 2, 0, 2 and 0 among 13, 23, 33 and 43.
+  EXPECT_THAT(table, testing::ContainsRegex("visible overlaps, mean +1.00 +1.00"));
+  EXPECT_THAT(table, testing::ContainsRegex("visible overlaps per 100 touching +3.57 +3.57"));
+  // 10 of 13 in step 10.
+  EXPECT_THAT(table, testing::ContainsRegex("touching finely %, worst +76.9 +76.9"));
+}
+
+TEST(WriteComparison, WritesTheEventsThatWereKept) {
+  CompareOptions options = twoWorlds(1);
+  options.runs[1].keepEvents = true;
+  TemporaryFolder folder;
+  const auto comparison = compareWorlds(options);
+  ASSERT_TRUE(comparison);
+  ASSERT_TRUE(writeComparison(*comparison, folder.path()));
+  EXPECT_FALSE(fs::exists(folder.path() / "standard" / "events.csv"));
+  EXPECT_THAT(contentOf(folder.path() / "hybrid" / "events.csv"), HasSubstr("2,switched,global,governor"));
+}
+
 TEST(WriteComparison, LeavesAFolderThatAStrangerUnderstands) {
   TemporaryFolder folder;
   const auto comparison = compareWorlds(twoWorlds(2));
@@ -154,7 +220,7 @@ TEST(WriteComparison, LeavesAFolderThatAStrangerUnderstands) {
   for (const char* part :
        {"Two boxes pass each other.", "<svg", "<table>", "standard/frames.csv", "hybrid/summary.json", "gcc",
         "fake 1.0", "scatter compare &lt;fake&gt; &amp; more", "collision overload", "plain physics engine",
-        "<figcaption>", "figures/stages_peak.png", "policy proximity", "</html>"}) {
+        "<figcaption>", "figures/stages_peak.png", "switching pair, policy none", "</html>"}) {
     EXPECT_THAT(html, HasSubstr(part));
   }
   EXPECT_THAT(html, Not(HasSubstr("<script")));

@@ -21,6 +21,10 @@ struct FakeBehaviour {
   std::uint64_t invalidStep = 0;   ///< In this step the first body's position is lost; 0: never.
   std::uint64_t missedStep = 0;    ///< In this step, if verified, three contacts are missed; 0: never.
   double penetration = 0.25;       ///< In every step.
+  std::uint64_t jumpStep =
+      0;  ///< In this step the first body is moved 0.5 m up, whatever its velocity; 0: never.
+  bool countsTouching =
+      false;  ///< Counts touching pairs in every step: 10, of which one is coarse in step 7.
 };
 
 /// Moves bodies in straight lines and reports numbers that follow from the step count alone.
@@ -72,6 +76,9 @@ class FakePhysics final : public Physics {
     for (BodyState& state : states_) {
       state.pose.position += state.linearVelocity * seconds;
     }
+    if (steps_ == behaviour_.jumpStep) {
+      states_.front().pose.position.y += 0.5F;
+    }
     if (steps_ == behaviour_.invalidStep) {
       states_.front().pose.position.x = std::numeric_limits<float>::quiet_NaN();
     }
@@ -83,6 +90,18 @@ class FakePhysics final : public Physics {
   bool requestLevel(BodyId /*body*/, int /*level*/, Scope /*scope*/) override { return false; }
   void retractRequest(BodyId /*body*/) override {}
   void retractAllRequests() override {}
+  int pairLevel(BodyId /*a*/, BodyId /*b*/) const override { return 0; }
+  double budgetUnits() const override { return static_cast<double>(steps_) / 7.0; }
+
+  /// In step n: n pairs that touch finely, three that touch one level coarser, 1, 2 and 3 m apart, and n % 4
+  /// visible overlaps.
+  FidelitySample measureFidelity() const override {
+    const auto step = static_cast<std::uint32_t>(steps_);
+    return {.touchingPairs = step + 3,
+            .touchingByLevel = {step, 3},
+            .visibleOverlapPairs = step % 4,
+            .contactGaps = {1.0F, 2.0F, 3.0F}};
+  }
   std::span<const LevelEvent> levelEvents() const override { return events_; }
   const StepCounters& counters() const override { return counters_; }
   const StageTimes& stageTimes() const override { return stageTimes_; }
@@ -131,10 +150,22 @@ class FakePhysics final : public Physics {
         steps_ % static_cast<std::uint64_t>(def_.collision.verifyEvery) == 0) {
       verify();
     }
+    if (behaviour_.countsTouching) {
+      counters_.touchingPairs = 10;
+      counters_.touchingFinestPairs = step == 7 ? 9 : 10;
+    }
     events_.clear();
     if (hybrid && step == 2) {
       counters_.switchesCoarser = 1;
-      events_ = {{.kind = LevelEventKind::kRequested}, {.kind = LevelEventKind::kSwitched}};
+      events_ = {{.kind = LevelEventKind::kRequested, .policy = "speed"},
+                 {.kind = LevelEventKind::kSwitched,
+                  .scope = Scope::kGlobal,
+                  .body = BodyId{1},
+                  .from = 3,
+                  .to = 2,
+                  .other = BodyId{4},
+                  .onCredit = true,
+                  .policy = "governor"}};
     }
     for (std::size_t stage = 0; stage < kStageCount; ++stage) {
       stageTimes_[stage] = def_.profiling ? static_cast<double>(stage + 1) : 0.0;

@@ -46,6 +46,20 @@ TEST(DrawFigures, DrawsEachAsSvgAndPng) {
   EXPECT_EQ(folder.entries(), 16U);
 }
 
+TEST(DrawFigures, AWorldWithABudgetHasALineForIt) {
+  const FrameTable standard = syntheticTable(300, 1.0, false);
+  const FrameTable hybrid = syntheticTable(300, 0.2, true);
+  TemporaryFolder folder;
+  ASSERT_TRUE(drawFigures({{"standard", &standard}, {"hybrid-7ms", &hybrid, 7.0}},
+                          {.scene = "s", .folder = folder.path()}));
+  EXPECT_THAT(contentOf(folder.path() / "overview.svg"), HasSubstr("its budget 7.00 ms"));
+  EXPECT_THAT(contentOf(folder.path() / "overview.svg"), Not(HasSubstr("budget 16.7 ms")));
+  ASSERT_TRUE(
+      drawFigures({{"standard", &standard}, {"hybrid", &hybrid}}, {.scene = "s", .folder = folder.path()}));
+  EXPECT_THAT(contentOf(folder.path() / "overview.svg"), Not(HasSubstr("its budget")));
+  EXPECT_THAT(contentOf(folder.path() / "overview.svg"), HasSubstr("budget 16.7 ms"));
+}
+
 TEST(DrawFigures, TheCaptionNamesThePeaks) {
   const FrameTable standard = syntheticTable(300, 1.0, false);
   TemporaryFolder folder;

@@ -11,6 +11,7 @@
 #include <clocale>
 #include <csignal>
 #include <cstdint>
+#include <fstream>
 #include <limits>
 #include <random>
 #include <sstream>
@@ -83,6 +84,67 @@ TEST_F(FrameCsvTest, EveryNumberReadsBackToTheSameBits) {
     ASSERT_EQ(std::bit_cast<std::uint64_t>(read), std::bit_cast<std::uint64_t>(value)) << line;
   }
   EXPECT_FALSE(std::getline(lines, line));
+}
+
+TEST_F(FrameCsvTest, FramesWithoutASampleHaveAnEmptyCell) {
+  const ChannelId sampled =
+      data.addChannel({.name = "gap", .unit = "m", .kind = ChannelKind::kReal, .sampled = true});
+  const ChannelId count =
+      data.addChannel({.name = "pairs", .unit = "", .kind = ChannelKind::kInteger, .sampled = true});
+  auto csv = FrameCsv::create(file, data);
+  ASSERT_TRUE(csv);
+  for (const double value : {std::numeric_limits<double>::quiet_NaN(), 0.5}) {
+    add(value, 1, 0);
+    data.set(sampled, value);
+    data.set(count, value < 1.0 ? 3.0 : value);
+    ASSERT_TRUE(csv->write(data));
+  }
+  ASSERT_TRUE(csv->finish());
+  EXPECT_EQ(contentOf(file),
+            "time_s,objects,state_hash,gap,pairs\nnan,1,0000000000000000,,\n0.5,1,0000000000000000,0.5,3\n");
+}
+
+TEST_F(FrameCsvTest, AColumnReadsBackToTheSameBits) {
+  auto csv = FrameCsv::create(file, data);
+  ASSERT_TRUE(csv);
+  const std::vector<double> values{1.0 / 3.0, 5e-324, 0.0, 12345678.901234567};
+  for (const double value : values) {
+    add(value, 7, 1);
+    ASSERT_TRUE(csv->write(data));
+  }
+  ASSERT_TRUE(csv->finish());
+  const auto read = readFrameColumn(file, "time_s");
+  ASSERT_TRUE(read);
+  EXPECT_EQ(*read, values);
+  EXPECT_EQ(*readFrameColumn(file, "objects"), std::vector<double>(4, 7.0));
+}
+
+TEST_F(FrameCsvTest, AColumnThatCannotBeReadIsOneClearLine) {
+  const auto expectRefused = [&](const std::string& content, const char* words) {
+    std::ofstream(file, std::ios::trunc) << content;
+    const auto read = readFrameColumn(file, "budget_units");
+    ASSERT_FALSE(read) << content;
+    EXPECT_THAT(read.error().message, HasSubstr(words));
+    EXPECT_THAT(read.error().message, HasSubstr(file.string()));
+    EXPECT_THAT(read.error().message, Not(HasSubstr("\n")));
+  };
+  expectRefused("", "no column budget_units");
+  expectRefused("frame,budget_ms\n1,2\n", "no column budget_units");
+  expectRefused("frame,budget_units\n", "no frames");
+  expectRefused("frame,budget_units\n1,2\n2\n", "line 3");
+  expectRefused("frame,budget_units\n1,2x\n", "line 2");
+  expectRefused("frame,budget_units\n1,nan\n", "line 2");
+  expectRefused("frame,budget_units\n1,\n", "line 2");
+  expectRefused("frame,budget_units\n\n1,3\n", "line 2");
+  std::filesystem::remove(file);
+  EXPECT_FALSE(readFrameColumn(file, "budget_units"));
+  EXPECT_FALSE(readFrameColumn(folder.path(), "budget_units"));
+}
+
+TEST_F(FrameCsvTest, AFileFromAnotherSystemIsReadToo) {
+  std::ofstream(file) << "budget_units,frame\r\n4.5,1\r\n5,2\r\n";
+  EXPECT_EQ(*readFrameColumn(file, "budget_units"), (std::vector<double>{4.5, 5.0}));
+  EXPECT_EQ(*readFrameColumn(file, "frame"), (std::vector<double>{1.0, 2.0}));
 }
 
 TEST_F(FrameCsvTest, AWholeTableGivesTheSameFile) {

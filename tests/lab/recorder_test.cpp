@@ -30,8 +30,11 @@ TEST(FrameRecorder, HasExactlyTheAgreedColumnsInOrder) {
       "islands_ms,noncontact_constraints_ms,contact_constraints_ms,integrate_ms,vehicles_ms,activation_ms,"
       "plan_ms,cpu_load,objects,hybrids,overlapping_pairs,narrowphase_pairs,pairs_with_hybrid,"
       "pairs_without_hybrid,manifolds,contacts,new_contacts,requests,switches_coarser,switches_finer,"
-      "retractions,credited_pairs,finest_pairs,pairs_skipped,list_rebuilds,child_pairs,child_pairs_asleep,"
-      "bounds_rejected,axis_rejected,gjk_runs,gjk_iterations,detector_runs,budget_ms,kinetic_energy,max_"
+      "retractions,credited_pairs,finest_pairs,touching_pairs,touching_finest_pairs,blocked_tries,"
+      "separation_queries,cost_units,planned_units,pairs_skipped,list_rebuilds,child_pairs,child_pairs_"
+      "asleep,"
+      "bounds_rejected,axis_rejected,gjk_runs,gjk_iterations,detector_runs,budget_ms,budget_units,kinetic_"
+      "energy,max_"
       "penetration,state_hash");
 }
 
@@ -52,6 +55,7 @@ TEST(FrameRecorder, FillsAFrameFromOneStep) {
   EXPECT_EQ(value("manifolds"), 8.0);
   EXPECT_EQ(value("narrowphase_pairs"), 4.0);
   EXPECT_EQ(value("budget_ms"), 5.0);
+  EXPECT_EQ(value("budget_units"), 2.0 / 7.0);
   EXPECT_EQ(value("kinetic_energy"), 2.0 / 3.0);
   EXPECT_EQ(value("max_penetration"), 0.25);
   EXPECT_EQ(data.hash(*data.find("state_hash")), world->physics().stateHash());

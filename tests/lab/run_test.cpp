@@ -46,7 +46,39 @@ TEST(RunScene, WritesItsFolder) {
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 4);
   EXPECT_EQ(csv.rfind("frame,time_s,physics_ms,", 0), 0U);
   EXPECT_THAT(contentOf(*options.out / "summary.json"), HasSubstr("\"frames\": 3"));
-  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(*options.out), {}), 2);
+  EXPECT_EQ(contentOf(*options.out / "events.csv"), "frame,kind,scope,policy,body,other,from,to,on_credit\n");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(*options.out), {}), 3);
+}
+
+TEST(RunScene, WritesEveryLevelEvent) {
+  TemporaryFolder folder;
+  RunOptions options = fakeRun(WorldKind::kHybrid, 3);
+  options.out = folder.path();
+  const auto run = runScene(options);
+  ASSERT_TRUE(run);
+  EXPECT_EQ(contentOf(folder.path() / "events.csv"),
+            "frame,kind,scope,policy,body,other,from,to,on_credit\n"
+            "2,requested,local,speed,0,0,0,0,0\n"
+            "2,switched,global,governor,1,4,3,2,1\n");
+  EXPECT_TRUE(run->events.empty());
+  const auto& byPolicy = run->summary.levelEventsByPolicy;
+  ASSERT_EQ(byPolicy.size(), 2U);
+  EXPECT_EQ(byPolicy.at("governor")[static_cast<std::size_t>(LevelEventKind::kSwitched)], 1U);
+  EXPECT_EQ(byPolicy.at("governor")[static_cast<std::size_t>(LevelEventKind::kRequested)], 0U);
+  EXPECT_EQ(byPolicy.at("speed")[static_cast<std::size_t>(LevelEventKind::kRequested)], 1U);
+}
+
+TEST(RunScene, KeepsEventsIfAsked) {
+  RunOptions options = fakeRun(WorldKind::kHybrid, 3);
+  options.keepEvents = true;
+  const auto run = runScene(options);
+  ASSERT_TRUE(run);
+  ASSERT_EQ(run->events.size(), 2U);
+  EXPECT_EQ(run->events[1].frame, 2U);
+  EXPECT_EQ(run->events[1].event.policy, "governor");
+  TemporaryFolder folder;
+  ASSERT_TRUE(writeEventCsv(folder.path() / "events.csv", run->events));
+  EXPECT_THAT(contentOf(folder.path() / "events.csv"), HasSubstr("\n2,switched,global,governor,1,4,3,2,1\n"));
 }
 
 TEST(RunScene, ALostStateEndsTheRunAndKeepsWhatWasRecorded) {
@@ -87,6 +119,9 @@ TEST(RunScene, RefusesWhatItCannotRunInOneLineAndWritesNothing) {
   RunOptions budget = good;
   budget.budgetMs = 0.0;
   expectRefused(budget, "budget");
+  RunOptions fidelity = good;
+  fidelity.fidelityEvery = -1;
+  expectRefused(fidelity, "every -1 frames");
   RunOptions engine = good;
   engine.engine = nullptr;
   expectRefused(engine, "engine");

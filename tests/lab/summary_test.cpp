@@ -80,6 +80,7 @@ TEST(Environment, IsKnown) {
   EXPECT_GT(machineInfo().memoryBytes, 0U);
   EXPECT_NE(machineInfo().cpu, "");
   EXPECT_NE(buildInfo().version, "");
+  EXPECT_NE(buildInfo().commit, "");
   EXPECT_THAT(buildInfo().flags, testing::HasSubstr("-ffp-contract=off"));
 }
 
@@ -93,7 +94,10 @@ TEST(WriteSummary, HoldsEverythingAReaderNeeds) {
   EXPECT_EQ(json["engine"], "fake 1.0");
   EXPECT_EQ(json["options"]["world"], "hybrid");
   EXPECT_EQ(json["options"]["frames"], 4);
-  EXPECT_EQ(json["options"]["switching"]["policy"], "proximity");
+  EXPECT_EQ(json["options"]["switching"]["mode"], "pair");
+  EXPECT_EQ(json["options"]["switching"]["policy"], "none");
+  EXPECT_EQ(json["options"]["switching"]["credit_level"], 2);
+  EXPECT_EQ(json["options"]["switching"]["budget"]["milliseconds"], 0.0);
   EXPECT_EQ(json["options"]["profiling"], true);
   for (const char* channel : {"physics_ms", "physics_cpu_ms"}) {
     for (const char* figure :
@@ -105,6 +109,9 @@ TEST(WriteSummary, HoldsEverythingAReaderNeeds) {
   EXPECT_EQ(json["totals"]["manifolds"], 10);
   EXPECT_EQ(json["peaks"]["manifolds"], 4);
   EXPECT_EQ(json["level_events"]["switched"], 1);
+  EXPECT_EQ(json["level_events_by_policy"]["governor"]["switched"], 1);
+  EXPECT_EQ(json["level_events_by_policy"]["speed"]["switched"], 0);
+  EXPECT_FALSE(json.contains("fidelity"));
   EXPECT_EQ(json["state_hash"], "78dde6e5fd29f054");
   EXPECT_TRUE(json["machine"]["cores"].is_number());
   EXPECT_TRUE(json["build"]["compiler"].is_string());
@@ -132,6 +139,34 @@ TEST(WriteSummary, HoldsTheContactCheckAndTheMemoryOfTheFrameWithTheMostChildPai
   // The fake has the most child pairs, 25 in 5 pairs, in step 5.
   EXPECT_EQ(json["collision_memory"]["child_pairs"], 25);
   EXPECT_EQ(json["collision_memory"]["pair_bytes"], 4500);
+}
+
+TEST(WriteSummary, HoldsBudgetsAndPoliciesOfPairSwitching) {
+  RunOptions options = test::fakeRun(WorldKind::kHybrid, 2);
+  options.physics.switching.policies = {"speed:from=5", "held"};
+  options.physics.switching.budget.recorded = {1.0, 2.0, 3.0};
+  options.physics.switching.credit = false;
+  const auto run = runScene(options);
+  ASSERT_TRUE(run);
+  test::TemporaryFolder folder;
+  ASSERT_TRUE(writeSummary(folder.path() / "summary.json", run->summary));
+  const auto json = nlohmann::json::parse(test::contentOf(folder.path() / "summary.json"));
+  const auto& switching = json["options"]["switching"];
+  EXPECT_EQ(switching["policies"], (std::vector<std::string>{"speed:from=5", "held"}));
+  EXPECT_EQ(switching["budget"]["replayed_steps"], 3);
+  EXPECT_EQ(switching["credit"], false);
+}
+
+TEST(WriteSummary, BodySwitchingHasNoBudget) {
+  RunOptions options = test::fakeRun(WorldKind::kHybrid, 2);
+  options.physics.switching.switching = Switching::kBody;
+  const auto run = runScene(options);
+  ASSERT_TRUE(run);
+  test::TemporaryFolder folder;
+  ASSERT_TRUE(writeSummary(folder.path() / "summary.json", run->summary));
+  const auto json = nlohmann::json::parse(test::contentOf(folder.path() / "summary.json"));
+  EXPECT_EQ(json["options"]["switching"]["mode"], "body");
+  EXPECT_FALSE(json["options"]["switching"].contains("budget"));
 }
 
 TEST(WriteSummary, TheEnginesOwnCollisionHasNoSteps) {

@@ -48,7 +48,7 @@ struct ComparedWorld {
   std::size_t typical = 0;
 
   /// The typical repeat's table with the per-frame median over the repeats (of an even number the lower of
-  /// the middle two) in every time column; counters are the same in all. For figures.
+  /// the middle two) in every time column; counters are the typical repeat's. For figures.
   FrameTable median;
 
   TimeRatios physicsMs;  ///< To the first world; all 1 for itself.
@@ -64,17 +64,19 @@ struct Comparison {
 };
 
 /// Runs every world `repeat` times, interleaved, in an order that alternates (A B, B A, A B …) so that a
-/// drift of the machine hits all alike. Fails as runScene does, and if a world's state hashes differ
-/// between repeats: the message names the world and the first diverged frame.
+/// drift of the machine hits all alike. Fails as runScene does, and if the state hashes of a world that is
+/// not governed by the clock differ between repeats: the message names the world and the first diverged
+/// frame.
 [[nodiscard]] Result<Comparison> compareWorlds(
     const CompareOptions& options, const std::function<void(const CompareProgress&)>& progress = {});
 
 /// A plain-text table for the terminal; ends with a new line.
 [[nodiscard]] std::string formatTable(const Comparison& comparison);
 
-/// Writes LABEL/frames.csv and LABEL/summary.json of each world's typical repeat, comparison.json,
-/// figures/*.svg and *.png, and report.html, whole or not at all; files of other names in an existing folder
-/// are left alone. Call prepareOutputFolder() before a long run to know that this will work.
+/// Writes LABEL/frames.csv, LABEL/events.csv if the run kept its events, and LABEL/summary.json of each
+/// world's typical repeat, comparison.json, figures/*.svg and *.png, and report.html, whole or not at all;
+/// files of other names in an existing folder are left alone. Call prepareOutputFolder() before a long run to
+/// know that this will work.
 [[nodiscard]] Result<void> writeComparison(const Comparison& comparison, const std::filesystem::path& folder);
 
 }  // namespace scatter

@@ -8,6 +8,7 @@ namespace scatter {
 /// What this library was built as.
 struct BuildInfo {
   std::string version;    ///< Of Scatter.
+  std::string commit;     ///< Of its sources, with "-dirty" if they were changed; "unknown" without git.
   std::string compiler;   ///< Such as "gcc 12.2.0".
   std::string buildType;  ///< Such as "Release".
   std::string flags;      ///< The compiler's options.

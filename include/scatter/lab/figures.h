@@ -13,6 +13,7 @@ namespace scatter {
 struct FigureWorld {
   std::string label;
   const FrameTable* table = nullptr;  ///< With the recorder's columns; not owned.
+  double governedMs = 0.0;            ///< The time that its physics is governed to; 0 if it is not.
 };
 
 struct FigureOptions {

@@ -6,6 +6,8 @@
 
 #include <filesystem>
 #include <memory>
+#include <string_view>
+#include <vector>
 
 namespace scatter {
 
@@ -39,5 +41,11 @@ class FrameCsv {
 
 /// The same file from a whole run at once.
 [[nodiscard]] Result<void> writeFrameCsv(const std::filesystem::path& file, const FrameTable& table);
+
+/// One column of such a file, which must be real or integer and filled in every frame. Fails if the file
+/// cannot be read, has no such column, no frames, or a cell in it that is no finite number; the message names
+/// the file and the line.
+[[nodiscard]] Result<std::vector<double>> readFrameColumn(const std::filesystem::path& file,
+                                                          std::string_view column);
 
 }  // namespace scatter

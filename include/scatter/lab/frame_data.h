@@ -19,6 +19,9 @@ struct Channel {
   std::string name;  ///< A column name, such as "physics_ms".
   std::string unit;  ///< Such as "ms"; empty for a plain number.
   ChannelKind kind = ChannelKind::kReal;
+
+  /// Measured in some frames only: in the others it is not a number, and an empty cell in a file.
+  bool sampled = false;
 };
 
 /// Names a channel of a FrameData.

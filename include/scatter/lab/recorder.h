@@ -14,7 +14,7 @@ inline constexpr double kStepSeconds = 1.0 / 60.0;
 
 /// Steps a world and records what the step cost and did (report, section 5.1.3), in these channels, in this
 /// order: frame, time_s, physics_ms, physics_cpu_ms, the stages of step_report.h, cpu_load, its counters,
-/// budget_ms, kinetic_energy, max_penetration, state_hash.
+/// budget_ms, budget_units, kinetic_energy, max_penetration, state_hash.
 class FrameRecorder {
  public:
   /// Adds the channels to `data`, which must have none of them. `budgetMs` is the time that a frame's
@@ -27,7 +27,7 @@ class FrameRecorder {
   [[nodiscard]] Result<void> step();
 
  private:
-  enum Measured : std::size_t { kWall, kCpu, kLoad, kBudget, kEnergy, kPenetration, kMeasuredCount };
+  enum Measured : std::size_t { kWall, kCpu, kLoad, kBudget, kUnits, kEnergy, kPenetration, kMeasuredCount };
 
   void addChannels();
   void recordCounters();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <scatter/lab/event_csv.h>
 #include <scatter/lab/frame_table.h>
 #include <scatter/lab/summary.h>
 #include <scatter/result.h>
@@ -12,6 +13,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace scatter {
 
@@ -28,7 +30,14 @@ struct RunOptions {
   std::uint64_t seed = 1;
   double budgetMs = 1000.0 / 60.0;  ///< What frames_over_budget is counted against.
 
-  /// Where frames.csv and summary.json go; made if it does not exist. Nothing is written without it.
+  /// Frames from one measurement of fidelity to the next; 0: never. Changes nothing else, and is not timed.
+  int fidelityEvery = 0;
+
+  /// Whether the run's events are kept in memory, in Run::events.
+  bool keepEvents = false;
+
+  /// Where frames.csv, events.csv and summary.json go; made if it does not exist. Nothing is written without
+  /// it.
   std::optional<std::filesystem::path> out{};
 
   /// Called with the world after the last frame.
@@ -39,10 +48,14 @@ struct RunOptions {
   std::string label{};
 };
 
+/// Whether what a world does depends on the clock, so that no two runs are the same.
+[[nodiscard]] bool isClockGoverned(const PhysicsDef& physics);
+
 struct Run {
   RunOptions options;  ///< With defaults filled in.
   FrameTable table;
   Summary summary;
+  std::vector<FrameEvent> events{};  ///< Empty unless the options ask for them.
 };
 
 struct RunProgress {
@@ -56,7 +69,7 @@ using Progress = std::function<void(const RunProgress&)>;
 
 /// Builds the scene in a new world and runs it, one fixed step a frame, with Scene::update before each.
 /// Fails on an unknown scene, a scene or engine that cannot be made, a folder that cannot be written, and a
-/// state that is no longer finite (frames.csv and summary.json then keep the frames until there).
+/// state that is no longer finite (the files then keep the frames until there).
 [[nodiscard]] Result<Run> runScene(const RunOptions& options, const Progress& progress = {});
 
 /// `options` with the registered scene, its frames and summary, and the label filled in; fails on what

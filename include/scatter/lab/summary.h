@@ -2,6 +2,7 @@
 
 #include <scatter/lab/contact_check.h>
 #include <scatter/lab/environment.h>
+#include <scatter/lab/fidelity.h>
 #include <scatter/lab/frame_table.h>
 #include <scatter/result.h>
 #include <scatter/world/level_event.h>
@@ -10,6 +11,8 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -58,6 +61,8 @@ struct Summary {
   TimeStatistics physicsCpuMs;  ///< Processor time of the physics thread.
   std::vector<CounterStatistics> counters;
   LevelEventCounts levelEvents{};
+  std::map<std::string, LevelEventCounts, std::less<>> levelEventsByPolicy;  ///< By who asked.
+  FidelityStatistics fidelity;      ///< Empty unless it was measured.
   CollisionMemory collisionMemory;  ///< In the frame with the most child pairs.
   ContactCheck contactCheck;        ///< Empty unless the physics verified its contacts.
   std::uint64_t stateHash = 0;      ///< After the last frame.
