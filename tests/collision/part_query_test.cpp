@@ -270,7 +270,7 @@ Frame moved(const Frame& motion, const Frame& frame) {
 TEST(PartDepth, IsContinuousAlongMotions) {
   Random random(35);
   float deepest = 0.0F;
-  for (int round = 0; round < 5000; ++round) {
+  for (int round = 0; round < 2000; ++round) {
     const PartList a(randomParts(random, 1, 0.5F, 0.0F));
     const PartList b(randomParts(random, 1, 0.5F, 0.0F));
     const Frame start = frameNear(random, a, b, 0.4F);

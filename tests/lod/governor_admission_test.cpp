@@ -17,6 +17,9 @@ using testing::newPair;
 
 constexpr double kBudget = 1000.0;
 
+/// So many that a middle level for all their pairs would take the whole budget.
+constexpr int kManyBodies = 100;
+
 /// A governor whose fixed units take so much of the budget.
 Governor loaded(const CostModel& costs, double share, int bodies = 0) {
   Governor governor({});
@@ -149,6 +152,23 @@ TEST(GovernorAdmission, APileThatIsThereNeedsNoMoreRoom) {
   EXPECT_LT(piled.admission(), 0.5);
 }
 
+TEST(GovernorAdmission, AMiddleLevelIsForThoseWhoAreRefusedIfItIsAffordable) {
+  CostModel costs{CostWeights{}};
+  GovernorDef def;
+  for (const int creditLevel : {1, 2}) {
+    def.creditLevel = creditLevel;
+    Governor few(def);
+    few.plan({}, costs, 1.1 * kBudget, kBudget, 10);
+    EXPECT_EQ(few.planNew(newPair(1), costs), creditLevel);
+    PlannedPair asked = newPair(1);
+    asked.wish.atMost = 1;
+    EXPECT_EQ(few.planNew(asked, costs), 1);
+    Governor many(def);
+    many.plan({}, costs, 1.1 * kBudget, kBudget, kManyBodies);
+    EXPECT_EQ(many.planNew(newPair(1), costs), 1);
+  }
+}
+
 TEST(GovernorAdmission, NewPairsAreCharged) {
   CostModel costs{CostWeights{}};
   Governor governor = loaded(costs, 0.3);
@@ -166,13 +186,13 @@ TEST(GovernorAdmission, PairsThatAreApartComeAndGoWithTheRoom) {
   Governor governor({});
   std::vector<PlannedPair> pairs = knownPairs(costs, 200, 3, 0.5, false);
   for (int i = 0; i < 100; ++i) {
-    governor.plan(pairs, costs, 1.2 * kBudget, kBudget, 0);
+    governor.plan(pairs, costs, 1.2 * kBudget, kBudget, kManyBodies);
     followPlan(pairs);
   }
   // Some may keep what they have.
   EXPECT_LE(countAt(pairs, 3), 40);
   for (int i = 0; i < 100; ++i) {
-    governor.plan(pairs, costs, 0.3 * kBudget, kBudget, 0);
+    governor.plan(pairs, costs, 0.3 * kBudget, kBudget, kManyBodies);
     followPlan(pairs);
   }
   EXPECT_EQ(countAt(pairs, 3), 200);
@@ -206,14 +226,14 @@ TEST(GovernorAdmission, NobodyIsTurnedAwayForALittleLessRoom) {
   std::vector<PlannedPair> pairs = knownPairs(costs, 200, 1, 0.02, false);
   const double fixed = halfLoad(costs) * kBudget - 4.0;
   for (int i = 0; i < 100; ++i) {
-    governor.plan(pairs, costs, fixed, kBudget, 0);
+    governor.plan(pairs, costs, fixed, kBudget, kManyBodies);
     followPlan(pairs);
   }
   const int fine = countAt(pairs, 3);
   EXPECT_GT(fine, 20);
   EXPECT_LT(fine, 180);
   for (const double less : {0.0, 2.0, 4.0, 0.0, 4.0}) {
-    governor.plan(pairs, costs, fixed + less, kBudget, 0);
+    governor.plan(pairs, costs, fixed + less, kBudget, kManyBodies);
     EXPECT_EQ(followPlan(pairs), 0) << less;
   }
 }

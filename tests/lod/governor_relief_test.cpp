@@ -33,7 +33,7 @@ TEST(GovernorRelief, NothingIsTakenWithinTheBudget) {
   CostModel costs{CostWeights{}};
   Governor governor({});
   std::vector<PlannedPair> pairs = knownPairs(costs, 100, 3);
-  governor.plan(pairs, costs, 0.0, 1200.0, 0);
+  governor.plan(pairs, costs, 0.0, 1500.0, 0);
   EXPECT_EQ(countAt(pairs, 3), 100);
 }
 
@@ -47,7 +47,7 @@ TEST(GovernorRelief, TakesAboutAsMuchAsIsNeeded) {
     governor.plan(pairs, costs, 0.0, share * all, 0);
     EXPECT_GT(countAt(pairs, 2), 0);
     EXPECT_LE(governor.planned(), share * all);
-    EXPECT_GE(governor.planned(), 0.8 * share * all);
+    EXPECT_GE(governor.planned(), 0.75 * share * all);
   }
 }
 
@@ -234,14 +234,14 @@ TEST(GovernorGivingBack, ADearImportantPairDoesNotHoldUpTheOthers) {
   CostModel costs{CostWeights{}};
   Governor governor({});
   std::vector<PlannedPair> pairs = knownPairs(costs, 20, 1, 5.0);
-  pairs.push_back(knownPair(costs, 1, 60.0));
+  // There is no room for this one, but for all the others.
+  pairs.push_back(knownPair(costs, 1, 500.0));
   pairs[20].wish.importance = 50.0F;
-  // There is room for all but the dear one.
   for (int i = 0; i < 50; ++i) {
-    governor.plan(pairs, costs, 620.0, 1000.0, 0);
+    governor.plan(pairs, costs, 500.0, 1000.0, 0);
     followPlan(pairs);
   }
-  EXPECT_GT(countAt(pairs, 3), 5);
+  EXPECT_EQ(countAt(pairs, 3), 20);
 }
 
 TEST(GovernorGivingBack, APairThatIsDearerThanAStepsShareComesBackToo) {

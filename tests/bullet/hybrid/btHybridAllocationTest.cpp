@@ -153,13 +153,14 @@ TEST(Allocations, PairsThatSwitchWithinABudgetMakeNoneAfterWarmUp) {
   Swaying w(20);
   ASSERT_EQ(w.world.addPolicy("speed"), nullptr);
   ASSERT_EQ(w.world.addPolicy("group-density"), nullptr);
-  // The budget comes and goes with the swaying, so that pairs switch all the time.
+  // The budget comes and goes with the swaying, and so do requests, so that pairs switch all the time.
   int switches = 0;
   const auto run = [&w, &switches](int steps) {
     long count = 0;
     for (int i = 0; i < steps; ++i) {
       const btHybridPairStepInfo info = w.world.getPairStepInfo();
       switches += info.m_switchesCoarser + info.m_switchesFiner;
+      if (i % 2 == 0) w.world.requestLevel(w.world.getHybrid(i / 2 % w.world.getNumHybrids()), 1 + i / 2 % 3);
       count += w.step(i);
     }
     return count;
@@ -167,7 +168,7 @@ TEST(Allocations, PairsThatSwitchWithinABudgetMakeNoneAfterWarmUp) {
   std::vector<double> units;
   for (int i = 0; i < 100 * Swaying::kPeriod; ++i) units.push_back(i % Swaying::kPeriod < 25 ? 150 : 4000);
   w.world.replayBudget(units.data(), static_cast<int>(units.size()));
-  EXPECT_GT(run(20 * Swaying::kPeriod), 0);
+  EXPECT_GT(run(12 * Swaying::kPeriod), 0);
   switches = 0;
   EXPECT_EQ(run(6 * Swaying::kPeriod), 0);
   EXPECT_GT(switches, 100);
