@@ -265,9 +265,9 @@ TEST(GovernorGivingBack, ThePlanComesToRest) {
       double units = 100.0;
       for (PlannedPair& pair : pairs) {
         const double finest = pair.cost.units[0];
-        const double true_ = pair.view.credited ? std::min(finest, 3.0 + 0.3 * finest) : finest;
-        costs.learn(pair.cost, pair.view.level, 3, true, true_);
-        units += true_;
+        const double actual = pair.view.credited ? std::min(finest, 3.0 + 0.3 * finest) : finest;
+        costs.learn(pair.cost, pair.view.level, 3, true, actual);
+        units += actual;
       }
       governor.learn(units);
     }

@@ -16,7 +16,6 @@ namespace {
 using testing::countAt;
 using testing::followPlan;
 using testing::kNoBudget;
-using testing::knownPair;
 using testing::knownPairs;
 using testing::newPair;
 using testing::Random;
