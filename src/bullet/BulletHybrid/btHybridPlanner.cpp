@@ -372,7 +372,7 @@ void btHybridPlanner::takeWork(int pair, const scatter::lod::PairWorkload& work,
 	m_pairs[pair].m_step = m_step;
 	if (average)
 		*average += (float(units) - *average) / 8;
-	if (m_plans)
+	if (hasBudget())
 		m_costs.learn(planned.cost, view.level, view.finest, touching, average ? double(*average) : units);
 	const unsigned short most = std::numeric_limits<unsigned short>::max();
 	view.contactSteps = !touching ? 0 : view.contactSteps < most ? view.contactSteps + 1
@@ -408,7 +408,7 @@ void btHybridPlanner::finishPair(int pair)
 	m_numBelowFinest += planned.view.level < planned.view.finest ? 1 : 0;
 	m_stepInfo.m_requests += m_pairs[pair].m_requested ? 1 : 0;
 	// Asleep, or filtered out.
-	if (m_pairs[pair].m_step != m_step && planned.view.level > 0)
+	if (hasBudget() && m_pairs[pair].m_step != m_step && planned.view.level > 0)
 		m_costs.learn(planned.cost, planned.view.level, planned.view.finest, planned.view.touching, 0);
 }
 
