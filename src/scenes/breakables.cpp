@@ -86,9 +86,10 @@ class Breakables final : public Scene {
   Result<void> addUrns(World& world, Random& random) {
     for (int i = 0; i < kColumns * kColumns; ++i) {
       constexpr float kMiddle = 0.5F * static_cast<float>(kColumns - 1);
+      const int row = i / kColumns;
       const Vec3 place(kSpacing * (static_cast<float>(i % kColumns) - kMiddle),
                        kLowest + kRise * static_cast<float>(i),
-                       kSpacing * (static_cast<float>(i / kColumns) - kMiddle));
+                       kSpacing * (static_cast<float>(row) - kMiddle));
       const Transform pose{place, random.orientation()};
       if (auto added = add(world, urn_, "urn-" + std::to_string(i + 1), pose, Vec3(0.0F)); !added)
         return added;
