@@ -231,7 +231,7 @@ Result<void> checkSwitching(const SwitchingArguments& arguments, const Switching
                             const std::vector<WorldSpec>& worlds, const std::vector<PhysicsDef>& physics) {
   const auto any = [&physics](const auto& use) { return std::any_of(physics.begin(), physics.end(), use); };
   for (const WorldSpec& spec : worlds) {
-    const std::size_t index = static_cast<std::size_t>(&spec - worlds.data());
+    const auto index = static_cast<std::size_t>(&spec - worlds.data());
     if (isPair(physics[index]) && physics[index].collision.narrowphase == Narrowphase::kEngine) {
       return fail("--switching pair needs Scatter's pair algorithm; leave --collision out or switch bodies");
     }
