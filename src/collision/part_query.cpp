@@ -21,11 +21,6 @@ Vec3 column(const Frame& frame, int axis) {
   return {frame.row[0][axis], frame.row[1][axis], frame.row[2][axis]};
 }
 
-// `frame`, given in A's frame, as A's part sees it.
-Frame fromPart(const Frame& part, const Frame& frame) {
-  return relativeFrame(part, frame);
-}
-
 Frame placed(const Frame& body, const Frame& part) {
   Frame frame;
   for (int i = 0; i < 3; ++i) {
@@ -37,7 +32,7 @@ Frame placed(const Frame& body, const Frame& part) {
 
 // Of the boxes around the parts.
 float separationOfBoxes(const PartList::Part& a, const PartList::Part& b, const Frame& frameB, float enough) {
-  const Frame boxB = fromPart(a.boxFrame, placed(frameB, b.boxFrame));
+  const Frame boxB = relativeFrame(a.boxFrame, placed(frameB, b.boxFrame));
   return boxSeparation(Vec3(0.0F), a.boxHalf, Vec3(0.0F), b.boxHalf, boxB, enough);
 }
 

@@ -46,8 +46,7 @@ class Governor {
   /// target is within the wish, even while the pair is blocked.
   void plan(std::span<PlannedPair> pairs, const CostModel& costs, double fixed, double budget, int bodies);
 
-  /// The level for a pair that has come up after plan() (its view.level is 0). `identity` tells it from
-  /// others, the same run after run.
+  /// The level for a pair that has come up after plan() (its view.level is 0).
   [[nodiscard]] int planNew(const PlannedPair& pair, const CostModel& costs);
 
   /// After each planned step: what it did cost, fixed units included, to correct the next plans.

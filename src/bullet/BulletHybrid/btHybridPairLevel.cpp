@@ -28,15 +28,6 @@ const double c_firstAudit = 0.002;
 // A switch may make a penetration this much deeper by rounding, metres.
 const btScalar c_tolerance = btScalar(0.002);
 
-scatter::Frame frameOf(const btTransform& transform)
-{
-	scatter::Frame frame;
-	for (int i = 0; i < 3; i++)
-		frame.row[i] = scatter::Vec3(transform.getBasis()[i].x(), transform.getBasis()[i].y(), transform.getBasis()[i].z());
-	frame.origin = scatter::Vec3(transform.getOrigin().x(), transform.getOrigin().y(), transform.getOrigin().z());
-	return frame;
-}
-
 btPersistentManifold* manifoldOf(const ChildPair& child)
 {
 	return static_cast<btPersistentManifold*>(child.contact);
@@ -59,7 +50,7 @@ btHybridPairLevel::btHybridPairLevel(btHybridNarrowphase& narrowphase, btHybridL
 const scatter::Frame& btHybridPairLevel::getFrameB()
 {
 	if (!m_hasFrame)
-		m_frameB = scatter::relativeFrame(frameOf(m_transform0), frameOf(m_transform1));
+		m_frameB = scatter::relativeFrame(btHybridFrameOf(m_transform0), btHybridFrameOf(m_transform1));
 	m_hasFrame = true;
 	return m_frameB;
 }

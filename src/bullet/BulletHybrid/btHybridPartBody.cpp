@@ -9,7 +9,7 @@ btHybridPartBody::btHybridPartBody(const btCollisionObject* object, btHybridPart
 {
 }
 
-void btHybridPartBody::moveTo(const btTransform& transform)
+scatter::Frame btHybridFrameOf(const btTransform& transform)
 {
 	scatter::Frame frame;
 	for (int i = 0; i < 3; i++)
@@ -19,7 +19,12 @@ void btHybridPartBody::moveTo(const btTransform& transform)
 	}
 	const btVector3& origin = transform.getOrigin();
 	frame.origin = scatter::Vec3(origin.x(), origin.y(), origin.z());
-	m_body.moveTo(frame);
+	return frame;
+}
+
+void btHybridPartBody::moveTo(const btTransform& transform)
+{
+	m_body.moveTo(btHybridFrameOf(transform));
 }
 
 const btCollisionShape* btHybridPartBody::getChildShape(int part) const

@@ -7,6 +7,9 @@
 #include "btHybridParts.h"
 #include "collision/part_body.h"
 
+/// As src/collision has it.
+scatter::Frame btHybridFrameOf(const btTransform& transform);
+
 /// A collision object, with one of its shapes, as a body of parts: shared by its pair algorithms.
 class btHybridPartBody
 {

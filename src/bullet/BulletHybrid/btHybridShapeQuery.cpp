@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "btHybridConvexQuery.h"
+#include "btHybridPartBody.h"
 #include "collision/gjk.h"
 #include "collision/part_query.h"
 
@@ -19,19 +20,6 @@ const btScalar c_firstReach = btScalar(0.05);  // metres; most that are asked ab
 const btScalar c_widening = btScalar(4);
 const btScalar c_furthest = btScalar(1e5);
 const btScalar c_tolerance = btScalar(1e-4);
-
-scatter::Frame frameOf(const btTransform& transform)
-{
-	scatter::Frame frame;
-	for (int i = 0; i < 3; i++)
-	{
-		const btVector3& row = transform.getBasis()[i];
-		frame.row[i] = scatter::Vec3(row.x(), row.y(), row.z());
-	}
-	const btVector3& origin = transform.getOrigin();
-	frame.origin = scatter::Vec3(origin.x(), origin.y(), origin.z());
-	return frame;
-}
 
 bool areBoxes(const scatter::PartList::Part& a, const scatter::PartList::Part& b)
 {
@@ -305,7 +293,7 @@ void btHybridShapeQuery::findNear(const scatter::PartList& a, const scatter::Par
 
 bool btHybridShapeQuery::partsOverlapDeeper(const btHybridParts& partsA, const btTransform& a, const btHybridParts& partsB, const btTransform& b, btScalar depth)
 {
-	const PartPlaces places = {partsA, a, partsB, b, scatter::relativeFrame(frameOf(a), frameOf(b))};
+	const PartPlaces places = {partsA, a, partsB, b, scatter::relativeFrame(btHybridFrameOf(a), btHybridFrameOf(b))};
 	findNear(partsA.getList(), partsB.getList(), places.m_frameB, -depth);
 	return std::any_of(m_near.begin(), m_near.end(), [&](const scatter::Neighbours& near)
 	                   { return partOverlapsDeeper(places, near, depth); });
@@ -313,7 +301,7 @@ bool btHybridShapeQuery::partsOverlapDeeper(const btHybridParts& partsA, const b
 
 btScalar btHybridShapeQuery::partsDistance(const btHybridParts& partsA, const btTransform& a, const btHybridParts& partsB, const btTransform& b)
 {
-	const PartPlaces places = {partsA, a, partsB, b, scatter::relativeFrame(frameOf(a), frameOf(b))};
+	const PartPlaces places = {partsA, a, partsB, b, scatter::relativeFrame(btHybridFrameOf(a), btHybridFrameOf(b))};
 	btScalar least = BT_LARGE_FLOAT;
 	for (btScalar reach = c_firstReach, searched = 0; least > searched && searched < c_furthest; searched = reach, reach *= c_widening)
 	{
