@@ -52,6 +52,7 @@ struct btHybridPairStepInfo
 	int m_switchesFiner;
 	int m_creditSwitches;  ///< of both, on credit
 	int m_retractions;
+	int m_reusedPairs;  ///< in contact, kept their contacts for the step, because the budget was about to be exceeded
 	int m_blockedTries;
 	int m_separationQueries;
 	int m_audits;
@@ -61,7 +62,7 @@ struct btHybridPairStepInfo
 	double m_budgetUnits;  ///< 0 without a budget
 
 	btHybridPairStepInfo()
-	    : m_pairs(0), m_finestPairs(0), m_creditedPairs(0), m_touchingPairs(0), m_touchingFinest(0), m_requests(0), m_switchesCoarser(0), m_switchesFiner(0), m_creditSwitches(0), m_retractions(0), m_blockedTries(0), m_separationQueries(0), m_audits(0), m_unsafeSwitches(0), m_units(0), m_plannedUnits(0), m_budgetUnits(0)
+	    : m_pairs(0), m_finestPairs(0), m_creditedPairs(0), m_touchingPairs(0), m_touchingFinest(0), m_requests(0), m_switchesCoarser(0), m_switchesFiner(0), m_creditSwitches(0), m_retractions(0), m_reusedPairs(0), m_blockedTries(0), m_separationQueries(0), m_audits(0), m_unsafeSwitches(0), m_units(0), m_plannedUnits(0), m_budgetUnits(0)
 	{
 	}
 };

@@ -31,6 +31,7 @@ constexpr std::array kCounters{
     CounterColumn{"finest_pairs", &StepCounters::finestPairs},
     CounterColumn{"touching_pairs", &StepCounters::touchingPairs},
     CounterColumn{"touching_finest_pairs", &StepCounters::touchingFinestPairs},
+    CounterColumn{"reused_pairs", &StepCounters::reusedPairs},
     CounterColumn{"blocked_tries", &StepCounters::blockedTries},
     CounterColumn{"separation_queries", &StepCounters::separationQueries},
     CounterColumn{"cost_units", &StepCounters::costUnits},

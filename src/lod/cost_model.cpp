@@ -142,7 +142,9 @@ double UnitTime::unitsIn(double milliseconds) const {
 }
 
 double UnitTime::millisecondsPerUnit() const {
-  return perUnit_.at(2.0 / 3.0);
+  // Steps that take longer than usual should fit too.
+  constexpr double kShare = 0.8;
+  return perUnit_.at(kShare);
 }
 
 }  // namespace scatter::lod

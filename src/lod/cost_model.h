@@ -18,6 +18,7 @@ struct PairWorkload {
   int detectorRuns = 0;
   int contacts = 0;  ///< Contact points handed to the solver.
   int manifolds = 0;
+  bool reuses = false;  ///< Kept the contacts of the step before: no example of what a step costs.
 };
 
 /// What a unit of work costs, relative to each other: about microseconds on the machine they were fitted on.

@@ -10,19 +10,37 @@ namespace {
 // Of the capacity: up to where all may have their wish, from where on nobody, and what relief aims at.
 constexpr double kAllBelow = 0.88;
 constexpr double kNoneFrom = 1.02;
-constexpr double kRelieved = 0.98;
+constexpr double kRelieved = 0.99;
 
-// Of the capacity: what giving detail back, and pairs that are apart and change, may take in one step.
-constexpr double kGiveBack = 0.03;
+// Of the capacity: up to where detail is given back if all that is missing would not fit; what that, and
+// pairs that are apart and change, may take in one step.
+constexpr double kGiveBackBelow = 0.8;
+constexpr double kGiveBack = 0.04;
 constexpr double kChange = 0.03;
+
+// Of the capacity: a load with all detail that is as good as fitting, and one that certainly does not fit.
+constexpr double kFits = 1.05;
+constexpr double kFitsNot = 1.3;
 
 // Budgets, in what all bodies would cost in one pile at the middle level: enough for it, and too little
 // again.
 constexpr double kMiddleRoom = 1.3;
 constexpr double kMiddleKept = 1.1;
 
+// Of the budget: what is kept for what is not foreseen, as much as almost all of the last steps needed,
+// within bounds; from where on a step under way puts off what can be put off.
+constexpr double kMissShare = 0.95;
+constexpr double kLeastHeadroom = 0.03;
+constexpr double kMostHeadroom = 0.25;
+constexpr double kLeastKept = 0.02;
+constexpr double kShort = 0.97;
+
+// Of what pairs in contact cost at their finest level, in what contacts that are reused save: on what can be
+// counted, as no pair does it twice running.
+constexpr double kReused = 0.3;
+
 // Steps by which the trend is foreseen.
-constexpr double kForesight = 2.0;
+constexpr double kForesight = 1.0;
 constexpr double kTrendShare = 0.25;
 
 // What a pair costs on credit: the contacts that it holds, and looking at its finest shapes now and then.
@@ -87,7 +105,8 @@ double predict(const PlannedPair& pair, const CostModel& costs, int level) {
 void Governor::plan(std::span<PlannedPair> pairs, const CostModel& costs, double fixed, double budget,
                     int bodies) {
   fixed_ = fixed;
-  predicted_ = 0.0;
+  predicted_ = spent_ = saved_ = 0.0;
+  limit_ = kShort * budget;
   if (std::isinf(budget)) {
     planUnlimited(pairs, costs);
     return;
@@ -98,8 +117,24 @@ void Governor::plan(std::span<PlannedPair> pairs, const CostModel& costs, double
   for (PlannedPair& pair : pairs) planPair(pair, costs);
   const double foreseen = planned() + kForesight * std::max(trend_, 0.0);
   if (foreseen > kRelieved * capacity_) relieve(pairs, costs, foreseen - kRelieved * capacity_);
-  if (foreseen < kAllBelow * capacity_) giveBack(pairs, costs, kAllBelow * capacity_ - foreseen);
+  const double upTo = giveBackLimit(foreseen);
+  if (foreseen < upTo) giveBack(pairs, costs, upTo - foreseen);
   for (PlannedPair& pair : pairs) pair.byBudget = pair.target < highest(pair) && pair.blockedSteps == 0;
+  await();
+}
+
+/// The narrowphase comes next.
+void Governor::await() {
+  remaining_ = predicted_;
+  foreseen_ = planned();
+}
+
+/// Detail that is given back makes a pile denser, and dearer than its pairs cost now: where all that is
+/// missing would not fit, there must be room for that.
+double Governor::giveBackLimit(double foreseen) const {
+  const double load = (foreseen + correction_ * missingUnits_) / capacity_;
+  const double tightness = std::clamp((load - kFits) / (kFitsNot - kFits), 0.0, 1.0);
+  return (kAllBelow + (kGiveBackBelow - kAllBelow) * tightness) * capacity_;
 }
 
 void Governor::planUnlimited(std::span<PlannedPair> pairs, const CostModel& costs) {
@@ -109,26 +144,38 @@ void Governor::planUnlimited(std::span<PlannedPair> pairs, const CostModel& cost
   for (PlannedPair& pair : pairs) {
     pair.target = static_cast<std::uint8_t>(highest(pair));
     pair.byBudget = false;
-    predicted_ += predict(pair, costs, pair.target);
+    pair.expected = static_cast<float>(predict(pair, costs, pair.target));
+    predicted_ += static_cast<double>(pair.expected);
   }
+  await();
 }
 
 /// What the pairs cost now; how much of that is detail in contacts.
-double Governor::survey(std::span<const PlannedPair> pairs, const CostModel& costs) {
+double Governor::survey(std::span<PlannedPair> pairs, const CostModel& costs) {
   double detail = 0.0;
-  for (const PlannedPair& pair : pairs) {
+  contactUnits_ = missingUnits_ = 0.0;
+  for (PlannedPair& pair : pairs) {
+    pair.expected = 0.0F;
     if (pair.view.level == 0) continue;
     const double units = predict(pair, costs, pair.view.level);
     predicted_ += units;
+    pair.expected = static_cast<float>(units);
+    if (!pair.view.touching && !pair.view.credited) continue;
+    if (pair.view.level < pair.view.finest) missingUnits_ += std::max(finestUnits(pair, costs) - units, 0.0);
     if (!pair.view.touching) continue;
     if (pair.view.credited || pair.view.level == pair.view.finest) detail += units;
-    if (!pair.view.credited && pair.view.level == pair.view.finest) learnKind(pair, units);
+    if (!pair.view.credited && pair.view.level == pair.view.finest) {
+      contactUnits_ += units;
+      learnKind(pair, units);
+    }
   }
   return detail;
 }
 
 void Governor::forecast(double budget, int bodies, double detail) {
-  capacity_ = def_.planned * budget;
+  const double headroom = std::clamp(misses_.at(kMissShare), kLeastHeadroom * budget, kMostHeadroom * budget);
+  const double reusable = kReused * reuseSaves_ * correction_ * contactUnits_;
+  capacity_ = budget - std::max(headroom - reusable, kLeastKept * budget);
   // One level for all whom it refuses their wish, not changed for a little.
   const double middle = def_.middlePileUnits * bodies;
   isMiddle_ = capacity_ > (isMiddle_ ? kMiddleKept : kMiddleRoom) * middle;
@@ -175,10 +222,10 @@ bool Governor::isAdmitted(const PlannedPair& pair) const {
 }
 
 /// Of a pair that is apart: what it wishes for, else a middle level, else the least.
-int Governor::levelFor(const PlannedPair& pair) const {
+int Governor::levelFor(const PlannedPair& pair, bool isAdmitted) const {
   const int low = lowest(pair);
   const int high = highest(pair);
-  if (isAdmitted(pair)) return high;
+  if (isAdmitted) return high;
   return isMiddle_ ? std::clamp(middleOf(pair, def_.creditLevel), low, high) : low;
 }
 
@@ -192,11 +239,13 @@ void Governor::planPair(PlannedPair& pair, const CostModel& costs) {
   const bool isDear = view.credited && view.touching && pair.blockedSteps == 0 && target < high &&
                       finestUnits(pair, costs) + kWorthwhile < predict(pair, costs, view.level);
   if (isDear) target = high;
+  pair.mustSave = isDear;
   const bool isFree = !view.touching && !view.credited && pair.blockedSteps == 0;
   if (isFree && changeRoom_ > 0.0) {
     // One that is near others at its finest level hardly costs more there than at a middle one.
-    target = isMiddle_ && !isAdmitted(pair) ? target : levelFor(pair);
-    if (target != view.level) changeRoom_ -= costs.weights().switched;
+    const bool admitted = isAdmitted(pair);
+    target = isMiddle_ && !admitted ? target : levelFor(pair, admitted);
+    if (target != view.level) changeRoom_ -= costs.weights().switched + costs.weights().separationQuery;
   }
   pair.target = static_cast<std::uint8_t>(target);
 }
@@ -262,17 +311,21 @@ void Governor::accept(std::span<PlannedPair> pairs, double room, double sign) {
   for (const Offer& offer : offers_) {
     if (!cut.take(offer)) continue;
     pairs[offer.pair].target = offer.level;
-    predicted_ += sign * (static_cast<double>(offer.cost) / correction_);
+    const double change = sign * (static_cast<double>(offer.cost) / correction_);
+    predicted_ += change;
+    pairs[offer.pair].expected += static_cast<float>(change);
   }
 }
 
 int Governor::planNew(const PlannedPair& pair, const CostModel& costs) {
-  const int level = levelFor(pair);
+  const int level = levelFor(pair, !isShort() && isAdmitted(pair));
   predicted_ += predict(pair, costs, level);
   return level;
 }
 
-void Governor::learn(double actualUnits) {
+void Governor::learn(double units) {
+  const double actualUnits = units + saved_;
+  misses_.add(actualUnits - foreseen_);
   if (lastActual_ > 0.0) trend_ += kTrendShare * (actualUnits - lastActual_ - trend_);
   lastActual_ = actualUnits;
   // Too little to tell anything.

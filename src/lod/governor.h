@@ -16,20 +16,20 @@ struct GovernorDef {
   /// The coarsest level that a pair in contact takes on credit.
   int creditLevel = 2;
 
-  /// The share of the budget that is planned; the rest is for what cannot be foreseen.
-  float planned = 0.85F;
-
   /// Units that a body costs in a dense pile without any detail. Detail that is given while bodies are still
   /// on their way must leave room for that, as it is cheap to refuse and dear to take back.
-  double pileUnits = 6.0;
+  double pileUnits = 10.0;
 
   /// The same at the middle level, creditLevel: a budget with ample room for that gives it to the pairs that
   /// are refused their wish.
-  double middlePileUnits = 9.0;
+  double middlePileUnits = 11.0;
 };
 
 /// The global policy: keeps the cost of a step within a budget. Plans before the narrowphase, from the cost
 /// model's predictions and their trend. Clock-free: budgets and costs are in units. Deterministic.
+///
+/// A step can cost more than was foreseen. What that is like is learned, and as much is kept free; and while
+/// a step under way is about to exceed its budget, what can wait for the next one is put off (isShort()).
 ///
 /// Three levers, in the order in which they come into play as the budget gets tight:
 /// - Admission. Pairs that are apart, and new ones, may have their wish while there is room; as it gets less,
@@ -49,6 +49,20 @@ class Governor {
   /// The level for a pair that has come up after plan() (its view.level is 0).
   [[nodiscard]] int planNew(const PlannedPair& pair, const CostModel& costs);
 
+  /// In the narrowphase, after each pair: what it did cost. `full`: what it would have cost if nothing had
+  /// been put off.
+  void spend(PlannedPair& pair, double units, double full) {
+    spent_ += units;
+    saved_ += full - units;
+    if (full > units) reuseSaves_ += kReuseMemory * ((full - units) / full - reuseSaves_);
+    remaining_ -= pair.expected;
+    pair.expected = 0.0F;
+  }
+  void spend(double units) { spent_ += units; }
+
+  /// Whether the step under way is about to exceed its budget: what can be put off to the next one should be.
+  [[nodiscard]] bool isShort() const { return fixed_ + spent_ + correction_ * remaining_ > limit_; }
+
   /// After each planned step: what it did cost, fixed units included, to correct the next plans.
   void learn(double actualUnits);
 
@@ -61,14 +75,16 @@ class Governor {
  private:
   void planUnlimited(std::span<PlannedPair> pairs, const CostModel& costs);
   void planPair(PlannedPair& pair, const CostModel& costs);
-  [[nodiscard]] double survey(std::span<const PlannedPair> pairs, const CostModel& costs);
+  [[nodiscard]] double survey(std::span<PlannedPair> pairs, const CostModel& costs);
   void forecast(double budget, int bodies, double detail);
+  void await();
+  [[nodiscard]] double giveBackLimit(double foreseen) const;
   void learnKind(const PlannedPair& pair, double units);
   void shareOut();
   [[nodiscard]] static double creditUnits(const PlannedPair& pair, int level, double now);
   [[nodiscard]] double finestUnits(const PlannedPair& pair, const CostModel& costs) const;
   [[nodiscard]] bool isAdmitted(const PlannedPair& pair) const;
-  [[nodiscard]] int levelFor(const PlannedPair& pair) const;
+  [[nodiscard]] int levelFor(const PlannedPair& pair, bool isAdmitted) const;
   void relieve(std::span<PlannedPair> pairs, const CostModel& costs, double excess);
   void giveBack(std::span<PlannedPair> pairs, const CostModel& costs, double room);
   [[nodiscard]] double bestCost() const;
@@ -82,14 +98,25 @@ class Governor {
     double share[2]{1.0, 1.0};
   };
 
+  static constexpr double kReuseMemory = 0.005;
+
   GovernorDef def_;
   std::array<Kind, PlannedPair::kKinds> kinds_{};
   double fixed_ = 0.0;
-  double predicted_ = 0.0;   ///< Units besides the fixed ones, not corrected.
-  double lastActual_ = 0.0;  ///< 0: nothing was learned yet.
-  double capacity_ = 0.0;    ///< Units a step may be planned to cost.
-  double changeRoom_ = 0.0;  ///< Units left for changes of pairs that are apart.
-  double trend_ = 0.0;       ///< Units a step by which steps get dearer.
+  double predicted_ = 0.0;     ///< Units besides the fixed ones, not corrected.
+  double limit_ = 0.0;         ///< Units that the step should not exceed.
+  double spent_ = 0.0;         ///< Of the step under way, besides the fixed units.
+  double remaining_ = 0.0;     ///< What its pairs are still expected to take, not corrected.
+  double saved_ = 0.0;         ///< By putting off.
+  double lastActual_ = 0.0;    ///< 0: nothing was learned yet.
+  double capacity_ = 0.0;      ///< Units a step may be planned to cost.
+  double contactUnits_ = 0.0;  ///< Of pairs in contact at their finest level.
+  double missingUnits_ = 0.0;  ///< What pairs in contact would cost more at their finest level.
+  double foreseen_ = 0.0;      ///< What the step was expected to cost when its narrowphase began.
+  RecentQuantile<32> misses_;  ///< How much more steps did cost.
+  double reuseSaves_ = 0.2;    ///< Of what a pair costs: what it saves when its contacts are reused.
+  double changeRoom_ = 0.0;    ///< Units left for changes of pairs that are apart.
+  double trend_ = 0.0;         ///< Units a step by which steps get dearer.
   double admission_ = 1.0;
   bool isMiddle_ = false;    ///< Pairs that are refused their wish get a middle level, not the least.
   double correction_ = 1.0;  ///< For predictions, from how much steps cost against what was predicted.

@@ -30,7 +30,7 @@ TEST(FrameRecorder, HasExactlyTheAgreedColumnsInOrder) {
       "islands_ms,noncontact_constraints_ms,contact_constraints_ms,integrate_ms,vehicles_ms,activation_ms,"
       "plan_ms,cpu_load,objects,hybrids,overlapping_pairs,narrowphase_pairs,pairs_with_hybrid,"
       "pairs_without_hybrid,manifolds,contacts,new_contacts,requests,switches_coarser,switches_finer,"
-      "retractions,credited_pairs,finest_pairs,touching_pairs,touching_finest_pairs,blocked_tries,"
+      "retractions,credited_pairs,finest_pairs,touching_pairs,touching_finest_pairs,reused_pairs,blocked_tries,"
       "separation_queries,cost_units,planned_units,pairs_skipped,list_rebuilds,child_pairs,child_pairs_"
       "asleep,"
       "bounds_rejected,axis_rejected,gjk_runs,gjk_iterations,detector_runs,budget_ms,budget_units,kinetic_"

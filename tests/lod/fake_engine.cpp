@@ -7,6 +7,9 @@
 namespace scatter::lod::testing {
 namespace {
 
+// Of what a pair costs: looking for contacts, against solving them.
+constexpr double kReuseSaves = 0.4;
+
 // A few pairs cost ten times what the others do.
 void drawCost(FakePair& pair, Random& random) {
   constexpr double kUsual = 5.0;
@@ -23,7 +26,11 @@ double Random::exponential() {
 }
 
 FakeEngine::FakeEngine(const FakeDef& def, std::vector<FakePair> script)
-    : def_(def), script_(std::move(script)), random_(def.seed), governor_(def.governor) {
+    : def_(def),
+      script_(std::move(script)),
+      random_(def.seed),
+      governor_(def.governor),
+      reused_(script_.size(), false) {
   std::stable_sort(script_.begin(), script_.end(),
                    [](const FakePair& a, const FakePair& b) { return a.born < b.born; });
 }
@@ -81,11 +88,24 @@ double FakeEngine::process(PlannedPair& pair, const FakePair& script, FakeStep& 
   PairView& view = pair.view;
   view.touching = script.touches >= 0 && step_ >= script.touches;
   view.credited = view.credited && view.touching;
-  const double units = trueUnits(pair, script);
-  costs_.learn(pair.cost, view.level, view.finest, view.touching, units);
+  const double full = trueUnits(pair, script);
+  const bool reuses = mayReuse(pair, script);
+  const double units = reuses ? (1.0 - kReuseSaves) * full : full;
+  governor_.spend(switching);
+  governor_.spend(pair, units, full);
+  if (!reuses) costs_.learn(pair.cost, view.level, view.finest, view.touching, units);
+  result.reused += reuses ? 1 : 0;
   result.touching += view.touching ? 1 : 0;
   result.touchingFinest += view.touching && view.level == view.finest ? 1 : 0;
   return units + switching;
+}
+
+/// Not twice running.
+bool FakeEngine::mayReuse(const PlannedPair& pair, const FakePair& script) {
+  bool& has = reused_[static_cast<std::size_t>(&script - script_.data())];
+  const PairView& view = pair.view;
+  has = !has && view.touching && view.level == view.finest && !view.credited && governor_.isShort();
+  return has;
 }
 
 double FakeEngine::switchTo(PlannedPair& pair, FakeStep& result) {
@@ -95,6 +115,8 @@ double FakeEngine::switchTo(PlannedPair& pair, FakeStep& result) {
     return 0.0;
   }
   if (pair.target == view.level || pair.blockedSteps > 0) return 0.0;
+  const bool canWait = pair.target > view.level && view.level >= pair.wish.atLeast && !pair.mustSave;
+  if (canWait && governor_.isShort()) return 0.0;
   const CostWeights& weights = costs_.weights();
   const bool isCoarser = pair.target < view.level;
   const bool onCredit = isCoarser && view.touching;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <random>
 #include <vector>
@@ -54,6 +55,7 @@ struct FakeStep {
   int finer = 0;
   int touching = 0;
   int touchingFinest = 0;
+  int reused = 0;  ///< Pairs that kept their contacts, because the step was short.
 };
 
 /// Stands for a physics engine: a few thousand pairs whose true costs the governor cannot know. As in the
@@ -74,6 +76,7 @@ class FakeEngine {
   void removeGone();
   void addBorn(FakeStep& result);
   double process(PlannedPair& pair, const FakePair& script, FakeStep& result);
+  [[nodiscard]] bool mayReuse(const PlannedPair& pair, const FakePair& script);
   double switchTo(PlannedPair& pair, FakeStep& result);
   double trueUnits(const PlannedPair& pair, const FakePair& script);
 
@@ -84,6 +87,7 @@ class FakeEngine {
   Governor governor_;
   std::vector<PlannedPair> pairs_;
   std::vector<std::size_t> owners_;  ///< By pair: its script.
+  std::deque<bool> reused_;          ///< By script: in the last step.
   std::size_t nextBorn_ = 0;
   int step_ = 0;
 };

@@ -18,7 +18,7 @@ using testing::newPair;
 constexpr double kBudget = 1000.0;
 
 /// So many that a middle level for all their pairs would take the whole budget.
-constexpr int kManyBodies = 100;
+constexpr int kManyBodies = 80;
 
 /// A governor whose fixed units take so much of the budget.
 Governor loaded(const CostModel& costs, double share, int bodies = 0) {
@@ -60,7 +60,8 @@ TEST(GovernorAdmission, TheShareGrowsWithTheRoom) {
     const double admission = governor.admission();
     const int admitted = admitNew(governor, costs, 1000);
     EXPECT_LE(admitted, before);
-    EXPECT_NEAR(admitted, 1000.0 * admission, 3.0);
+    // Nobody any more in a step that is short already.
+    EXPECT_NEAR(admitted, governor.isShort() ? 0.0 : 1000.0 * admission, 3.0);
     some = some || (admitted > 0 && admitted < 1000);
     before = admitted;
   }

@@ -166,6 +166,75 @@ TEST(Governor, LearnsHowFarOffItsPlansAre) {
   EXPECT_NEAR(governor.planned(), 1600.0, 30.0);
 }
 
+TEST(Governor, AStepIsShortOnceItCostsMoreThanItsBudgetBears) {
+  CostModel costs{CostWeights{}};
+  Governor governor({});
+  std::vector<PlannedPair> pairs = knownPairs(costs, 100, 3);
+  governor.plan(pairs, costs, 100.0, 1300.0, 0);
+  EXPECT_FALSE(governor.isShort());
+  // What the others are expected to take still counts.
+  for (std::size_t i = 0; i < 10; ++i) governor.spend(pairs[i], 30.0, 30.0);
+  EXPECT_NEAR(governor.planned(), 1100.0, 30.0);
+  EXPECT_TRUE(governor.isShort());
+  for (std::size_t i = 10; i < 40; ++i) governor.spend(pairs[i], 4.0, 10.0);
+  EXPECT_FALSE(governor.isShort());
+  governor.spend(150.0);
+  EXPECT_TRUE(governor.isShort());
+}
+
+TEST(Governor, NewPairsAreRefusedInAShortStep) {
+  CostModel costs{CostWeights{}};
+  Governor governor({});
+  std::vector<PlannedPair> pairs = knownPairs(costs, 10, 3);
+  governor.plan(pairs, costs, 0.0, 1000.0, 0);
+  EXPECT_EQ(governor.planNew(newPair(7), costs), 3);
+  governor.spend(pairs[0], 950.0, 950.0);
+  EXPECT_LT(governor.planNew(newPair(8), costs), 3);
+  PlannedPair promised = newPair(9);
+  promised.wish.atLeast = 3;
+  EXPECT_EQ(governor.planNew(promised, costs), 3);
+}
+
+TEST(Governor, WithoutABudgetNoStepIsShort) {
+  CostModel costs{CostWeights{}};
+  Governor governor({});
+  std::vector<PlannedPair> pairs = knownPairs(costs, 10, 3);
+  governor.plan(pairs, costs, 0.0, kNoBudget, 0);
+  governor.spend(1e12);
+  EXPECT_FALSE(governor.isShort());
+}
+
+TEST(Governor, WhatWasPutOffDoesNotCountAsForeseenTooHigh) {
+  CostModel costs{CostWeights{}};
+  Governor governor({});
+  std::vector<PlannedPair> pairs = knownPairs(costs, 100, 3);
+  for (int i = 0; i < 40; ++i) {
+    governor.plan(pairs, costs, 100.0, 5000.0, 0);
+    for (PlannedPair& pair : pairs) governor.spend(pair, 5.0, 10.0);
+    governor.learn(600.0);
+  }
+  governor.plan(pairs, costs, 100.0, 5000.0, 0);
+  EXPECT_NEAR(governor.planned(), 1100.0, 30.0);
+}
+
+TEST(Governor, KeepsFreeWhatStepsCostMoreThanForeseen) {
+  CostModel costs{CostWeights{}};
+  for (const double surprise : {0.0, 150.0}) {
+    Governor governor({});
+    std::vector<PlannedPair> pairs = knownPairs(costs, 100, 3, 0.5, false);
+    for (int i = 0; i < 40; ++i) {
+      governor.plan(pairs, costs, 500.0, 1000.0, 0);
+      governor.learn(governor.planned() + surprise * (i % 2));
+    }
+    // As full as the budget bears, if steps cost what was foreseen.
+    governor.plan(pairs, costs, 780.0, 1000.0, 0);
+    if (surprise > 0.0)
+      EXPECT_LT(governor.admission(), 1.0);
+    else
+      EXPECT_EQ(governor.admission(), 1.0);
+  }
+}
+
 TEST(Governor, AWorldThatStartsHeavyIsNotTakenForOneThatGetsHeavier) {
   CostModel costs{CostWeights{}};
   Governor governor({});

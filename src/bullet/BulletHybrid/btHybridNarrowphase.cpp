@@ -250,7 +250,7 @@ btHybridPairMemory* btHybridNarrowphase::acquirePair()
 	pair->m_gap = 0;
 	pair->m_least = BT_LARGE_FLOAT;
 	pair->m_seenMotion = 0;
-	pair->m_switched = pair->m_onCredit = pair->m_mayAudit = pair->m_excuses = false;
+	pair->m_reused = pair->m_switched = pair->m_onCredit = pair->m_mayAudit = pair->m_excuses = false;
 	pair->m_index = m_pairs.size();
 	m_pairs.push_back(pair);
 	return pair;

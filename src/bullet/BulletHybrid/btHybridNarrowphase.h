@@ -34,6 +34,7 @@ struct btHybridPairMemory
 	bool m_onCredit;   ///< and was taken on credit
 	bool m_mayAudit;   ///< in this step
 	bool m_excuses;    ///< child pairs on credit have no contacts of their own while those that are held are good
+	bool m_reused;     ///< kept the contacts of the step before
 	int m_index;       ///< in the pool
 };
 

@@ -255,6 +255,12 @@ void btHybridPairAlgorithm::processPlanned(const btCollisionObjectWrapper* body0
 		releaseContacts();
 		takeLevel(level.getLevel());
 	}
+	else if (mayReuse())
+	{
+		reuse(level, body0Wrap, body1Wrap);
+		return;
+	}
+	m_memory->m_reused = false;
 	m_memory->m_held.refresh(body0Wrap->getWorldTransform(), body1Wrap->getWorldTransform());
 	m_narrowphase->getScratch().resizeNoInitialize(0);
 	{
@@ -275,6 +281,40 @@ void btHybridPairAlgorithm::processPlanned(const btCollisionObjectWrapper* body0
 	level.report(work);
 	m_quietUntil = m_memory->m_held.isEmpty() && !m_fallback ? m_pair->quietUntil() : -BT_LARGE_FLOAT;
 	m_jumps = m_pair->jumps();
+}
+
+bool btHybridPairAlgorithm::hasReused() const
+{
+	return m_memory->m_reused;
+}
+
+// Not twice running, so that what comes upon the pair is found a step late at most.
+bool btHybridPairAlgorithm::mayReuse() const
+{
+	return !m_memory->m_reused && !m_fallback && m_memory->m_held.isEmpty() && m_versions[0] >= 0 && m_narrowphase->getPlanner()->mayReuse(m_plan);
+}
+
+// Keeps the contacts of the step before, where the bodies are now.
+void btHybridPairAlgorithm::reuse(btHybridPairLevel& level, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap)
+{
+	btAlignedObjectArray<int>& touching = m_narrowphase->getScratch();
+	touching.resizeNoInitialize(0);
+	std::vector<scatter::ChildPair>& children = m_pair->children();
+	for (size_t i = 0; i < children.size(); i++)
+	{
+		if (!children[i].touching)
+			continue;
+		btPersistentManifold* manifold = static_cast<btPersistentManifold*>(children[i].contact);
+		manifold->refreshContactPoints(body0Wrap->getWorldTransform(), body1Wrap->getWorldTransform());
+		children[i].touching = manifold->getNumContacts() > 0;
+		touching.push_back(int(i));
+	}
+	level.settleCredit(touching);
+	m_memory->m_reused = true;
+	scatter::lod::PairWorkload work;
+	work.reuses = true;
+	level.report(work);
+	m_quietUntil = -BT_LARGE_FLOAT;
 }
 
 scatter::lod::PairWorkload btHybridPairAlgorithm::workSince(const scatter::PairWork& before, int detectorRuns) const

@@ -39,6 +39,8 @@ class btHybridPairAlgorithm : public btCollisionAlgorithm
 	void process(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut);
 	void processPlanned(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut);
 	void audit(btHybridPairLevel& level, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut);
+	bool mayReuse() const;
+	void reuse(btHybridPairLevel& level, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap);
 	bool isExcused(scatter::ChildPair& child);
 	void restart(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap);
 	void releaseContacts();
@@ -67,6 +69,9 @@ public:
 	{
 		m_plan = plan;
 	}
+
+	/// Whether it kept its contacts in the last step instead of looking for them.
+	bool hasReused() const;
 
 	virtual void processCollision(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut);
 

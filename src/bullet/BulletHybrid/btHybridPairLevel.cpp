@@ -88,7 +88,9 @@ bool btHybridPairLevel::choose()
 	const scatter::lod::PairView& view = planned.view;
 	m_memory.m_switched = false;
 	m_memory.m_mayAudit = m_planner.getInfo().m_auditDistance > 0 && m_planner.mayAudit();
-	if (target == view.level || (view.level > 0 && planned.blockedSteps > 0))
+	const bool canWait = target > view.level && view.level >= planned.wish.atLeast && !planned.mustSave;
+	const bool isPutOff = view.level > 0 && (planned.blockedSteps > 0 || (canWait && m_planner.isShort()));
+	if (target == view.level || isPutOff)
 		return false;
 	m_planner.acknowledge(m_plan);
 	// Coarser shapes that all but touch where finer ones do: the contacts are better held than dropped.

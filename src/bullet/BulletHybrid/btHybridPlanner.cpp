@@ -117,7 +117,7 @@ int btHybridPlanner::getLevelOf(const btCollisionAlgorithm* algorithm) const
 bool btHybridPlanner::isAtFinest(const btCollisionAlgorithm* algorithm) const
 {
 	const btHybridPairAlgorithm* pair = dynamic_cast<const btHybridPairAlgorithm*>(algorithm);
-	return !pair || m_planned[pair->getPlanIndex()].view.level == m_planned[pair->getPlanIndex()].view.finest;
+	return !pair || (m_planned[pair->getPlanIndex()].view.level == m_planned[pair->getPlanIndex()].view.finest && !pair->hasReused());
 }
 
 scatter::lod::SwitchRules btHybridPlanner::getRules(int pair) const
@@ -328,7 +328,7 @@ void btHybridPlanner::take(int pair, const SwitchChoice& choice)
 	if (from == 0)
 		return;
 	const bool onCredit = choice.kind == SwitchKind::kOnCredit;
-	m_units += m_costs.weights().switched;
+	spend(m_costs.weights().switched);
 	m_stepInfo.m_creditSwitches += onCredit ? 1 : 0;
 	if (choice.level < from)
 		m_stepInfo.m_switchesCoarser++;
@@ -339,17 +339,31 @@ void btHybridPlanner::take(int pair, const SwitchChoice& choice)
 		m_pairs[pair].m_requested = m_pairs[pair].m_acknowledged = false;
 }
 
+// Of what belongs to no pair's usual work.
+void btHybridPlanner::spend(double units)
+{
+	m_units += units;
+	m_governor.spend(units);
+}
+
 void btHybridPlanner::countQuery()
 {
 	m_stepInfo.m_separationQueries++;
-	m_units += m_costs.weights().separationQuery;
+	spend(m_costs.weights().separationQuery);
+}
+
+bool btHybridPlanner::mayReuse(int pair) const
+{
+	const PlannedPair& planned = m_planned[pair];
+	const bool isPlain = planned.view.touching && planned.view.level == planned.view.finest && !planned.view.credited;
+	return isPlain && planned.wish.atLeast < planned.view.finest && isShort();
 }
 
 // A fifth of the budget at most, so that looking does not cost the detail that it serves.
 bool btHybridPlanner::mayAudit() const
 {
 	const double c_least = 0.06, c_most = 0.2;
-	return !hasBudget() || m_auditUnits < (c_least + (c_most - c_least) * m_governor.admission()) * m_budgetUnits;
+	return !hasBudget() || (!isShort() && m_auditUnits < (c_least + (c_most - c_least) * m_governor.admission()) * m_budgetUnits);
 }
 
 void btHybridPlanner::countAudit()
@@ -369,10 +383,12 @@ void btHybridPlanner::takeWork(int pair, const scatter::lod::PairWorkload& work,
 	PairView& view = planned.view;
 	const double units = m_costs.units(work);
 	m_units += units;
+	m_governor.spend(planned, units, work.reuses ? btMax(double(planned.expected), units) : units);
 	m_pairs[pair].m_step = m_step;
+	m_stepInfo.m_reusedPairs += work.reuses ? 1 : 0;
 	if (average)
 		*average += (float(units) - *average) / 8;
-	if (hasBudget())
+	if (hasBudget() && !work.reuses)
 		m_costs.learn(planned.cost, view.level, view.finest, touching, average ? double(*average) : units);
 	const unsigned short most = std::numeric_limits<unsigned short>::max();
 	view.contactSteps = !touching ? 0 : view.contactSteps < most ? view.contactSteps + 1

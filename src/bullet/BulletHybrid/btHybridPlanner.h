@@ -67,6 +67,7 @@ class btHybridPlanner
 	void finishPair(int pair);
 	void tell(btHybridPairEventKind kind, int pair, int from, int to, bool onCredit) const;
 	bool hasBudget() const;
+	void spend(double units);
 
 public:
 	btHybridPlanner();
@@ -110,7 +111,7 @@ public:
 	/// Of the pair that is this algorithm's; 0 if it is none of the planner's.
 	int getLevelOf(const btCollisionAlgorithm* algorithm) const;
 
-	/// Also of pairs that are none of the planner's.
+	/// And looked for its contacts in the last step. Also of pairs that are none of the planner's.
 	bool isAtFinest(const btCollisionAlgorithm* algorithm) const;
 
 	/// Between broadphase and narrowphase.
@@ -129,6 +130,7 @@ public:
 	/// A pair that is settled was left without a look.
 	void countQuiet(int pair)
 	{
+		m_governor.spend(m_planned[pair], 0, 0);
 		m_stepInfo.m_pairs++;
 		m_stepInfo.m_finestPairs += m_planned[pair].view.level == m_planned[pair].view.finest ? 1 : 0;
 		m_stepInfo.m_creditedPairs += m_planned[pair].view.credited ? 1 : 0;
@@ -138,6 +140,15 @@ public:
 	void acknowledge(int pair);
 	void take(int pair, const scatter::lod::SwitchChoice& choice);
 	void countQuery();
+
+	/// Whether the budget is about to be exceeded, so that what is not urgent should wait for a step.
+	bool isShort() const
+	{
+		return m_plans && m_governor.isShort();
+	}
+
+	/// Whether a pair in contact should keep its contacts for this step, as the budget is about to be exceeded.
+	bool mayReuse(int pair) const;
 	bool mayAudit() const;
 	void countAudit();
 	void takeAudit(const scatter::lod::PairWorkload& work);

@@ -37,6 +37,7 @@ void addPairCounts(const btHybridPairStepInfo& info, StepCounters& counters) {
   counters.finestPairs -= count(info.m_pairs - info.m_finestPairs);
   counters.touchingPairs = count(info.m_touchingPairs);
   counters.touchingFinestPairs = count(info.m_touchingFinest);
+  counters.reusedPairs = count(info.m_reusedPairs);
   counters.costUnits = whole(info.m_units);
   counters.plannedUnits = whole(info.m_plannedUnits);
 }

@@ -166,7 +166,7 @@ TEST(Allocations, PairsThatSwitchWithinABudgetMakeNoneAfterWarmUp) {
     return count;
   };
   std::vector<double> units;
-  for (int i = 0; i < 100 * Swaying::kPeriod; ++i) units.push_back(i % Swaying::kPeriod < 25 ? 150 : 4000);
+  for (int i = 0; i < 100 * Swaying::kPeriod; ++i) units.push_back(i % Swaying::kPeriod < 25 ? 150 : 20000);
   w.world.replayBudget(units.data(), static_cast<int>(units.size()));
   EXPECT_GT(run(12 * Swaying::kPeriod), 0);
   switches = 0;

@@ -88,6 +88,37 @@ TEST(Budget, InMillisecondsIsReplayedFromItsUnits) {
   EXPECT_GT(switches, 20);
 }
 
+TEST(Budget, ContactsAreReusedOnlyWhileItIsExceededAndNeverForAHeldBody) {
+  Gathering w;
+  for (int i = 0; i < 60; ++i) w.pull();
+  w.world.setBudgetUnits(20000);
+  for (int i = 0; i < 40; ++i) {
+    w.pull();
+    ASSERT_EQ(w.pairInfo().m_reusedPairs, 0);
+  }
+  const double units = w.pairInfo().m_units;
+  for (auto& body : w.bodies) static_cast<btHybridRigidBody*>(body.get())->setHeld(true);
+  ASSERT_EQ(w.world.addPolicy("held"), nullptr);
+  w.world.setBudgetUnits(0.5 * units);
+  for (int i = 0; i < 20; ++i) w.pull();
+  for (int i = 0; i < 20; ++i) {
+    w.pull();
+    ASSERT_EQ(w.pairInfo().m_reusedPairs, 0);
+  }
+  w.world.removePolicies();
+  w.world.setBudgetUnits(0.9 * units);
+  int reused = 0;
+  int touching = 0;
+  for (int i = 0; i < 60; ++i) {
+    w.pull();
+    reused += w.pairInfo().m_reusedPairs;
+    touching += w.pairInfo().m_touchingFinest;
+  }
+  EXPECT_GT(reused, 0);
+  // Not twice running.
+  EXPECT_LE(2 * reused, touching + 60);
+}
+
 TEST(Budget, IsThereAfterItIsSetAndGoneWhenItIsRemoved) {
   Gathering w;
   w.pull();
