@@ -61,4 +61,14 @@ class LevelSet {
   LevelSetDef def_;
 };
 
+/// While one of these exists, LevelSet::create() on this thread takes levels that are not nested, so that a
+/// program can read a file and say what is wrong with it. Bodies must not be made from such levels.
+class NestingUnchecked {
+ public:
+  NestingUnchecked();
+  NestingUnchecked(const NestingUnchecked&) = delete;
+  NestingUnchecked& operator=(const NestingUnchecked&) = delete;
+  ~NestingUnchecked();
+};
+
 }  // namespace scatter

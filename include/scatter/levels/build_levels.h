@@ -1,0 +1,78 @@
+#pragma once
+
+#include <scatter/levels/level_set.h>
+#include <scatter/levels/surface_mesh.h>
+#include <scatter/result.h>
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace scatter {
+
+/// What counts as inside of a mesh. Inside, levels may fill space at no cost.
+enum class MeshInterior {
+  kAutomatic,  ///< Solid if the triangles enclose a volume well enough to tell, else Surface.
+  kSolid,      ///< What the triangles wind around; small holes are bridged.
+  kSurface,    ///< Nothing: bowls, sheets and tubes stay hollow.
+};
+
+/// A limit to the gap: how far the surface of a level may be from the mesh. The two are alternatives.
+struct GapLimit {
+  std::optional<float> metres;
+  std::optional<float> ofDiagonal;  ///< As a share of the diagonal of the mesh's bounds.
+};
+
+/// What to make of a mesh.
+struct LevelBuildDef {
+  std::string name = "model";
+
+  /// Parts of each level, coarsest first, increasing, such as 1, 8, 64. If empty, `levels` of them from one
+  /// part to the finest level's, in about equal ratios.
+  std::vector<int> partCounts;
+  int levels = 3;
+  int finestParts = 64;  ///< Used if `partCounts` is empty and there is no `finestGap`.
+
+  /// The finest level has as few parts as keep the largest gap below this. Only without `partCounts`.
+  std::optional<GapLimit> finestGap;
+  int maxParts = 1024;  ///< Of the finest level, whatever `finestGap` asks for.
+
+  int maxVertices = 16;  ///< Of a hull, 8 to 64.
+
+  /// Collision margin around hulls, metres. If absent, 0.02 or 1 % of the diagonal, whichever is less.
+  std::optional<float> hullMargin;
+
+  /// Makes a hull a box, sphere or capsule where that holds the same and its gap is not noticeably larger.
+  bool fitPrimitives = true;
+
+  MeshInterior interior = MeshInterior::kAutomatic;
+
+  /// Meshes with more triangles are grouped by cell and facing first, which makes the parts follow the mesh
+  /// a little less closely. Nothing is left out.
+  std::size_t maxTriangles = 200'000;
+};
+
+/// Nested levels, and what a user should know about the mesh they were made from.
+struct BuiltLevels {
+  std::shared_ptr<const LevelSet> levels;
+  bool isSolid = true;             ///< Whether the mesh was taken as solid.
+  std::vector<std::string> notes;  ///< What was mended or done differently, one line each.
+};
+
+/// Told what is being done ("distances", "merging", …) and how much of it is done, 0 to 1.
+using BuildProgress = std::function<void(std::string_view stage, double share)>;
+
+/// Makes nested levels of hulls around the mesh: every triangle lies inside a part of the finest level, its
+/// margin not counted, and every part inside one part of the next coarser level, margins counted. Both are
+/// proven for the vertices that are returned, rounding included. The same input gives the same bits.
+/// Takes any triangles: open, inside-out, several shells, degenerate, flat. Fails on a mesh without
+/// triangles, an index out of range, a coordinate that is not finite, a mesh of a single point, and counts
+/// that make no sense.
+[[nodiscard]] Result<BuiltLevels> buildLevels(const SurfaceMesh& mesh, const LevelBuildDef& definition,
+                                              const BuildProgress& progress = {});
+
+}  // namespace scatter

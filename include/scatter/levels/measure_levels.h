@@ -1,0 +1,51 @@
+#pragma once
+
+#include <scatter/levels/build_levels.h>
+#include <scatter/levels/level_set.h>
+#include <scatter/levels/surface_mesh.h>
+#include <scatter/result.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace scatter {
+
+/// One level against the mesh it stands for.
+struct LevelFigures {
+  int parts = 0;
+  int vertices = 0;      ///< Of all hulls; a box counts 8, round parts none.
+  int mostVertices = 0;  ///< Of one hull.
+
+  double partVolume = 0.0;   ///< Sum over the parts, cubic metres; where parts overlap, counted once each.
+  double unionVolume = 0.0;  ///< Of their union, estimated by sampling, good to about 1 %.
+  double volumeRatio = 0.0;  ///< Union to mesh; 0 if the mesh has no volume.
+
+  /// The gap: distances to the mesh from the part of the level's surface that is exposed, which is what is
+  /// not inside another part of the level and not inside the mesh (one-sided Hausdorff distance). Hull
+  /// margins are not counted. Metres.
+  double meanGap = 0.0;
+  double p95Gap = 0.0;
+  double maxGap = 0.0;
+
+  /// What a contact with this level costs relative to one with a single box.
+  double predictedCost = 0.0;
+};
+
+struct LevelMeasures {
+  double diagonal = 0.0;             ///< Of the mesh's bounds, metres: gaps are often given as a share of it.
+  double meshVolume = 0.0;           ///< Cubic metres; 0 if the mesh is not solid.
+  bool isSolid = true;               ///< Whether the mesh was taken as solid.
+  std::vector<LevelFigures> levels;  ///< Coarsest first.
+};
+
+struct MeasureDef {
+  std::size_t surfaceSamples = 20'000;  ///< Per level.
+  std::size_t volumeSamples = 60'000;   ///< Per level.
+  MeshInterior interior = MeshInterior::kAutomatic;
+};
+
+/// Measures the levels against the mesh. Deterministic. Fails on a mesh that buildLevels() would refuse.
+[[nodiscard]] Result<LevelMeasures> measureLevels(const LevelSet& levels, const SurfaceMesh& mesh,
+                                                  const MeasureDef& definition = {});
+
+}  // namespace scatter

@@ -1,0 +1,276 @@
+#include <gtest/gtest.h>
+#include <scatter/levels/build_levels.h>
+#include <scatter/levels/measure_levels.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "levels/meshes.h"
+#include "levels/nesting.h"
+
+namespace scatter {
+namespace {
+
+using namespace testing;  // the meshes
+
+LevelBuildDef withCounts(std::vector<int> counts) {
+  LevelBuildDef definition;
+  definition.partCounts = std::move(counts);
+  return definition;
+}
+
+std::string errorOf(const SurfaceMesh& mesh, const LevelBuildDef& definition = {}) {
+  const auto built = buildLevels(mesh, definition);
+  return built ? "" : built.error().message;
+}
+
+bool hasNote(const BuiltLevels& built, std::string_view text) {
+  return std::any_of(built.notes.begin(), built.notes.end(),
+                     [&](const std::string& note) { return note.find(text) != std::string::npos; });
+}
+
+struct NamedMesh {
+  const char* name;
+  std::function<SurfaceMesh()> make;
+};
+
+class BuildLevelsTorture : public ::testing::TestWithParam<NamedMesh> {};
+
+TEST_P(BuildLevelsTorture, EnclosesTheMeshAndNests) {
+  const SurfaceMesh mesh = GetParam().make();
+  for (const int levels : {3, 6}) {
+    LevelBuildDef definition;
+    definition.levels = levels;
+    definition.finestParts = 24;
+    const auto built = buildLevels(mesh, definition);
+    ASSERT_TRUE(built.has_value()) << built.error().message;
+    expectNested(*built->levels, mesh);
+    EXPECT_EQ(built->levels->coarsest().parts.size(), 1U);
+    EXPECT_LE(built->levels->count(), levels);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Meshes, BuildLevelsTorture,
+    ::testing::Values(
+        NamedMesh{"Sphere", [] { return sphereMesh(20); }},
+        NamedMesh{"Torus", [] { return torusMesh(24, 12); }},
+        NamedMesh{"Knot", [] { return knotMesh(64, 10); }},
+        NamedMesh{"Box", [] { return boxMesh(Vec3(1.0F)); }},
+        NamedMesh{"ThinPlate", [] { return boxMesh(Vec3(1.0F, 2.0F, 1e-5F)); }},
+        NamedMesh{"Needle", [] { return boxMesh(Vec3(1e-5F, 2.0F, 1e-5F)); }},
+        NamedMesh{"Wire", [] { return wireMesh(); }}, NamedMesh{"Sheet", [] { return sheetMesh(); }},
+        NamedMesh{"Flat", [] { return flatMesh(); }},
+        NamedMesh{"OpenCylinder", [] { return openCylinderMesh(); }},
+        NamedMesh{"Soup", [] { return soupMesh(1, 200); }},
+        NamedMesh{"Dust", [] { return soupMesh(2, 1500, 1e-4F); }},
+        NamedMesh{"Shells", [] { return shellsMesh(); }},
+        NamedMesh{"InsideOut", [] { return insideOut(torusMesh(24, 12)); }},
+        NamedMesh{"Unwelded", [] { return unwelded(torusMesh(24, 12)); }},
+        NamedMesh{"Tiny", [] { return moved(torusMesh(24, 12), 1e-4F, Vec3(0.0F)); }},
+        NamedMesh{"Huge", [] { return moved(torusMesh(24, 12), 1e7F, Vec3(0.0F)); }},
+        NamedMesh{"FarAway", [] { return moved(torusMesh(24, 12), 1.0F, Vec3(20000.0F, -3000.0F, 7e4F)); }},
+        NamedMesh{"OneTriangle", [] { return soupMesh(3, 1); }}),
+    [](const auto& each) { return each.param.name; });
+
+TEST(BuildLevels, GivesThePartsAskedFor) {
+  const auto built = buildLevels(knotMesh(64, 10), withCounts({1, 5, 20, 40}));
+  ASSERT_TRUE(built.has_value()) << built.error().message;
+  ASSERT_EQ(built->levels->count(), 4);
+  EXPECT_EQ(built->levels->level(1).parts.size(), 1U);
+  EXPECT_EQ(built->levels->level(2).parts.size(), 5U);
+  EXPECT_EQ(built->levels->level(3).parts.size(), 20U);
+  EXPECT_EQ(built->levels->level(4).parts.size(), 40U);
+}
+
+TEST(BuildLevels, KeepsHullsSmall) {
+  for (const int most : {8, 12, 24}) {
+    LevelBuildDef definition = withCounts({1, 4, 16});
+    definition.maxVertices = most;
+    const auto built = buildLevels(knotMesh(64, 10), definition);
+    ASSERT_TRUE(built.has_value()) << built.error().message;
+    for (int level = 1; level <= 3; ++level) {
+      for (const ConvexPart& part : built->levels->level(level).parts) {
+        if (const auto* hull = std::get_if<ConvexHull>(&part.shape)) {
+          EXPECT_LE(hull->vertices.size(), static_cast<std::size_t>(most));
+        }
+      }
+    }
+  }
+}
+
+TEST(BuildLevels, AConvexMeshNeedsOnePart) {
+  const auto built = buildLevels(boxMesh(Vec3(1.0F, 0.5F, 2.0F)), {});
+  ASSERT_TRUE(built.has_value()) << built.error().message;
+  EXPECT_EQ(built->levels->count(), 1);
+  EXPECT_EQ(built->levels->finest().parts.size(), 1U);
+  EXPECT_TRUE(hasNote(*built, "levels made"));
+}
+
+TEST(BuildLevels, BoxesBecomeBoxesAndBallsBalls) {
+  const auto box = buildLevels(boxMesh(Vec3(1.0F, 0.5F, 2.0F), Vec3(0.3F, 0.0F, 0.0F)), {});
+  ASSERT_TRUE(box.has_value()) << box.error().message;
+  const ConvexPart& part = box->levels->finest().parts.front();
+  ASSERT_TRUE(std::holds_alternative<Box>(part.shape));
+  const Vec3 half = std::get<Box>(part.shape).halfExtents;
+  EXPECT_NEAR(half.x * half.y * half.z, 1.0F, 1e-4F);
+  EXPECT_NEAR(part.pose.position.x, 0.3F, 1e-5F);
+
+  const auto ball = buildLevels(sphereMesh(32), withCounts({1}));
+  ASSERT_TRUE(ball.has_value()) << ball.error().message;
+  const auto* sphere = std::get_if<Sphere>(&ball->levels->finest().parts.front().shape);
+  ASSERT_NE(sphere, nullptr);
+  EXPECT_NEAR(sphere->radius, 1.0F, 0.01F);
+
+  LevelBuildDef hullsOnly = withCounts({1});
+  hullsOnly.fitPrimitives = false;
+  const auto hull = buildLevels(sphereMesh(32), hullsOnly);
+  ASSERT_TRUE(hull.has_value()) << hull.error().message;
+  EXPECT_TRUE(std::holds_alternative<ConvexHull>(hull->levels->finest().parts.front().shape));
+}
+
+TEST(BuildLevels, PrimitivesHoldTheMarginsOfFinerHulls) {
+  // A slab of two halves with a slit: the coarsest part is a box around hulls with a large margin.
+  const SurfaceMesh mesh = joined(boxMesh(Vec3(1.0F, 0.5F, 0.4F), Vec3(-1.05F, 0.0F, 0.0F)),
+                                  sphereMesh(24, 0.5F, Vec3(0.6F, 0.0F, 0.0F)));
+  LevelBuildDef definition = withCounts({1, 2, 6});
+  definition.hullMargin = 0.1F;
+  const auto built = buildLevels(mesh, definition);
+  ASSERT_TRUE(built.has_value()) << built.error().message;
+  expectNested(*built->levels, mesh);
+}
+
+TEST(BuildLevels, TheFinestGapIsKept) {
+  const SurfaceMesh mesh = torusMesh(32, 16);
+  std::size_t last = 0;
+  for (const float gap : {0.06F, 0.03F, 0.015F}) {
+    LevelBuildDef definition;
+    definition.finestGap = GapLimit{{}, gap};
+    const auto built = buildLevels(mesh, definition);
+    ASSERT_TRUE(built.has_value()) << built.error().message;
+    const auto measures = measureLevels(*built->levels, mesh);
+    ASSERT_TRUE(measures.has_value());
+    EXPECT_LE(measures->levels.back().maxGap, 1.03 * static_cast<double>(gap) * measures->diagonal);
+    EXPECT_GT(built->levels->finest().parts.size(), last);
+    last = built->levels->finest().parts.size();
+  }
+}
+
+TEST(BuildLevels, SameInputSameBits) {
+  const SurfaceMesh mesh = torusMesh(24, 12);
+  const LevelBuildDef definition = withCounts({1, 4, 16});
+  const auto first = buildLevels(mesh, definition);
+  const auto second = buildLevels(mesh, definition);
+  ASSERT_TRUE(first.has_value() && second.has_value());
+  for (int level = 1; level <= first->levels->count(); ++level) {
+    EXPECT_TRUE(haveSameBits(first->levels->level(level), second->levels->level(level))) << "level " << level;
+  }
+}
+
+TEST(BuildLevels, OrderOfTrianglesNeverBreaksContainment) {
+  // Another order of the triangles breaks ties another way, and so merges in another order.
+  Random random(7);
+  SurfaceMesh mesh = knotMesh(40, 8);
+  for (int round = 0; round < 4; ++round) {
+    for (std::size_t i = mesh.triangles.size() - 1; i > 0; --i) {
+      const auto other = static_cast<std::size_t>(random.uniform(0.0F, static_cast<float>(i)));
+      std::swap(mesh.triangles[i], mesh.triangles[other]);
+    }
+    const auto built = buildLevels(mesh, withCounts({1, 4, 16}));
+    ASSERT_TRUE(built.has_value()) << built.error().message;
+    expectNested(*built->levels, mesh);
+  }
+}
+
+TEST(BuildLevels, RandomMeshesNest) {
+  for (std::uint64_t seed = 10; seed < 22; ++seed) {
+    const SurfaceMesh mesh = soupMesh(seed, 1 + static_cast<std::uint32_t>(seed * seed % 97), 0.5F);
+    const auto built = buildLevels(mesh, withCounts({1, 3, 7, 20}));
+    ASSERT_TRUE(built.has_value()) << "seed " << seed << ": " << built.error().message;
+    expectNested(*built->levels, mesh);
+  }
+}
+
+TEST(BuildLevels, TurnsShellsAndLeavesCavities) {
+  const auto built = buildLevels(shellsMesh(), withCounts({1, 8}));
+  ASSERT_TRUE(built.has_value());
+  EXPECT_TRUE(built->isSolid);
+  EXPECT_TRUE(hasNote(*built, "1 inside-out shell"));
+}
+
+TEST(BuildLevels, TakesSheetsAsSurfaces) {
+  for (const SurfaceMesh& mesh : {sheetMesh(), flatMesh(), soupMesh(4, 100)}) {
+    const auto built = buildLevels(mesh, withCounts({1, 8}));
+    ASSERT_TRUE(built.has_value()) << built.error().message;
+    EXPECT_FALSE(built->isSolid);
+    EXPECT_TRUE(hasNote(*built, "not closed"));
+  }
+}
+
+TEST(BuildLevels, GroupsWhatIsTooMuch) {
+  const SurfaceMesh mesh = torusMesh(100, 50);
+  LevelBuildDef definition = withCounts({1, 8, 32});
+  definition.maxTriangles = 2000;
+  const auto built = buildLevels(mesh, definition);
+  ASSERT_TRUE(built.has_value()) << built.error().message;
+  EXPECT_TRUE(hasNote(*built, "grouped"));
+  expectNested(*built->levels, mesh);
+}
+
+TEST(BuildLevels, ReportsProgress) {
+  double last = 0.0;
+  std::string stages;
+  const BuildProgress progress = [&](std::string_view stage, double share) {
+    EXPECT_GE(share, 0.0);
+    EXPECT_LE(share, 1.0);
+    if (!stages.ends_with(stage)) stages += " " + std::string(stage);
+    last = share;
+  };
+  ASSERT_TRUE(buildLevels(torusMesh(24, 12), withCounts({1, 8}), progress).has_value());
+  EXPECT_EQ(stages, " shells distances patches merging parts levels check");
+}
+
+TEST(BuildLevels, BadMeshesGetOneLine) {
+  EXPECT_EQ(errorOf({}), "the mesh has no triangles");
+  SurfaceMesh mesh = soupMesh(1, 3);
+  mesh.triangles[2][1] = 9;
+  EXPECT_EQ(errorOf(mesh), "triangle 3 refers to vertex 10, but the mesh has 9");
+  mesh.triangles[2][1] = 7;
+  mesh.vertices[7].y = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_NE(errorOf(mesh).find("vertex 8 ("), std::string::npos) << errorOf(mesh);
+  EXPECT_EQ(errorOf(mesh).find('\n'), std::string::npos);
+  mesh.vertices.assign(9, Vec3(1.0F));
+  EXPECT_EQ(errorOf(mesh), "all vertices of the mesh are at one point");
+  EXPECT_NE(errorOf(moved(boxMesh(Vec3(1.0F)), 1e12F, Vec3(0.0F))).find("scale it"), std::string::npos);
+  EXPECT_NE(errorOf(moved(boxMesh(Vec3(1.0F)), 1e-9F, Vec3(0.0F))).find("scale it"), std::string::npos);
+}
+
+TEST(BuildLevels, BadDefinitionsGetOneLine) {
+  const SurfaceMesh mesh = boxMesh(Vec3(1.0F));
+  EXPECT_NE(errorOf(mesh, withCounts({4, 2})).find("increase"), std::string::npos);
+  EXPECT_NE(errorOf(mesh, withCounts({0, 2})).find("positive"), std::string::npos);
+  EXPECT_NE(errorOf(mesh, withCounts({1, 100000})).find("100000"), std::string::npos);
+  LevelBuildDef definition;
+  definition.maxVertices = 3;
+  EXPECT_NE(errorOf(mesh, definition).find("8 to 64"), std::string::npos);
+  definition = {};
+  definition.levels = 0;
+  EXPECT_NE(errorOf(mesh, definition).find("levels"), std::string::npos);
+  definition = {};
+  definition.hullMargin = -1.0F;
+  EXPECT_NE(errorOf(mesh, definition).find("margin"), std::string::npos);
+  definition = {};
+  definition.finestGap = GapLimit{0.01F, 0.01F};
+  EXPECT_NE(errorOf(mesh, definition).find("either"), std::string::npos);
+  definition.finestGap = GapLimit{0.0F, {}};
+  EXPECT_NE(errorOf(mesh, definition).find("positive"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace scatter
