@@ -1,11 +1,12 @@
 #include "io/collada_geometry.h"
 
-#include <algorithm>
 #include <array>
 #include <pugixml.hpp>
 #include <string>
 #include <string_view>
 #include <utility>
+
+#include "io/collada_primitives.h"
 
 namespace scatter::io {
 namespace {
@@ -48,11 +49,19 @@ Result<std::vector<float>> readArray(const ColladaFrame& frame, const pugi::xml_
   if (!array) {
     return tl::unexpected(array.error());
   }
+  auto values = frame.lengths(*array, 0);
   const auto count = frame.indexAttribute(*array, "count", 0);
-  if (!count) {
-    return tl::unexpected(count.error());
+  if (!values || !count) {
+    return tl::unexpected(values ? count.error() : values.error());
   }
-  return frame.lengths(*array, *count);
+  if (*count != 0 && *count != values->size()) {
+    const std::string what =
+        "should hold " + std::to_string(*count) + " numbers, but holds " + std::to_string(values->size());
+    if (const auto mended = frame.mend(*array, what, "those are taken"); !mended) {
+      return tl::unexpected(mended.error());
+    }
+  }
+  return values;
 }
 
 /// Of a `<mesh>` or `<convex_mesh>`, through `<vertices>`, its POSITION input and the accessor.
@@ -65,7 +74,7 @@ Result<std::vector<Vec3>> readPositions(const ColladaFrame& frame, const pugi::x
   if (!input) {
     return frame.xml().failAt(*vertices, "has no <input> with semantic POSITION");
   }
-  const auto source = frame.xml().follow(input, "source", "source");
+  const auto source = frame.follow(input, "source", "source");
   if (!source) {
     return tl::unexpected(source.error());
   }
@@ -85,111 +94,31 @@ Result<std::vector<Vec3>> readPositions(const ColladaFrame& frame, const pugi::x
   return positions;
 }
 
-/// The position indices of a primitive's `<p>`, without those of normals and other inputs.
-Result<std::vector<std::uint32_t>> readCorners(const ColladaFrame& frame, const pugi::xml_node& primitive,
-                                               std::size_t vertexCount) {
-  std::uint32_t stride = 1;
-  for (const pugi::xml_node& input : primitive.children("input")) {
-    const auto offset = frame.indexAttribute(input, "offset", 0);
-    if (!offset || *offset > 64) {
-      return offset ? frame.xml().failAt(input, "offset is larger than 64") : tl::unexpected(offset.error());
-    }
-    stride = std::max(stride, *offset + 1);
-  }
-  const pugi::xml_node vertexInput = primitive.find_child_by_attribute("input", "semantic", "VERTEX");
-  if (!vertexInput) {
-    return frame.xml().failAt(primitive, "has no <input> with semantic VERTEX");
-  }
-  const std::uint32_t first = frame.indexAttribute(vertexInput, "offset", 0).value_or(0);
-  const auto all = frame.indices(primitive.child("p"));
-  if (!all) {
-    return tl::unexpected(all.error());
-  }
-  if (all->size() % stride != 0) {
-    return frame.xml().failAt(primitive, "<p> should hold a multiple of " + std::to_string(stride) +
-                                             " indices, but holds " + std::to_string(all->size()));
-  }
-  std::vector<std::uint32_t> corners;
-  for (std::size_t i = first; i < all->size(); i += stride) {
-    if ((*all)[i] >= vertexCount) {
-      return frame.xml().failAt(primitive, "index " + std::to_string((*all)[i]) + " is beyond the " +
-                                               std::to_string(vertexCount) + " vertices");
-    }
-    corners.push_back((*all)[i]);
-  }
-  return corners;
-}
-
-Result<void> addTriangles(const ColladaFrame& frame, const pugi::xml_node& primitive, VisualMesh& mesh) {
-  const auto corners = readCorners(frame, primitive, mesh.vertices.size());
-  if (!corners) {
-    return tl::unexpected(corners.error());
-  }
-  if (corners->size() % 3 != 0) {
-    return frame.xml().failAt(primitive, "should hold three corners a triangle, but holds " +
-                                             std::to_string(corners->size()) + " corners");
-  }
-  for (std::size_t i = 0; i < corners->size(); i += 3) {
-    mesh.triangles.push_back({(*corners)[i], (*corners)[i + 1], (*corners)[i + 2]});
-  }
-  return {};
-}
-
-Result<void> addPolygons(const ColladaFrame& frame, const pugi::xml_node& primitive, VisualMesh& mesh) {
-  const auto corners = readCorners(frame, primitive, mesh.vertices.size());
-  if (!corners) {
-    return tl::unexpected(corners.error());
-  }
-  const auto sizes = frame.indices(primitive.child("vcount"));
-  if (!sizes) {
-    return tl::unexpected(sizes.error());
-  }
-  std::size_t begin = 0;
-  for (const std::uint32_t size : *sizes) {
-    if (size > corners->size() - begin) {
-      return frame.xml().failAt(primitive, "<vcount> asks for more corners than <p> holds");
-    }
-    for (std::size_t i = 2; i < size; ++i) {
-      mesh.triangles.push_back({(*corners)[begin], (*corners)[begin + i - 1], (*corners)[begin + i]});
-    }
-    begin += size;
-  }
-  return {};
-}
-
-Result<void> addPrimitive(const ColladaFrame& frame, const pugi::xml_node& primitive, VisualMesh& mesh) {
-  const std::string_view kind = primitive.name();
-  if (kind == "triangles") {
-    return addTriangles(frame, primitive, mesh);
-  }
-  if (kind == "polylist") {
-    return addPolygons(frame, primitive, mesh);
-  }
-  if (kind == "polygons" || kind == "tristrips" || kind == "trifans") {
-    return frame.xml().failAt(primitive, "is not supported; export the mesh as triangles");
-  }
-  return {};
-}
-
 }  // namespace
 
+Result<pugi::xml_node> findMeshElement(const ColladaFrame& frame, pugi::xml_node geometry) {
+  constexpr int kMaxSteps = 16;
+  for (int step = 0; step < kMaxSteps; ++step) {
+    const pugi::xml_node convex = geometry.child("convex_mesh");
+    if (!convex) {
+      return frame.xml().child(geometry, "mesh", "convex_hull_of needs one");
+    }
+    if (!convex.attribute("convex_hull_of")) {
+      return convex;
+    }
+    const auto original = frame.follow(convex, "convex_hull_of", "geometry");
+    if (!original) {
+      return original;
+    }
+    geometry = *original;
+  }
+  return frame.xml().failAt(geometry, "convex_hull_of leads back to it and never to a <mesh>");
+}
+
 Result<std::vector<Vec3>> readConvexMesh(const ColladaFrame& frame, const pugi::xml_node& geometry) {
-  const auto convex = frame.xml().child(geometry, "convex_mesh", "only convex geometry can be a shape");
-  if (!convex) {
-    return tl::unexpected(convex.error());
-  }
-  if (!convex->attribute("convex_hull_of")) {
-    return readPositions(frame, *convex);
-  }
-  const auto original = frame.xml().follow(*convex, "convex_hull_of", "geometry");
-  if (!original) {
-    return tl::unexpected(original.error());
-  }
-  const auto mesh = frame.xml().child(*original, "mesh", "convex_hull_of needs one");
-  if (!mesh) {
-    return tl::unexpected(mesh.error());
-  }
-  return readPositions(frame, *mesh);
+  return findMeshElement(frame, geometry).and_then([&](const pugi::xml_node& mesh) {
+    return readPositions(frame, mesh);
+  });
 }
 
 Result<VisualMesh> readMesh(const ColladaFrame& frame, const pugi::xml_node& mesh) {
@@ -200,7 +129,7 @@ Result<VisualMesh> readMesh(const ColladaFrame& frame, const pugi::xml_node& mes
   VisualMesh result;
   result.vertices = std::move(*positions);
   for (Vec3& vertex : result.vertices) {
-    vertex = frame.toYUp() * vertex;
+    vertex = frame.turnYUp(vertex);
   }
   for (const pugi::xml_node& child : mesh.children()) {
     if (const auto added = addPrimitive(frame, child, result); !added) {

@@ -2,14 +2,19 @@
 
 #include "io/collada_frame.h"
 
+#include <scatter/io/physics_document.h>
 #include <scatter/levels/level_set.h>
+
+#include <optional>
 
 namespace scatter::io {
 
-/// The `<shape>` children of an element, in metres, y up. Fails if there are none.
+/// The `<shape>` children of an element as convex parts, in metres, y up. Fails if there are none, or on one
+/// that is not convex.
 [[nodiscard]] Result<Level> readShapes(const ColladaFrame& frame, const pugi::xml_node& parent);
 
-/// The rotation that a `<rotate>` holds: an axis and an angle in degrees. The axis must not be zero.
-[[nodiscard]] Quat rotationFromDegrees(double x, double y, double z, double degrees);
+/// A `<shape>` of any kind, without its material. Nothing, and a note, if its kind is not supported.
+[[nodiscard]] Result<std::optional<DocumentShape>> readShape(const ColladaFrame& frame,
+                                                             const pugi::xml_node& shape);
 
 }  // namespace scatter::io

@@ -10,6 +10,7 @@ namespace scatter::io {
 namespace {
 
 constexpr std::size_t kMaxQuoted = 60;
+constexpr int kMaxDepth = 256;
 
 bool isControl(char c) {
   return static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
@@ -33,19 +34,25 @@ struct XmlSource::Document {
   pugi::xml_document xml;
   std::map<std::string_view, pugi::xml_node> byId;
 
-  void indexIds() {
+  /// The first element that is nested too deeply, if any.
+  pugi::xml_node indexIds() {
     struct Indexer : pugi::xml_tree_walker {
       std::map<std::string_view, pugi::xml_node>* index = nullptr;
+      pugi::xml_node tooDeep;
       bool for_each(pugi::xml_node& node) override {
         if (const pugi::xml_attribute id = node.attribute("id")) {
           index->emplace(id.value(), node);
         }
-        return true;
+        if (depth() >= kMaxDepth) {
+          tooDeep = node;
+        }
+        return !tooDeep;
       }
     };
     Indexer indexer;
     indexer.index = &byId;
     xml.traverse(indexer);
+    return indexer.tooDeep;
   }
 };
 
@@ -63,7 +70,10 @@ Result<XmlSource> XmlSource::parse(std::string_view text, std::string_view name)
     return fail(std::string(name) + ":" + std::to_string(lineAt(text, parsed.offset)) +
                 ": not a well-formed XML file: " + reason);
   }
-  source.document_->indexIds();
+  if (const pugi::xml_node tooDeep = source.document_->indexIds()) {
+    return source.failAt(tooDeep.parent(),
+                         "is nested deeper than " + std::to_string(kMaxDepth) + " elements");
+  }
   return source;
 }
 
@@ -71,12 +81,21 @@ pugi::xml_node XmlSource::root() const {
   return document_->xml.document_element();
 }
 
-tl::unexpected<Error> XmlSource::failAt(const pugi::xml_node& node, std::string_view what) const {
+std::string XmlSource::describeAt(const pugi::xml_node& node, std::string_view what) const {
   std::string message(name_);
   message.append(":").append(std::to_string(lineAt(text_, node.offset_debug()))).append(": <");
   message.append(std::string_view(node.name()).substr(0, kMaxQuoted)).append(">: ").append(what);
   std::replace_if(message.begin(), message.end(), isControl, '?');
-  return fail(std::move(message));
+  return message;
+}
+
+tl::unexpected<Error> XmlSource::failAt(const pugi::xml_node& node, std::string_view what) const {
+  return fail(describeAt(node, what));
+}
+
+pugi::xml_node XmlSource::findId(std::string_view id) const {
+  const auto found = document_->byId.find(id);
+  return found == document_->byId.end() ? pugi::xml_node() : found->second;
 }
 
 Result<pugi::xml_node> XmlSource::child(const pugi::xml_node& parent, const char* name,
@@ -88,27 +107,35 @@ Result<pugi::xml_node> XmlSource::child(const pugi::xml_node& parent, const char
   return found;
 }
 
-Result<pugi::xml_node> XmlSource::follow(const pugi::xml_node& node, const char* attribute,
-                                         const char* kind) const {
+Result<pugi::xml_node> XmlSource::resolve(const pugi::xml_node& node, const char* attribute,
+                                          const char* kind) const {
   const pugi::xml_attribute link = node.attribute(attribute);
   const std::string_view url = link.value();
   if (!link || url.empty()) {
-    return failAt(node, "has no " + std::string(attribute) + " that names a <" + kind + ">");
+    return fail("has no " + std::string(attribute) + " that names a <" + kind + ">");
   }
+  const std::string what = std::string(attribute) + " " + inQuotes(url);
   if (url.front() != '#') {
-    return failAt(node, std::string(attribute) + " " + inQuotes(url) +
-                            " points outside this file; put the <" + kind + "> into it");
+    return fail(what + " points outside this file; put the <" + kind + "> into it");
   }
-  const auto found = document_->byId.find(url.substr(1));
-  if (found == document_->byId.end()) {
-    return failAt(node, std::string(attribute) + " " + inQuotes(url) + " names nothing in this file");
+  const pugi::xml_node found = findId(url.substr(1));
+  if (!found) {
+    return fail(what + " names nothing in this file");
   }
-  if (std::string_view(found->second.name()) != kind) {
-    return failAt(node, std::string(attribute) + " " + inQuotes(url) + " should name a <" + kind +
-                            ">, but that is a <" + std::string(found->second.name()).substr(0, kMaxQuoted) +
-                            ">");
+  if (std::string_view(found.name()) != kind) {
+    return fail(what + " should name a <" + kind + ">, but that is a <" +
+                std::string(found.name()).substr(0, kMaxQuoted) + ">");
   }
-  return found->second;
+  return found;
+}
+
+Result<pugi::xml_node> XmlSource::follow(const pugi::xml_node& node, const char* attribute,
+                                         const char* kind) const {
+  const auto found = resolve(node, attribute, kind);
+  if (!found) {
+    return failAt(node, found.error().message);
+  }
+  return found;
 }
 
 }  // namespace scatter::io

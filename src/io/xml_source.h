@@ -19,7 +19,7 @@ namespace scatter::io {
 /// outlive it.
 class XmlSource {
  public:
-  /// Fails if the text is not well-formed.
+  /// Fails if the text is not well-formed or nested so deeply that following it could exhaust the stack.
   [[nodiscard]] static Result<XmlSource> parse(std::string_view text, std::string_view name);
 
   XmlSource(XmlSource&&) noexcept;
@@ -29,14 +29,24 @@ class XmlSource {
   /// The outermost element.
   [[nodiscard]] pugi::xml_node root() const;
 
-  /// An error that reads "NAME:LINE: <element>: what".
+  /// A line that reads "NAME:LINE: <element>: what".
+  [[nodiscard]] std::string describeAt(const pugi::xml_node& node, std::string_view what) const;
+
+  /// The same as an error.
   [[nodiscard]] tl::unexpected<Error> failAt(const pugi::xml_node& node, std::string_view what) const;
 
   /// The first child element of that name; `purpose` ends the message if there is none.
   [[nodiscard]] Result<pugi::xml_node> child(const pugi::xml_node& parent, const char* name,
                                              std::string_view purpose) const;
 
-  /// The element that the attribute's "#id" names; it must be a `kind`.
+  /// The first element with that id; none if there is no such element.
+  [[nodiscard]] pugi::xml_node findId(std::string_view id) const;
+
+  /// The element that the attribute's "#id" names; it must be a `kind`. The error is a phrase.
+  [[nodiscard]] Result<pugi::xml_node> resolve(const pugi::xml_node& node, const char* attribute,
+                                               const char* kind) const;
+
+  /// The same, with an error as failAt gives it.
   [[nodiscard]] Result<pugi::xml_node> follow(const pugi::xml_node& node, const char* attribute,
                                               const char* kind) const;
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <scatter/io/model.h>
+#include <scatter/io/physics_document.h>
 #include <scatter/result.h>
 
 #include <filesystem>
@@ -26,5 +27,22 @@ namespace scatter {
 /// finest level. Fails, leaving nothing behind, if the model has a value that is out of range or the
 /// file cannot be written whole.
 [[nodiscard]] Result<void> writeCollada(const Model& model, const std::filesystem::path& path);
+
+/// Reads the physics scene of a COLLADA 1.4.0, 1.4.1 or 1.5 file. Bodies stand where the nodes stand that
+/// they move. What the reader leaves out or mends is named in the document's warnings, as `FILE:LINE:
+/// <element>: what`; what makes no sense is an error in the same form. Of several physics scenes, those that
+/// `<scene>` instances are read.
+[[nodiscard]] Result<PhysicsDocument> readColladaDocument(const std::filesystem::path& path);
+
+/// The same from text. `nameForMessages` stands for the file name.
+[[nodiscard]] Result<PhysicsDocument> parseColladaDocument(std::string_view xml,
+                                                           std::string_view nameForMessages);
+
+/// Writes a file that is valid against the COLLADA 1.4.1 schema and reads back as the same document, but for
+/// warnings and for names that are empty or have characters that COLLADA does not allow. Fails, leaving
+/// nothing behind, if the document has a value that is out of range, an index that names nothing, or the
+/// file cannot be written whole.
+[[nodiscard]] Result<void> writeColladaDocument(const PhysicsDocument& document,
+                                                const std::filesystem::path& path);
 
 }  // namespace scatter

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <scatter/levels/surface_mesh.h>
+#include <scatter/result.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace scatter {
+
+/// The axis of a file that becomes y.
+enum class UpAxis : std::uint8_t { kX, kY, kZ };
+
+struct MeshOptions {
+  /// Metres per unit of the file, instead of what the file says. Files that say nothing (obj, stl, ply) are
+  /// in metres otherwise.
+  std::optional<double> unit{};
+
+  /// Of obj, stl and ply; the other formats say it themselves.
+  UpAxis up = UpAxis::kY;
+
+  std::uint64_t maxFileBytes = std::uint64_t{1} << 30U;
+  std::size_t maxTriangles = 20'000'000;
+
+  /// Processor seconds for reading it; small files get less.
+  int maxSeconds = 120;
+};
+
+/// All triangles of a mesh file as one mesh, in metres, y up.
+struct MeshFile {
+  std::string name{};  ///< The file's, without folder and extension.
+  SurfaceMesh mesh{};  ///< Not empty; every value is finite, every index in range, no vertex equals another.
+  int pieces = 0;      ///< Meshes in the file, each as often as it is placed.
+
+  /// What was left out or mended, one line each, beginning with the file's name.
+  std::vector<std::string> warnings{};
+};
+
+/// The extensions that readMesh knows, lower case, without dots.
+[[nodiscard]] const std::vector<std::string>& meshExtensions();
+
+/// Reads an obj, stl, ply, dae, gltf or glb file, chosen by its extension: all meshes with the transforms of
+/// their nodes, polygons cut into triangles. Points and lines are left out with a warning; bones and
+/// animations are ignored. Of other files, only those in its folder and below are read. The format
+/// is read in a process of its own, so that a file which breaks the reader, hangs it or wants more
+/// memory than 256 bytes for each of its own (and 1 GiB) is refused like any other. Fails if there are no
+/// triangles, a number is not finite or a limit is passed.
+[[nodiscard]] Result<MeshFile> readMesh(const std::filesystem::path& path, const MeshOptions& options = {});
+
+/// The metres of a unit: a positive number, or one of m, cm, mm, km, in, ft.
+[[nodiscard]] Result<double> parseUnit(std::string_view text);
+
+}  // namespace scatter

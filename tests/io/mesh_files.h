@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace scatter::test {
+
+/// The cube from (0, 0, 0) to (1, 2, 3) in each format, as the file's bytes.
+[[nodiscard]] std::string objBox();
+[[nodiscard]] std::string asciiStlBox();
+[[nodiscard]] std::string binaryStlBox();
+[[nodiscard]] std::string plyBox();
+
+/// Within `<asset>` goes the unit and the up axis, within the node its transform.
+[[nodiscard]] std::string daeBox(const std::string& asset = "", const std::string& transform = "");
+
+/// With its buffer inside; `node` holds the node's other members, such as `"scale":[1,1,-1],`.
+[[nodiscard]] std::string gltfBox(const std::string& node = "");
+[[nodiscard]] std::string glbBox();
+
+void writeText(const std::filesystem::path& file, const std::string& text);
+
+}  // namespace scatter::test
