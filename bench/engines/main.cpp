@@ -38,6 +38,7 @@ class ObservedScene final : public Scene {
     return scene_->build(world, options);
   }
   void update(World& world) override { scene_->update(world); }
+  void configure(PhysicsDef& physics) const override { scene_->configure(physics); }
 
  private:
   std::unique_ptr<Scene> scene_;

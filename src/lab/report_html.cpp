@@ -195,7 +195,7 @@ std::string optionsOf(const RunOptions& run) {
     text += run.physics.switching.safetyConditions ? "" : ", safety conditions off";
     text += ", collision " + nameOf(run.physics.collision.narrowphase);
   }
-  return text + ", " + std::to_string(run.frames) + " frames, seed " + std::to_string(run.seed) +
+  return text + ", " + std::to_string(run.frames) + " frames, seed " + std::to_string(run.seed.value_or(1)) +
          ", budget " + readableNumber(run.budgetMs) + " ms, " + std::to_string(run.physics.solverIterations) +
          " solver iterations, profiling " + (run.physics.profiling ? "on" : "off");
 }

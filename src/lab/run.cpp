@@ -25,12 +25,14 @@ bool isLabel(const std::string& label) {
 }
 
 Result<std::unique_ptr<World>> buildWorld(const RunOptions& options, Scene& scene) {
-  auto physics = options.engine(options.physics);
+  PhysicsDef definition = options.physics;
+  scene.configure(definition);
+  auto physics = options.engine(definition);
   if (!physics) {
     return tl::unexpected(physics.error());
   }
   auto world = std::make_unique<World>(std::move(*physics));
-  if (auto built = scene.build(*world, {.seed = options.seed}); !built) {
+  if (auto built = scene.build(*world, {.seed = options.seed.value_or(1)}); !built) {
     return fail("scene '" + options.scene + "': " + built.error().message);
   }
   return world;
@@ -173,7 +175,7 @@ class Runner {
     summary.label = options_.label;
     summary.engine = world_.physics().engine();
     summary.physics = options_.physics;
-    summary.seed = options_.seed;
+    summary.seed = options_.seed.value_or(1);
     summary.budgetMs = options_.budgetMs;
     if (fidelity_) {
       summary.fidelity = fidelity_->statistics();
@@ -219,10 +221,14 @@ Result<RunOptions> resolveRun(RunOptions options) {
     if (!info) {
       return tl::unexpected(info.error());
     }
+    options.scene = (*info)->name;
     options.makeScene = (*info)->make;
+    options.seed = options.seed.value_or((*info)->seed);
+    options.warnings = (*info)->warnings;
     options.frames = options.frames == 0 ? (*info)->frames : options.frames;
     options.summary = options.summary.empty() ? (*info)->summary : options.summary;
   }
+  options.seed = options.seed.value_or(1);
   if (options.frames < 1) {
     return fail("a run of scene '" + options.scene + "' needs at least one frame, not " +
                 std::to_string(options.frames) + "; give a larger number of frames");

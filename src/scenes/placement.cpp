@@ -1,7 +1,5 @@
 #include "scenes/placement.h"
 
-#include <algorithm>
-
 namespace scatter {
 
 float Random::uniform(float low, float high) {
@@ -39,32 +37,6 @@ Quat Random::orientation() {
     const Quat candidate(w, x, y, z);
     const float square = glm::dot(candidate, candidate);
     if (square <= 1.0F && square > 1e-6F) return glm::normalize(candidate);
-  }
-}
-
-ShellPlacement::ShellPlacement(Random& random, const Vec3& center, float innerRadius, float outerRadius)
-    : random_(random), center_(center), inner_(innerRadius), outer_(outerRadius) {}
-
-bool ShellPlacement::isClear(const Ball& candidate) const {
-  return std::all_of(balls_.begin(), balls_.end(), [&candidate](const Ball& ball) {
-    const Vec3 apart = ball.center - candidate.center;
-    const float reach = ball.radius + candidate.radius;
-    return glm::dot(apart, apart) > reach * reach;
-  });
-}
-
-Vec3 ShellPlacement::place(float radius) {
-  constexpr int kTriesBeforeWidening = 100;
-  for (;;) {
-    for (int i = 0; i < kTriesBeforeWidening; ++i) {
-      const Vec3 direction = random_.direction();
-      const Ball ball{center_ + direction * random_.uniform(inner_, outer_), radius};
-      if (isClear(ball)) {
-        balls_.push_back(ball);
-        return ball.center;
-      }
-    }
-    outer_ *= 1.05F;
   }
 }
 

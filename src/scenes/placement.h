@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <random>
-#include <vector>
 
 namespace scatter {
 
@@ -22,30 +21,6 @@ class Random {
 
  private:
   std::mt19937_64 engine_;
-};
-
-/// Places balls at random in the shell between two radii around a centre, so that no two of them overlap.
-class ShellPlacement {
- public:
-  ShellPlacement(Random& random, const Vec3& center, float innerRadius, float outerRadius);
-
-  /// The centre of a ball of `radius` that is clear of all balls placed before. The shell widens by a
-  /// little whenever it has become too full.
-  Vec3 place(float radius);
-
- private:
-  struct Ball {
-    Vec3 center;
-    float radius;
-  };
-
-  [[nodiscard]] bool isClear(const Ball& candidate) const;
-
-  Random& random_;
-  Vec3 center_;
-  float inner_;
-  float outer_;
-  std::vector<Ball> balls_;
 };
 
 }  // namespace scatter

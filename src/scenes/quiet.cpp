@@ -4,7 +4,6 @@
 
 #include "scenes/ground.h"
 #include "scenes/rocks.h"
-#include "scenes/ships.h"
 
 // Scenes without an overload: what detail and switching cost where they have nothing to gain.
 
@@ -14,30 +13,6 @@ namespace {
 constexpr int kFrames = 300;
 constexpr float kHalf = 0.5F;  // of a block, metres
 constexpr float kPi = 3.14159265F;
-
-/// Ships that fly away from one another and never meet.
-class Apart final : public Scene {
- public:
-  Result<void> build(World& world, const SceneOptions& options) override {
-    constexpr int kShipsOfEach = 150;
-    constexpr float kRate = 0.05F;  // of the distance from the centre, per second
-    auto models = loadShips("_hulls");
-    if (!models) return fail(models.error().message);
-    Random random(options.seed);
-    ShellPlacement shell(random, Vec3(0.0F), 20.0F, 80.0F);
-    for (const auto& model : {models->hunter, models->fighter}) {
-      for (int i = 0; i < kShipsOfEach; ++i) {
-        const Transform pose{shell.place(boundingRadius(*model)), random.orientation()};
-        BodyDef def = shipBody(*model, model->name + "-" + std::to_string(i + 1), pose);
-        // Everything moves apart at the same rate, so that no two balls around ships ever meet.
-        def.linearVelocity = kRate * pose.position;
-        def.angularVelocity = 0.5F * random.insideUnitBall();
-        if (auto added = world.add(std::move(def)); !added) return fail(added.error().message);
-      }
-    }
-    return {};
-  }
-};
 
 /// Blocks in stacks on a square, each stack turned another way. Nothing may fall asleep.
 Result<void> addStacks(World& world, int columns, int height, const BodyDef& block, Random& random) {
@@ -113,13 +88,6 @@ class Hybrids final : public Scene {
     return addStacks(world, 10, 3, block, random);
   }
 };
-
-const SceneRegistration kRegisterApart({
-    "quiet_apart",
-    "300 ships of about 64 convex hulls each drift apart and never touch",
-    kFrames,
-    [] { return std::make_unique<Apart>(); },
-});
 
 const SceneRegistration kRegisterStacks({
     "quiet_stacks",

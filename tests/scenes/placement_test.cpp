@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
+#include "scenes/region_placement.h"
+
 namespace scatter {
 namespace {
 
@@ -33,27 +38,39 @@ TEST(RandomTest, DirectionsAndOrientationsAreUnitAndFavourNoSide) {
   EXPECT_LT(glm::length(sum) / 3000.0F, 0.08F);
 }
 
-TEST(ShellPlacementTest, BallsLieInTheShellAndNeverOverlap) {
+TEST(RegionPlacement, BallsLieInTheShellAndNeverOverlap) {
   Random random(5);
-  const Vec3 center(1.0F, 2.0F, 3.0F);
-  ShellPlacement shell(random, center, 10.0F, 20.0F);
+  SceneFileRegion region;
+  region.kind = SceneFileRegion::Kind::kShell;
+  region.center = Vec3(1.0F, 2.0F, 3.0F);
+  region.inner = 10.0F;
+  region.outer = 20.0F;
+  RegionPlacement shell(random, region);
   std::vector<Vec3> placed;
   for (int i = 0; i < 200; ++i) {
     placed.push_back(shell.place(1.0F));
-    EXPECT_GE(glm::length(placed.back() - center), 9.999F);
-    EXPECT_LE(glm::length(placed.back() - center), 20.001F);
+    EXPECT_GE(glm::length(placed.back() - region.center), 9.999F);
+    EXPECT_LE(glm::length(placed.back() - region.center), 20.001F);
   }
   for (std::size_t i = 0; i < placed.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) EXPECT_GT(glm::length(placed[i] - placed[k]), 1.999F);
   }
 }
 
-TEST(ShellPlacementTest, WidensWhenItIsFull) {
-  Random random(5);
-  ShellPlacement shell(random, Vec3(0.0F), 1.0F, 1.5F);
-  float furthest = 0.0F;
-  for (int i = 0; i < 50; ++i) furthest = std::max(furthest, glm::length(shell.place(1.0F)));
-  EXPECT_GT(furthest, 1.5F);
+TEST(RegionPlacement, GrowsWhenItIsFull) {
+  for (const auto kind :
+       {SceneFileRegion::Kind::kShell, SceneFileRegion::Kind::kBall, SceneFileRegion::Kind::kBox}) {
+    Random random(5);
+    SceneFileRegion region;
+    region.kind = kind;
+    region.inner = 1.0F;
+    region.outer = 1.5F;
+    region.size = Vec3(1.5F);
+    RegionPlacement placement(random, region);
+    float furthest = 0.0F;
+    for (int i = 0; i < 50; ++i) furthest = std::max(furthest, glm::length(placement.place(1.0F)));
+    EXPECT_GT(furthest, 1.5F);
+  }
 }
 
 }  // namespace

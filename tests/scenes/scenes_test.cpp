@@ -11,7 +11,7 @@ namespace {
 
 TEST(Scenes, AllOfThemAreRegisteredWithASummary) {
   std::set<std::string> names;
-  for (const SceneInfo* info : SceneRegistry::instance().all()) {
+  for (const auto& info : SceneRegistry::instance().all()) {
     names.insert(info->name);
     EXPECT_FALSE(info->summary.empty()) << info->name;
     EXPECT_GT(info->frames, 0) << info->name;

@@ -21,14 +21,15 @@ using EngineFactory = std::function<Result<std::unique_ptr<Physics>>(const Physi
 
 /// One scene in one world.
 struct RunOptions {
-  std::string scene{};    ///< A registered name, or any name if `makeScene` is given.
+  /// What SceneRegistry::find() takes, or any name if `makeScene` is given.
+  std::string scene{};
   std::string summary{};  ///< One line about the scene; empty: the registered one.
   std::function<std::unique_ptr<Scene>()> makeScene{};  ///< Empty: the registered scene.
   EngineFactory engine{};
   PhysicsDef physics{};
-  int frames = 0;  ///< 0: as many as the registered scene says.
-  std::uint64_t seed = 1;
-  double budgetMs = 1000.0 / 60.0;  ///< What frames_over_budget is counted against.
+  int frames = 0;                       ///< 0: as many as the registered scene says.
+  std::optional<std::uint64_t> seed{};  ///< Absent: the scene's, or 1 if `makeScene` is given.
+  double budgetMs = 1000.0 / 60.0;      ///< What frames_over_budget is counted against.
 
   /// Frames from one measurement of fidelity to the next; 0: never. Changes nothing else, and is not timed.
   int fidelityEvery = 0;
@@ -42,6 +43,9 @@ struct RunOptions {
 
   /// Called with the world after the last frame.
   std::function<void(const World&)> inspect{};
+
+  /// What the scene leaves out of its file, as SceneInfo::warnings; filled in by resolveRun().
+  std::vector<std::string> warnings{};
 
   /// The world's name in tables, figures and folders: letters, digits, '-', '_' and '.'. Empty: the
   /// world's kind.

@@ -23,6 +23,9 @@ class Scene {
   Scene& operator=(const Scene&) = delete;
   virtual ~Scene() = default;
 
+  /// Called before the physics is made, for what can be set only then.
+  virtual void configure(PhysicsDef& /*physics*/) const {}
+
   /// Fills an empty world.
   [[nodiscard]] virtual Result<void> build(World& world, const SceneOptions& options) = 0;
 
@@ -35,6 +38,26 @@ struct SceneInfo {
   std::string summary;  ///< One line.
   int frames = 1600;    ///< Steps of 1/60 s that tell its story.
   std::function<std::unique_ptr<Scene>()> make;
+  std::uint64_t seed = 1;               ///< Used if none is asked for.
+  std::vector<std::string> warnings{};  ///< What the scene's file has and the scene leaves out, a line each.
+};
+
+/// Scenes that are not compiled in, such as files.
+class SceneSource {
+ public:
+  SceneSource() = default;
+  SceneSource(const SceneSource&) = delete;
+  SceneSource& operator=(const SceneSource&) = delete;
+  virtual ~SceneSource() = default;
+
+  /// Of the scenes that it knows.
+  [[nodiscard]] virtual std::vector<std::string> names() const = 0;
+
+  /// Whether the name can only mean a scene of this source, such as that of a file, which may not exist.
+  [[nodiscard]] virtual bool claims(const std::string& name) const = 0;
+
+  /// A scene that it knows or claims. Fails if it cannot be read.
+  [[nodiscard]] virtual Result<SceneInfo> find(const std::string& name) const = 0;
 };
 
 /// All scenes of the program, by name. Scenes add themselves before main() through SceneRegistration.
@@ -43,18 +66,30 @@ class SceneRegistry {
   static SceneRegistry& instance();
 
   void add(SceneInfo info);
-  [[nodiscard]] std::vector<const SceneInfo*> all() const;  ///< Sorted by name.
+  void addSource(std::unique_ptr<SceneSource> source);
 
-  /// Fails with a line that lists the known names and the nearest one.
-  [[nodiscard]] Result<const SceneInfo*> find(const std::string& name) const;
+  /// Sorted by name. A source's scene that cannot be read says so in its summary, and fails when it is built.
+  [[nodiscard]] std::vector<std::shared_ptr<const SceneInfo>> all() const;
+
+  /// A scene that was added, or else one of a source, read anew each time. Fails with a line that lists the
+  /// known names and the nearest one, or says why the scene cannot be read.
+  [[nodiscard]] Result<std::shared_ptr<const SceneInfo>> find(const std::string& name) const;
 
  private:
-  std::vector<std::unique_ptr<SceneInfo>> scenes_;
+  [[nodiscard]] std::vector<std::string> names() const;
+  [[nodiscard]] std::shared_ptr<const SceneInfo> findAdded(const std::string& name) const;
+  [[nodiscard]] const SceneSource* sourceOf(const std::string& name) const;
+
+  std::vector<std::shared_ptr<const SceneInfo>> scenes_;
+  std::vector<std::unique_ptr<SceneSource>> sources_;
 };
 
 /// Define one at namespace scope in a scene's source file.
 struct SceneRegistration {
   explicit SceneRegistration(SceneInfo info) { SceneRegistry::instance().add(std::move(info)); }
+  explicit SceneRegistration(std::unique_ptr<SceneSource> source) {
+    SceneRegistry::instance().addSource(std::move(source));
+  }
 };
 
 }  // namespace scatter

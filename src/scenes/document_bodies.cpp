@@ -1,0 +1,231 @@
+#include "scenes/document_bodies.h"
+
+#include <glm/geometric.hpp>
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "scenes/document_mass.h"
+
+namespace scatter {
+namespace {
+
+constexpr std::size_t kMostBodies = 100000;
+constexpr std::size_t kManyHullVertices = 256;
+
+Motion motionOf(DocumentMotion motion) {
+  switch (motion) {
+    case DocumentMotion::kStatic:
+      return Motion::kStatic;
+    case DocumentMotion::kKinematic:
+      return Motion::kKinematic;
+    case DocumentMotion::kDynamic:
+      break;
+  }
+  return Motion::kDynamic;
+}
+
+/// Makes the bodies of one document.
+class Maker {
+ public:
+  Maker(const PhysicsDocument& document, DocumentWarnings& warnings)
+      : document_(document), warnings_(warnings) {}
+
+  Result<void> add(const DocumentBody& body);
+  DocumentBodies take() { return std::move(bodies_); }
+
+ private:
+  Result<Shape> solid(const DocumentModel& model, float mass);
+  Result<std::shared_ptr<const LevelSet>> withMass(const DocumentModel& model,
+                                                   const std::vector<ConvexPart>& parts,
+                                                   const std::optional<MassProperties>& mass);
+  std::vector<ConvexPart> convexParts(const DocumentModel& model, bool meshes);
+  void setMaterial(const DocumentModel& model, Material& material);
+  void addStaticShapes(const DocumentModel& model, const BodyDef& common);
+  [[nodiscard]] BodyDef common(const DocumentModel& model, const DocumentBody& body);
+
+  const PhysicsDocument& document_;
+  DocumentWarnings& warnings_;
+  DocumentBodies bodies_{};
+
+  /// Level sets with a mass of their own, by model and mass: bodies of a kind share them.
+  std::map<std::pair<const DocumentModel*, float>, std::shared_ptr<const LevelSet>> levels_;
+};
+
+bool hasPlane(const DocumentModel& model) {
+  for (const DocumentShape& shape : model.shapes) {
+    if (std::holds_alternative<DocumentPlane>(shape.geometry)) return true;
+  }
+  return false;
+}
+
+void Maker::setMaterial(const DocumentModel& model, Material& material) {
+  std::optional<std::size_t> index = model.material;
+  for (const DocumentShape& shape : model.shapes) {
+    if (!shape.material) continue;
+    if (index && *index != *shape.material) {
+      warnings_.add("model \"" + model.name + "\": a body has one material; \"" +
+                    document_.materials[*index].name + "\" is taken for all its shapes");
+      break;
+    }
+    index = shape.material;
+  }
+  if (!index) return;
+  const DocumentMaterial& given = document_.materials[*index];
+  if (given.staticFriction != given.dynamicFriction) {
+    warnings_.add("material \"" + given.name +
+                  "\": static friction is not told apart; the dynamic one is taken for both");
+  }
+  material.friction = given.dynamicFriction;
+  material.restitution = given.restitution;
+}
+
+BodyDef Maker::common(const DocumentModel& model, const DocumentBody& body) {
+  BodyDef def;
+  def.name = body.name;
+  def.motion = motionOf(body.motion.value_or(model.motion));
+  def.pose = body.pose;
+  def.linearVelocity = body.linearVelocity;
+  def.angularVelocity = body.angularVelocity;
+  if (def.motion == Motion::kDynamic && hasPlane(model)) {
+    warnings_.add("body \"" + body.name + "\": a plane can only be static; so is the body");
+    def.motion = Motion::kStatic;
+  }
+  if (def.motion != Motion::kDynamic) {
+    const bool moves = body.linearVelocity != Vec3(0.0F) || body.angularVelocity != Vec3(0.0F);
+    if (moves && def.motion == Motion::kKinematic) {
+      warnings_.add("body \"" + body.name + "\": nothing moves a kinematic body; its velocity is left out");
+    }
+    def.linearVelocity = def.angularVelocity = Vec3(0.0F);
+  }
+  setMaterial(model, def.material);
+  return def;
+}
+
+std::vector<ConvexPart> Maker::convexParts(const DocumentModel& model, bool meshes) {
+  std::vector<ConvexPart> parts;
+  for (const DocumentShape& shape : model.shapes) {
+    if (const auto* convex = std::get_if<ConvexShape>(&shape.geometry)) {
+      parts.push_back({.shape = *convex, .pose = shape.pose});
+      continue;
+    }
+    const auto* mesh = std::get_if<VisualMesh>(&shape.geometry);
+    if (mesh == nullptr || !meshes) continue;
+    warnings_.add("model \"" + model.name +
+                  "\": a mesh of a body that moves is taken as its convex hull; make levels from it" +
+                  (mesh->vertices.size() > kManyHullVertices ? ", which also makes it cheaper" : ""));
+    parts.push_back({.shape = ConvexHull{mesh->vertices}, .pose = shape.pose});
+  }
+  return parts;
+}
+
+Result<std::shared_ptr<const LevelSet>> Maker::withMass(const DocumentModel& model,
+                                                        const std::vector<ConvexPart>& parts,
+                                                        const std::optional<MassProperties>& mass) {
+  LevelSetDef def;
+  def.name = model.name;
+  def.mass = mass;
+  if (!model.levels) {
+    def.levels = {Level{parts}};
+    return LevelSet::create(std::move(def));
+  }
+  def.hullMargin = model.levels->hullMargin();
+  for (int level = 1; level <= model.levels->count(); ++level)
+    def.levels.push_back(model.levels->level(level));
+  return LevelSet::create(std::move(def));
+}
+
+Result<Shape> Maker::solid(const DocumentModel& model, float mass) {
+  const std::vector<ConvexPart> parts =
+      model.levels ? model.levels->finest().parts : convexParts(model, true);
+  const auto known = levels_.find({&model, mass});
+  if (known != levels_.end()) return known->second;
+  const auto properties = documentMassProperties(model, parts, mass);
+  if (!properties) return tl::unexpected(properties.error());
+  if (*properties) {
+    auto levels = withMass(model, parts, *properties);
+    if (!levels) return tl::unexpected(levels.error());
+    levels_.emplace(std::pair(&model, mass), *levels);
+    return std::move(*levels);
+  }
+  if (model.levels) return model.levels;
+  if (parts.empty()) return fail("it has no shape");
+  const Transform& pose = parts.front().pose;
+  if (parts.size() == 1 && pose.position == Vec3(0.0F) && pose.rotation == kNoRotation) {
+    return std::visit([](const auto& convex) -> Shape { return convex; }, parts.front().shape);
+  }
+  return Compound{parts};
+}
+
+/// Planes and meshes are bodies of their own.
+void Maker::addStaticShapes(const DocumentModel& model, const BodyDef& common) {
+  for (const DocumentShape& shape : model.shapes) {
+    BodyDef def = common;
+    if (bodies_.defs.size() > bodies_.first.back()) {
+      def.name += "-" + std::to_string(bodies_.defs.size() - bodies_.first.back() + 1);
+    }
+    if (const auto* plane = std::get_if<DocumentPlane>(&shape.geometry)) {
+      const Transform pose = common.pose * shape.pose;
+      const float length = glm::length(plane->normal);
+      const Vec3 normal = pose.rotation * (plane->normal / length);
+      def.shape = Plane{normal, plane->offset / length + glm::dot(normal, pose.position)};
+      def.pose = {};
+    } else if (const auto* mesh = std::get_if<VisualMesh>(&shape.geometry)) {
+      def.shape = std::make_shared<const TriangleMesh>(TriangleMesh{mesh->vertices, mesh->triangles});
+      def.pose = common.pose * shape.pose;
+    } else {
+      continue;
+    }
+    bodies_.defs.push_back(std::move(def));
+  }
+}
+
+Result<void> Maker::add(const DocumentBody& body) {
+  const DocumentModel& model = document_.models[body.model];
+  const BodyDef common = this->common(model, body);
+  const bool isStatic = common.motion == Motion::kStatic;
+  bodies_.first.push_back(bodies_.defs.size());
+  if (isStatic && !model.levels) {
+    BodyDef def = common;
+    std::vector<ConvexPart> parts = convexParts(model, false);
+    if (!parts.empty()) {
+      def.shape = Compound{std::move(parts)};
+      bodies_.defs.push_back(std::move(def));
+    }
+    addStaticShapes(model, common);
+  } else {
+    BodyDef def = common;
+    const auto mass = documentMass(model, body);
+    if (!mass) return fail("body \"" + body.name + "\": " + mass.error().message);
+    def.mass = *mass;
+    if (def.motion == Motion::kDynamic && !(def.mass > 0.0F)) {
+      return fail("body \"" + body.name + "\": a dynamic body needs a mass of more than 0 kg");
+    }
+    auto shape = solid(model, def.mass);
+    if (!shape) return fail("body \"" + body.name + "\": " + shape.error().message);
+    def.shape = std::move(*shape);
+    bodies_.defs.push_back(std::move(def));
+  }
+  if (bodies_.defs.size() == bodies_.first.back()) return fail("body \"" + body.name + "\": it has no shape");
+  return {};
+}
+
+}  // namespace
+
+void DocumentWarnings::add(const std::string& what) {
+  if (known_.insert(what).second) lines_.push_back(file_ + ": " + what);
+}
+
+Result<DocumentBodies> makeDocumentBodies(const PhysicsDocument& document, DocumentWarnings& warnings) {
+  if (document.bodies.empty()) return fail("there are no rigid bodies in it");
+  if (document.bodies.size() > kMostBodies) {
+    return fail("more than " + std::to_string(kMostBodies) + " rigid bodies");
+  }
+  Maker maker(document, warnings);
+  for (const DocumentBody& body : document.bodies) {
+    if (auto added = maker.add(body); !added) return tl::unexpected(added.error());
+  }
+  return maker.take();
+}
+
+}  // namespace scatter

@@ -1,0 +1,83 @@
+#include <scatter/io/collada.h>
+#include <scatter/io/gltf.h>
+#include <scatter/io/scene_library.h>
+#include <scatter/world/scene.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "scenes/document_scene.h"
+#include "scenes/file_scene.h"
+
+namespace scatter {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kDocumentFrames = 600;
+
+std::string extensionOf(const std::string& name) {
+  std::string extension = fs::path(name).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return extension;
+}
+
+Result<SceneInfo> readScene(const fs::path& path) {
+  auto read = readSceneFile(path);
+  if (!read) return tl::unexpected(read.error());
+  auto file = std::make_shared<const SceneFile>(std::move(*read));
+  SceneInfo info;
+  info.name = path.stem().string();
+  info.summary = file->summary;
+  info.frames = file->frames;
+  info.seed = file->seed;
+  info.make = [file = std::move(file)] { return std::make_unique<FileScene>(file); };
+  return info;
+}
+
+bool isGltf(const std::string& extension) {
+  return extension == ".gltf" || extension == ".glb";
+}
+
+Result<SceneInfo> readDocument(const fs::path& path, const std::string& extension) {
+  const auto document = isGltf(extension) ? readGltfDocument(path) : readColladaDocument(path);
+  if (!document) return tl::unexpected(document.error());
+  auto made = planDocument(*document, path.string());
+  if (!made) return tl::unexpected(made.error());
+  auto plan = std::make_shared<const DocumentPlan>(std::move(*made));
+  SceneInfo info;
+  info.name = path.stem().string();
+  info.summary = "the physics scene of " + path.filename().string();
+  info.frames = kDocumentFrames;
+  info.warnings = plan->warnings;
+  info.make = [plan = std::move(plan)] { return std::make_unique<DocumentScene>(plan); };
+  return info;
+}
+
+/// Scene files: those of the library by name, and any scene file, COLLADA or glTF file by its path.
+class FileSource final : public SceneSource {
+ public:
+  [[nodiscard]] std::vector<std::string> names() const override { return sceneFileNames(); }
+
+  [[nodiscard]] bool claims(const std::string& name) const override {
+    const std::string extension = extensionOf(name);
+    return name.find('/') != std::string::npos || extension == ".toml" || extension == ".dae" ||
+           isGltf(extension);
+  }
+
+  [[nodiscard]] Result<SceneInfo> find(const std::string& name) const override {
+    if (!claims(name)) return findSceneFile(name).and_then(readScene);
+    const std::string extension = extensionOf(name);
+    if (extension == ".toml") return readScene(name);
+    if (extension == ".dae" || isGltf(extension)) return readDocument(name, extension);
+    return fail("the scene \"" + name +
+                "\" is not the name of a scene, and no file that ends in .toml, .dae, .gltf or .glb");
+  }
+};
+
+const SceneRegistration kRegister{std::make_unique<FileSource>()};
+
+}  // namespace
+}  // namespace scatter
