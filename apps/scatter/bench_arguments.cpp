@@ -33,7 +33,7 @@ void addRepeatArgument(CLI::App& command, int& repeat) {
 }
 
 void addSceneArgument(CLI::App& command, std::string& scene) {
-  command.add_option("--scene", scene, "The scene's name, as `scatter list` shows it")
+  command.add_option("--scene", scene, "The scene's name, as `scatter list` shows it, or a file")
       ->type_name("NAME")
       ->capture_default_str();
 }

@@ -30,7 +30,7 @@ std::vector<std::string> scenesOf(const Arguments& arguments) {
     return arguments.scenes;
   }
   std::vector<std::string> names;
-  for (const SceneInfo* scene : SceneRegistry::instance().all()) {
+  for (const auto& scene : SceneRegistry::instance().all()) {
     names.push_back(scene->name);
   }
   return names;

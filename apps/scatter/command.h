@@ -24,9 +24,16 @@ struct Command {
 
 Command addListCommand(CLI::App& program);
 Command addRunCommand(CLI::App& program);
+Command addConvertCommand(CLI::App& program);
 
 /// `commandLine` is for the report.
 Command addCompareCommand(CLI::App& program, std::string commandLine);
+
+/// `levels` and the commands below it.
+Command addLevelsCommand(CLI::App& program);
+Command addLevelsBuildCommand(CLI::App& levels);
+Command addLevelsCheckCommand(CLI::App& levels);
+Command addLevelsShowCommand(CLI::App& levels);
 
 /// `bench` and the commands below it.
 Command addBenchCommand(CLI::App& program);

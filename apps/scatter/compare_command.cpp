@@ -65,7 +65,7 @@ ExitStatus compare(const Arguments& arguments) {
   for (RunOptions& run : *runs) {
     run.keepEvents = true;
   }
-  const std::string out = arguments.out.value_or("out/" + arguments.run.scene);
+  const std::string out = arguments.out.value_or("out/" + runs->front().scene);
   if (auto writable = checkOutput(out); !writable) {
     return refuse(writable.error());
   }

@@ -44,7 +44,7 @@ void printPolicies() {
 
 void printScenes() {
   fmt::print("Scenes (frames of 1/60 s)\n");
-  for (const SceneInfo* scene : SceneRegistry::instance().all()) {
+  for (const auto& scene : SceneRegistry::instance().all()) {
     fmt::print("  {:<13}  {} ({} frames)\n", scene->name, scene->summary, scene->frames);
   }
 }

@@ -40,6 +40,10 @@ void printNote(const std::string& message) {
   logger().info("{}", onOneLine(message));
 }
 
+void printNotes(const std::vector<std::string>& messages) {
+  for (const std::string& message : messages) printNote(message);
+}
+
 ExitStatus refuse(const Error& error) {
   printError(error.message);
   return ExitStatus::kBadInput;

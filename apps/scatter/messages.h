@@ -3,6 +3,7 @@
 #include <scatter/result.h>
 
 #include <string>
+#include <vector>
 
 #include "command.h"
 
@@ -13,6 +14,7 @@ void printError(const std::string& message);
 
 /// The same, for what is not an error.
 void printNote(const std::string& message);
+void printNotes(const std::vector<std::string>& messages);
 
 /// Prints the error; the status is that of wrong input.
 [[nodiscard]] ExitStatus refuse(const Error& error);

@@ -21,7 +21,8 @@ namespace {
 constexpr const char* kFooter =
     "\nscatter COMMAND --help shows what a command takes.\n"
     "Exit status: 0 done, 1 a run or a check failed, 2 wrong usage or input.\n"
-    "Models are looked for in the folders of $SCATTER_MODEL_PATH first.";
+    "Models are looked for in the folders of $SCATTER_MODEL_PATH first, scene files in those of\n"
+    "$SCATTER_SCENE_PATH.";
 
 std::string version() {
   const BuildInfo build = buildInfo();
@@ -159,8 +160,11 @@ int runProgram(int argc, char** argv) {
   CLI::App program{"Scatter: nested collision levels that switch safely at run time", "scatter"};
   program.footer(kFooter);
   program.set_version_flag("--version", version(), "Show the version, build and compiler");
-  const std::vector<Command> commands{addListCommand(program), addRunCommand(program),
+  const std::vector<Command> commands{addListCommand(program),
+                                      addRunCommand(program),
                                       addCompareCommand(program, commandLineOf(argc, argv)),
+                                      addLevelsCommand(program),
+                                      addConvertCommand(program),
                                       addBenchCommand(program)};
   const std::optional<ExitStatus> parsed = parse(program, argc, argv);
   return static_cast<int>(checkStandardOutput(parsed ? *parsed : execute(commands)));

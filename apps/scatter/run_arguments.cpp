@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "messages.h"
 #include "number_checks.h"
 
 namespace scatter::app {
@@ -127,7 +128,10 @@ void addFidelityArgument(CLI::App& command, std::optional<int>& every) {
 }
 
 void addRunArguments(CLI::App& command, RunArguments& arguments) {
-  command.add_option("SCENE", arguments.scene, "The scene's name, as `scatter list` shows it")->required();
+  command
+      .add_option("SCENE", arguments.scene,
+                  "The scene's name, as `scatter list` shows it, or a file: .toml, .dae, .gltf, .glb")
+      ->required();
   command.add_option("--engine", arguments.engine, "The physics engine: " + namesOf(engineChoices()))
       ->type_name("NAME")
       ->capture_default_str();
@@ -136,10 +140,11 @@ void addRunArguments(CLI::App& command, RunArguments& arguments) {
   command.add_option("--frames", arguments.frames, "Steps of 1/60 s [as many as the scene's story takes]")
       ->check(wholeNumber<int>(1))
       ->type_name("N");
-  command.add_option("--seed", arguments.seed, "Of the scene's random numbers; the same seed, the same run")
+  command
+      .add_option("--seed", arguments.seed,
+                  "Of the scene's random numbers; the same seed, the same run [the scene's own, or 1]")
       ->check(wholeNumber<std::uint64_t>(0))
-      ->type_name("N")
-      ->capture_default_str();
+      ->type_name("N");
   addFidelityArgument(command, arguments.fidelityEvery);
   command.add_flag("--no-profiling", arguments.noProfiling, "Do not time the stages of a step");
   command.add_flag("--quiet", arguments.quiet, "No progress on standard error");
@@ -176,6 +181,9 @@ Result<std::vector<RunOptions>> makeRuns(const RunArguments& arguments,
   }
   if (auto meaningful = checkSwitching(arguments.switching, *switching, specs, physics); !meaningful) {
     return tl::unexpected(meaningful.error());
+  }
+  for (const std::string& warning : runs.front().warnings) {
+    printNote("warning: " + warning);
   }
   return runs;
 }

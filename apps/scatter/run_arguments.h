@@ -26,7 +26,7 @@ struct RunArguments {
   std::optional<int> verifyEvery;
   std::optional<int> fidelityEvery;
   std::optional<int> frames;
-  std::uint64_t seed = 1;
+  std::optional<std::uint64_t> seed;
   bool noProfiling = false;
   bool quiet = false;
 };
@@ -41,7 +41,7 @@ inline constexpr int kFidelityEvery = 10;
 void addFidelityArgument(CLI::App& command, std::optional<int>& every);
 
 /// One run for each of the named worlds (see parseWorld()). Fails on an unknown name and on an argument that
-/// has no meaning in any of the worlds.
+/// has no meaning in any of the worlds. Prints the scene's warnings.
 [[nodiscard]] Result<std::vector<RunOptions>> makeRuns(const RunArguments& arguments,
                                                        const std::vector<std::string>& worlds);
 

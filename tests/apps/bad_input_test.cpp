@@ -28,16 +28,19 @@ TEST_P(BadUsage, IsRefusedInOneLine) {
 INSTANTIATE_TEST_SUITE_P(
     Names, BadUsage,
     testing::Values(
-        Refusal{"noCommand", {}, "list, run, compare, bench"},
-        Refusal{"unknownCommand", {"rum"}, "did you mean \"run\"? Known: list, run, compare, bench"},
+        Refusal{"noCommand", {}, "list, run, compare, levels, convert, bench"},
+        Refusal{"unknownCommand",
+                {"rum"},
+                "did you mean \"run\"? Known: list, run, compare, levels, convert, bench"},
         Refusal{"unknownOption", {"run", "tower", "--frmes", "3"}, "did you mean \"--frames\"?"},
         Refusal{"extraArgument", {"run", "tower", "extra"}, "unexpected argument \"extra\""},
         Refusal{"noScene", {"run"}, "SCENE is required"},
         Refusal{"unknownScene", {"run", "towr"}, "did you mean \"tower\"?"},
         Refusal{"sceneWithLineBreak", {"run", "to\nwer"}, "unknown scene"},
-        Refusal{"unknownSceneToCompare",
-                {"compare", "towr"},
-                "armada, breakables, convergence, duel, fleet, fleet_boxes, mugs, pile, quiet_apart"},
+        Refusal{
+            "unknownSceneToCompare",
+            {"compare", "towr"},
+            "armada, breakables, collapse, convergence, duel, fleet, fleet_boxes, mugs, pile, quiet_apart"},
         Refusal{"unknownWorld", {"run", "tower", "--world", "hybird"}, "did you mean \"hybrid\"?"},
         Refusal{
             "unknownWorldToCompare", {"compare", "tower", "--worlds", "standard,hybird"}, "unknown world"},

@@ -25,7 +25,7 @@ TEST_F(ProgramTest, ListShowsHowLongAScenesStoryIs) {
 }
 
 TEST_F(ProgramTest, EveryCommandHasHelp) {
-  for (const char* command : {"list", "run", "compare", "bench"}) {
+  for (const char* command : {"list", "run", "compare", "convert", "bench"}) {
     const Outcome outcome = scatter({command, "--help"});
     EXPECT_EQ(outcome.status, 0) << command;
     EXPECT_EQ(outcome.errors, "");

@@ -20,7 +20,8 @@ constexpr const char* kHeader =
     "objects,hybrids,overlapping_pairs,narrowphase_pairs,pairs_with_hybrid,pairs_without_hybrid,manifolds,"
     "contacts,"
     "new_contacts,requests,switches_coarser,switches_finer,retractions,credited_pairs,finest_pairs,"
-    "touching_pairs,touching_finest_pairs,reused_pairs,blocked_tries,separation_queries,cost_units,planned_units,"
+    "touching_pairs,touching_finest_pairs,reused_pairs,blocked_tries,separation_queries,cost_units,planned_"
+    "units,"
     "pairs_skipped,list_rebuilds,child_pairs,child_pairs_asleep,bounds_rejected,axis_rejected,gjk_runs,"
     "gjk_iterations,detector_runs,budget_ms,budget_units,"
     "kinetic_energy,max_penetration,state_hash";

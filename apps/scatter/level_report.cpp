@@ -1,0 +1,122 @@
+#include "level_report.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "lab/text_table.h"
+
+namespace scatter::app {
+
+namespace {
+
+using Cells = std::vector<std::string>;
+
+std::string percent(double share) {
+  return fmt::format("{:.2f}", 100.0 * share);
+}
+
+/// What sticks out of what, and where.
+std::string describeOne(const EnclosureCheck& check, const std::string& inner, const std::string& outer,
+                        const std::string& item) {
+  if (check.outside == 0) {
+    std::string text = fmt::format("inside   {} in {}: {} {}", inner, outer, check.count, item);
+    if (check.shared > 0) text += fmt::format(", {} of them in several parts together", check.shared);
+    if (check.shared < check.count) text += fmt::format(", clearance {}", lengthText(check.clearance));
+    return text + "\n";
+  }
+  std::string text =
+      fmt::format("OUTSIDE  {} in {}: {} of {} {} stick out", inner, outer, check.outside, check.count, item);
+  if (check.areaOutside > 0.0) text += fmt::format(", {} % of the area", percent(check.areaOutside));
+  if (check.worst) {
+    const Vec3& p = check.worst->point;
+    text += fmt::format(", furthest {} {} by {} at ({:.6g}, {:.6g}, {:.6g})", item.substr(0, item.size() - 1),
+                        check.worst->index + 1, lengthText(check.worst->distance), p.x, p.y, p.z);
+  }
+  return text + "\n";
+}
+
+nlohmann::ordered_json jsonOf(const LevelFigures& level, double diagonal) {
+  const auto share = [diagonal](double gap) { return diagonal > 0.0 ? gap / diagonal : 0.0; };
+  return {{"parts", level.parts},
+          {"vertices", level.vertices},
+          {"most_vertices", level.mostVertices},
+          {"part_volume_m3", level.partVolume},
+          {"union_volume_m3", level.unionVolume},
+          {"volume_ratio", level.volumeRatio},
+          {"mean_gap_m", level.meanGap},
+          {"p95_gap_m", level.p95Gap},
+          {"max_gap_m", level.maxGap},
+          {"mean_gap_share", share(level.meanGap)},
+          {"p95_gap_share", share(level.p95Gap)},
+          {"max_gap_share", share(level.maxGap)},
+          {"predicted_cost", level.predictedCost}};
+}
+
+}  // namespace
+
+std::string lengthText(double metres) {
+  const double size = std::abs(metres);
+  if (size < 1e-9) return "0";
+  if (size < 1e-3) return fmt::format("{:.3g} um", metres * 1e6);
+  return size < 1.0 ? fmt::format("{:.3g} mm", metres * 1e3) : fmt::format("{:.4g} m", metres);
+}
+
+std::string describe(const LevelCheck& check, int levels) {
+  std::string text;
+  if (check.mesh) {
+    text += describeOne(*check.mesh, "mesh", fmt::format("level {}", levels), "triangles");
+  }
+  for (std::size_t i = check.levels.size(); i-- > 0;) {
+    text +=
+        describeOne(check.levels[i], fmt::format("level {}", i + 2), fmt::format("level {}", i + 1), "parts");
+  }
+  return text;
+}
+
+std::string describeMesh(const LevelModel& model, const LevelMeasures& measures) {
+  const std::string volume = measures.isSolid ? fmt::format("solid, volume {:.4g} m3", measures.meshVolume)
+                                              : "not solid: a surface only";
+  return fmt::format("{}: {} triangles, diagonal {}, {}; hull margin {}\n", model.name,
+                     model.mesh.triangles.size(), lengthText(measures.diagonal), volume,
+                     lengthText(static_cast<double>(model.levels->hullMargin())));
+}
+
+std::string formatFigures(const LevelMeasures& measures) {
+  std::vector<Cells> lines{{"level", "parts", "vertices", "most", "volume m3", "ratio", "mean gap %",
+                            "p95 gap %", "max gap %", "max gap", "cost"}};
+  const double diagonal = measures.diagonal;
+  for (std::size_t i = 0; i < measures.levels.size(); ++i) {
+    const LevelFigures& level = measures.levels[i];
+    lines.push_back(
+        {fmt::format("{}", i + 1), fmt::format("{}", level.parts), fmt::format("{}", level.vertices),
+         fmt::format("{}", level.mostVertices), fmt::format("{:.4g}", level.unionVolume),
+         measures.isSolid ? fmt::format("{:.2f}", level.volumeRatio) : "-", percent(level.meanGap / diagonal),
+         percent(level.p95Gap / diagonal), percent(level.maxGap / diagonal), lengthText(level.maxGap),
+         fmt::format("{:.1f}", level.predictedCost)});
+  }
+  return lab::textTable(lines);
+}
+
+std::string figuresJson(const std::vector<LevelModel>& models, const std::vector<LevelMeasures>& measures) {
+  auto list = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    const LevelMeasures& figures = measures.at(i);
+    auto levels = nlohmann::ordered_json::array();
+    for (const LevelFigures& level : figures.levels) levels.push_back(jsonOf(level, figures.diagonal));
+    list.push_back({{"name", models[i].name},
+                    {"triangles", models[i].mesh.triangles.size()},
+                    {"diagonal_m", figures.diagonal},
+                    {"mesh_volume_m3", figures.meshVolume},
+                    {"solid", figures.isSolid},
+                    {"hull_margin_m", models[i].levels->hullMargin()},
+                    {"levels", std::move(levels)}});
+  }
+  // Names come from files and need not be text.
+  return nlohmann::ordered_json{{"models", std::move(list)}}.dump(2, ' ', false,
+                                                                  nlohmann::json::error_handler_t::replace) +
+         "\n";
+}
+
+}  // namespace scatter::app

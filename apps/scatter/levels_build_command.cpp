@@ -1,0 +1,209 @@
+#include <scatter/levels/build_levels.h>
+#include <scatter/levels/level_check.h>
+#include <scatter/levels/measure_levels.h>
+#include <spdlog/fmt/fmt.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "command.h"
+#include "gap_argument.h"
+#include "interrupt.h"
+#include "level_file.h"
+#include "level_report.h"
+#include "mesh_arguments.h"
+#include "messages.h"
+#include "number_checks.h"
+
+namespace scatter::app {
+
+namespace {
+
+struct Arguments {
+  std::string mesh;
+  MeshArguments reading;
+  std::string output;
+  std::string parts;
+  std::string gap;
+  std::string interior = "automatic";
+  LevelBuildDef build;
+  std::optional<double> margin;
+  std::string name;
+  double mass = 1.0;
+  double friction = 0.5;
+  double restitution = 0.0;
+};
+
+Result<MeshInterior> parseInterior(const std::string& text) {
+  if (text == "automatic") return MeshInterior::kAutomatic;
+  if (text == "solid") return MeshInterior::kSolid;
+  if (text == "surface") return MeshInterior::kSurface;
+  return fail("--interior: \"" + text + "\" is unknown; give automatic, solid or surface");
+}
+
+Result<LevelBuildDef> definitionOf(const Arguments& arguments, const std::string& meshName) {
+  LevelBuildDef def = arguments.build;
+  def.name = arguments.name.empty() ? meshName : arguments.name;
+  if (!arguments.parts.empty()) {
+    Result<std::vector<int>> counts = parsePartCounts(arguments.parts);
+    if (!counts) return fail(counts.error().message);
+    def.partCounts = std::move(*counts);
+  }
+  if (!arguments.gap.empty()) {
+    const Result<GapLimit> gap = parseGap(arguments.gap);
+    if (!gap) return fail(gap.error().message);
+    def.finestGap = *gap;
+  }
+  const Result<MeshInterior> interior = parseInterior(arguments.interior);
+  if (!interior) return fail(interior.error().message);
+  def.interior = *interior;
+  if (arguments.margin) def.hullMargin = static_cast<float>(*arguments.margin);
+  return def;
+}
+
+/// A line on the terminal that is rewritten; nothing if there is no terminal.
+class StageLine {
+ public:
+  StageLine() = default;
+  StageLine(const StageLine&) = delete;
+  StageLine& operator=(const StageLine&) = delete;
+  ~StageLine() {
+    if (isTerminal_) std::fputs("\r\033[K", stderr);
+  }
+
+  void update(std::string_view stage, double share) const {
+    throwIfInterrupted();
+    if (isTerminal_) fmt::print(stderr, "\r\033[K{} {:.0f} %", stage, 100.0 * share);
+  }
+
+ private:
+  bool isTerminal_ = isatty(STDERR_FILENO) == 1;
+};
+
+Result<BuiltLevels> build(const SurfaceMesh& mesh, const LevelBuildDef& definition) {
+  const StageLine line;
+  return buildLevels(mesh, definition,
+                     [&line](std::string_view stage, double share) { line.update(stage, share); });
+}
+
+/// What was built is proven before anything is written.
+Result<LevelCheck> prove(const LevelSet& levels, const SurfaceMesh& mesh) {
+  std::vector<Level> all;
+  for (int i = 1; i <= levels.count(); ++i) all.push_back(levels.level(i));
+  Result<LevelCheck> check = checkLevels(all, levels.hullMargin(), &mesh);
+  if (!check || check->passed()) return check;
+  return fail("the levels do not pass the check, and nothing was written: " +
+              describe(*check, levels.count()));
+}
+
+ExitStatus report(const std::string& file, const LevelModel& model, const LevelCheck& check) {
+  const Result<LevelMeasures> measures = measureLevels(*model.levels, model.mesh);
+  if (!measures) return failed(measures.error());
+  fmt::print("{}{}\n{}\n{}: written\n", describeMesh(model, *measures), formatFigures(*measures),
+             describe(check, model.levels->count()), file);
+  return ExitStatus::kOk;
+}
+
+ExitStatus run(const Arguments& arguments) {
+  if (auto known = checkLevelFileName(arguments.output); !known) return refuse(known.error());
+  // Wrong options are told before a large mesh is read.
+  if (auto sound = definitionOf(arguments, ""); !sound) return refuse(sound.error());
+  Result<MeshFile> file = readMesh(arguments.mesh, arguments.reading);
+  if (!file) return refuse(file.error());
+  const Result<BuiltLevels> built = build(file->mesh, *definitionOf(arguments, file->name));
+  if (!built) return refuse(Error{arguments.mesh + ": " + built.error().message});
+  const Result<LevelCheck> check = prove(*built->levels, file->mesh);
+  if (!check) return failed(Error{arguments.mesh + ": " + check.error().message});
+
+  Model model;
+  model.name = built->levels->name();
+  model.mesh = {file->mesh.vertices, file->mesh.triangles};
+  model.levels = built->levels;
+  model.mass = static_cast<float>(arguments.mass);
+  model.friction = static_cast<float>(arguments.friction);
+  model.restitution = static_cast<float>(arguments.restitution);
+  if (auto written = writeLevelFile(model, arguments.output); !written) return refuse(written.error());
+  printNotes(file->warnings);
+  for (const std::string& note : built->notes) printNote(arguments.mesh + ": " + note);
+  return report(arguments.output, {model.name, model.levels, std::move(file->mesh)}, *check);
+}
+
+void addLevelOptions(CLI::App& command, Arguments& arguments) {
+  LevelBuildDef& build = arguments.build;
+  CLI::Option* levels = command
+                            .add_option("--levels", build.levels,
+                                        "Number of levels; part counts fall from the finest one's to one")
+                            ->check(wholeNumber(1))
+                            ->type_name("N")
+                            ->capture_default_str();
+  CLI::Option* parts = command.add_option("--parts", arguments.parts, "Parts of each level, such as 64,8,1")
+                           ->type_name("N,N,...");
+  CLI::Option* gap =
+      command
+          .add_option("--gap", arguments.gap,
+                      "Largest gap between finest level and mesh, such as 0.5% of the diagonal or "
+                      "0.01m; takes as few parts as keep it [64 parts]")
+          ->type_name("GAP");
+  parts->excludes(levels)->excludes(gap);
+  command.add_option("--max-parts", build.maxParts, "Parts of the finest level that --gap may ask for")
+      ->check(wholeNumber(1))
+      ->type_name("N")
+      ->capture_default_str();
+  command.add_option("--max-vertices", build.maxVertices, "Vertices of a hull, 8 to 64")
+      ->check(CLI::Range(8, 64))
+      ->type_name("N")
+      ->capture_default_str();
+  command.add_flag("--primitives,!--no-primitives", build.fitPrimitives,
+                   "Make parts boxes, spheres or capsules where they fit as well [on]");
+}
+
+void addBodyOptions(CLI::App& command, Arguments& arguments) {
+  command.add_option("--name", arguments.name, "Name of the model [the file's]")->type_name("NAME");
+  command.add_option("--mass", arguments.mass, "Mass in kilograms")
+      ->check(numberAbove(0.0))
+      ->type_name("KG")
+      ->capture_default_str();
+  command.add_option("--friction", arguments.friction, "Friction coefficient")
+      ->check(CLI::Range(0.0, 100.0))
+      ->type_name("X")
+      ->capture_default_str();
+  command.add_option("--restitution", arguments.restitution, "0 no bounce, 1 full bounce")
+      ->check(CLI::Range(0.0, 1.0))
+      ->type_name("X")
+      ->capture_default_str();
+}
+
+}  // namespace
+
+Command addLevelsBuildCommand(CLI::App& levels) {
+  CLI::App* command = levels.add_subcommand(
+      "build", "Make nested levels around a mesh (obj, stl, ply, dae, gltf, glb), prove them and write them");
+  auto arguments = std::make_shared<Arguments>();
+  command->add_option("MESH", arguments->mesh, "The mesh file")->required();
+  command->add_option("-o,--output", arguments->output, "Physics file to write: .dae, .gltf or .glb")
+      ->required()
+      ->type_name("FILE");
+  addLevelOptions(*command, *arguments);
+  addMeshArguments(*command, arguments->reading);
+  command
+      ->add_option(
+          "--interior", arguments->interior,
+          "What is inside of the mesh: solid, surface (nothing: bowls and sheets stay hollow) or automatic")
+      ->type_name("KIND")
+      ->capture_default_str();
+  command
+      ->add_option("--margin", arguments->margin,
+                   "Collision margin around hulls, metres [0.02 or 1 % of the diagonal, whichever is less]")
+      ->check(CLI::Range(0.0, 1e6))
+      ->type_name("M");
+  addBodyOptions(*command, *arguments);
+  return {command, [arguments] { return run(*arguments); }};
+}
+
+}  // namespace scatter::app

@@ -1,0 +1,33 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include "command.h"
+#include "messages.h"
+
+namespace scatter::app {
+
+namespace {
+
+ExitStatus execute(const std::vector<Command>& commands) {
+  const auto given = std::find_if(commands.begin(), commands.end(),
+                                  [](const Command& command) { return command.arguments->parsed(); });
+  if (given == commands.end()) {
+    printError("a levels command is needed: build, check or show; see scatter levels --help");
+    return ExitStatus::kBadInput;
+  }
+  return given->execute();
+}
+
+}  // namespace
+
+Command addLevelsCommand(CLI::App& program) {
+  CLI::App* command =
+      program.add_subcommand("levels", "Make nested levels from a mesh, prove them, and measure them");
+  const std::vector<Command> commands{addLevelsBuildCommand(*command), addLevelsCheckCommand(*command),
+                                      addLevelsShowCommand(*command)};
+  return {command, [commands] { return execute(commands); }};
+}
+
+}  // namespace scatter::app

@@ -1,0 +1,206 @@
+#include <gmock/gmock.h>
+
+#include <unistd.h>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "apps/program.h"
+#include "io/mesh_files.h"
+
+namespace scatter::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+using testing::HasSubstr;
+using testing::Not;
+
+class Levels : public ProgramTest {
+ protected:
+  /// Writes a mesh beside the test's folder, so that expectRefused() finds that one empty.
+  fs::path mesh(const std::string& name, const std::string& text) const {
+    writeText(inputs_.path / name, text);
+    return inputs_.path / name;
+  }
+
+  [[nodiscard]] Outcome build(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), {"levels", "build"});
+    return scatter(std::move(arguments));
+  }
+
+  void expectBuilt(std::vector<std::string> arguments, const std::string& file) const {
+    const Outcome built = build(std::move(arguments));
+    ASSERT_EQ(built.status, 0) << built.errors;
+    const Outcome checked = scatter({"levels", "check", file});
+    EXPECT_EQ(checked.status, 0) << checked.output << checked.errors;
+    EXPECT_THAT(checked.output, HasSubstr("inside   mesh in level"));
+    EXPECT_THAT(checked.output, Not(HasSubstr("OUTSIDE")));
+  }
+
+  nlohmann::json figures(const std::string& file) const {
+    const Outcome shown = scatter({"levels", "show", file, "--json", "figures.json"});
+    EXPECT_EQ(shown.status, 0) << shown.errors;
+    return nlohmann::json::parse(readText(folder / "figures.json"), nullptr, false);
+  }
+
+ private:
+  struct Inputs {
+    Inputs() { fs::create_directories(path); }
+    Inputs(const Inputs&) = delete;
+    Inputs& operator=(const Inputs&) = delete;
+    ~Inputs() { fs::remove_all(path); }
+    fs::path path = fs::temp_directory_path() / ("scatter-meshes-" + std::to_string(getpid()));
+  };
+  Inputs inputs_;
+};
+
+/// Bars crossing in a corner: needs several parts.
+std::string corner() {
+  std::string text;
+  auto bar = [&text, count = 0](int x, int y, int z) mutable {
+    for (int i = 0; i < 8; ++i) {
+      text += "v " + std::to_string(i % 2 * x) + " " + std::to_string(i / 2 % 2 * y) + " " +
+              std::to_string(i / 4 * z) + "\n";
+    }
+    for (const auto& t : {"1 3 2", "2 3 4", "5 6 7", "6 8 7", "1 2 5", "2 6 5", "3 7 4", "4 7 8", "1 5 3",
+                          "3 5 7", "2 4 6", "4 8 6"}) {
+      std::string face = "f";
+      for (const char c : std::string(t)) face += c == ' ' ? "" : " " + std::to_string(c - '0' + count);
+      text += face + "\n";
+    }
+    count += 8;
+  };
+  bar(8, 1, 1);
+  bar(1, 8, 1);
+  bar(1, 1, 8);
+  return text;
+}
+
+TEST_F(Levels, BuiltLevelsPassTheCheck) {
+  const std::string input = mesh("corner.obj", corner());
+  expectBuilt({input, "-o", "a.dae", "--parts", "3,2,1", "--mass", "40", "--name", "Eck"}, "a.dae");
+  const auto json = figures("a.dae");
+  const auto& model = json["models"][0];
+  EXPECT_EQ(model["name"], "Eck");
+  EXPECT_EQ(model["triangles"], 36);
+  ASSERT_EQ(model["levels"].size(), 3U);
+  EXPECT_EQ(model["levels"][0]["parts"], 1);
+  // Three bars hold it exactly; one hull cannot.
+  EXPECT_LT(model["levels"][2]["max_gap_share"].get<double>(), 0.02);
+  EXPECT_GT(model["levels"][0]["max_gap_share"].get<double>(), 0.1);
+}
+
+TEST_F(Levels, SixLevelsAndTheOtherFormats) {
+  expectBuilt({mesh("corner.obj", corner()), "-o", "six.dae", "--levels", "6"}, "six.dae");
+  expectBuilt({mesh("box.stl", binaryStlBox()), "-o", "stl.dae", "--levels", "1"}, "stl.dae");
+  expectBuilt({mesh("box.glb", glbBox()), "-o", "glb.glb", "--levels", "2"}, "glb.glb");
+  expectBuilt({mesh("box.dae", daeBox("<unit meter=\"0.01\"/><up_axis>Z_UP</up_axis>")), "-o", "dae.dae"},
+              "dae.dae");
+}
+
+TEST_F(Levels, GapGivesAsManyPartsAsItTakes) {
+  expectBuilt({mesh("corner.obj", corner()), "-o", "gap.dae", "--gap", "2%", "--levels", "2"}, "gap.dae");
+  const auto json = figures("gap.dae");
+  EXPECT_LE(json["models"][0]["levels"][1]["max_gap_share"].get<double>(), 0.02);
+}
+
+TEST_F(Levels, CentimetresBecomeMetres) {
+  expectBuilt({mesh("box.obj", objBox()), "-o", "cm.dae", "--unit", "cm", "--levels", "1"}, "cm.dae");
+  // The diagonal of a box of 1 by 2 by 3.
+  EXPECT_NEAR(figures("cm.dae")["models"][0]["diagonal_m"].get<double>(), 0.0374166, 1e-5);
+}
+
+TEST_F(Levels, FlatMeshesGetThickness) {
+  expectBuilt({mesh("flat.obj", "v 0 0 0\nv 4 0 0\nv 4 0 3\nv 0 0 3\nf 1 2 3 4\n"), "-o", "flat.dae",
+               "--levels", "2"},
+              "flat.dae");
+  expectBuilt({mesh("wire.obj", "v 0 0 0\nv 4 0 0\nv 2 0 0\nf 1 2 3\n"), "-o", "wire.dae", "--levels", "1"},
+              "wire.dae");
+}
+
+TEST_F(Levels, TheSameMeshGivesTheSameBytes) {
+  const std::string input = mesh("corner.obj", corner());
+  ASSERT_EQ(build({input, "-o", "a.dae"}).status, 0);
+  ASSERT_EQ(build({input, "-o", "b.dae"}).status, 0);
+  EXPECT_EQ(readText(folder / "a.dae"), readText(folder / "b.dae"));
+}
+
+TEST_F(Levels, CheckFindsAMovedVertexOfTheMesh) {
+  ASSERT_EQ(build({mesh("corner.obj", corner()), "-o", "a.dae"}).status, 0);
+  // 0.1 % of the diagonal of 8 by 8 by 8: out of the end of the first bar.
+  std::string moved = corner();
+  const std::size_t at = moved.find("v 8 1 1");
+  ASSERT_NE(at, std::string::npos);
+  moved.replace(at, 7, "v 8.01386 1 1");
+  const Outcome checked = scatter({"levels", "check", "a.dae", "--mesh", mesh("moved.obj", moved)});
+  EXPECT_EQ(checked.status, 1);
+  EXPECT_THAT(checked.output, HasSubstr("OUTSIDE  mesh in level 3"));
+  EXPECT_THAT(checked.output, HasSubstr("13.9 mm at (8.0138"));
+  EXPECT_THAT(checked.errors, HasSubstr("a.dae"));
+  EXPECT_EQ(scatter({"levels", "check", "a.dae", "--mesh", mesh("same.obj", corner())}).status, 0);
+}
+
+TEST_F(Levels, CheckFindsLevelsThatAreNotNested) {
+  // Level 1 of a model that was sound, made smaller by hand.
+  std::string text = readText(fs::path(SCATTER_TEST_MODEL_DIR) / "hunter.dae");
+  const std::size_t level = text.find("<level index=\"1\">");
+  const std::size_t extents = text.find("<half_extents>", level) + 14;
+  ASSERT_NE(level, std::string::npos);
+  text.replace(extents, text.find(' ', extents) - extents, "1");
+  const Outcome checked = scatter({"levels", "check", mesh("broken.dae", text)});
+  EXPECT_EQ(checked.status, 1) << checked.errors;
+  EXPECT_THAT(checked.output, HasSubstr("OUTSIDE  level 2 in level 1"));
+  EXPECT_THAT(checked.output, HasSubstr("inside   level 3 in level 2"));
+}
+
+TEST_F(Levels, TheProjectsModelsPass) {
+  for (const auto& entry : fs::directory_iterator(SCATTER_TEST_MODEL_DIR)) {
+    if (entry.path().extension() != ".dae") continue;
+    const Outcome checked = scatter({"levels", "check", entry.path()});
+    EXPECT_EQ(checked.status, 0) << checked.output << checked.errors;
+  }
+}
+
+TEST_F(Levels, DrawsPictures) {
+  ASSERT_EQ(build({mesh("corner.obj", corner()), "-o", "a.dae"}).status, 0);
+  EXPECT_EQ(scatter({"levels", "show", "a.dae", "--picture", "a.png"}).status, 0);
+  EXPECT_EQ(scatter({"levels", "show", "a.dae", "--picture", "a.svg"}).status, 0);
+  EXPECT_EQ(readText(folder / "a.png").substr(1, 3), "PNG");
+  EXPECT_THAT(readText(folder / "a.svg"), HasSubstr("level 1: 1 part"));
+}
+
+TEST_F(Levels, WrongUseIsRefusedInOneLine) {
+  const std::string box = mesh("box.obj", objBox());
+  expectRefused(scatter({"levels"}), "build, check or show");
+  expectRefused(scatter({"levels", "bild"}), "did you mean \"build\"?");
+  expectRefused(build({box}), "--output");
+  expectRefused(build({box, "-o", "out.txt"}), ".dae");
+  expectRefused(build({box, "-o", "a.dae", "--parts", "8,x"}), "--parts");
+  expectRefused(build({box, "-o", "a.dae", "--parts", "8,8"}), "same number");
+  expectRefused(build({box, "-o", "a.dae", "--parts", "8,1", "--levels", "2"}), "--parts");
+  expectRefused(build({box, "-o", "a.dae", "--gap", "5"}), "--gap");
+  expectRefused(build({box, "-o", "a.dae", "--gap", "-1%"}), "--gap");
+  expectRefused(build({box, "-o", "a.dae", "--levels", "0"}), "--levels");
+  expectRefused(build({box, "-o", "a.dae", "--max-vertices", "3"}), "--max-vertices");
+  expectRefused(build({box, "-o", "a.dae", "--unit", "ell"}), "--unit");
+  expectRefused(build({box, "-o", "a.dae", "--up", "w"}), "--up");
+  expectRefused(build({box, "-o", "a.dae", "--interior", "full"}), "--interior");
+  expectRefused(build({box, "-o", "a.dae", "--mass", "0"}), "--mass");
+  expectRefused(build({box, "-o", "missing/a.dae"}), "no folder missing");
+}
+
+TEST_F(Levels, BrokenFilesAreRefusedInOneLine) {
+  expectRefused(build({"missing.obj", "-o", "a.dae"}), "No such file");
+  expectRefused(build({mesh("empty.stl", ""), "-o", "a.dae"}), "is empty");
+  expectRefused(build({mesh("points.obj", "v 0 0 0\n"), "-o", "a.dae"}), "points.obj");
+  expectRefused(build({mesh("nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), "-o", "a.dae"}),
+                "not finite");
+  expectRefused(build({mesh("dot.obj", "v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\n"), "-o", "a.dae"}), "dot.obj");
+  expectRefused(scatter({"levels", "check", "missing.dae"}), "missing.dae");
+  expectRefused(scatter({"levels", "check", mesh("no.dae", "<COLLADA/>")}), "no.dae");
+  expectRefused(scatter({"levels", "show", mesh("no2.dae", daeBox())}), "no2.dae");
+}
+
+}  // namespace
+}  // namespace scatter::test
