@@ -1,5 +1,6 @@
 #include "io/collada_nodes.h"
 
+#include <ranges>
 #include <string_view>
 
 namespace scatter::io {
@@ -97,16 +98,16 @@ Result<Placement> ColladaNodes::placement(const pugi::xml_node& node) {
     above = visit == visits_.end() ? above.parent() : visit->second.parent;
   }
   Placement result;
-  for (auto below = chain.rbegin(); below != chain.rend(); ++below) {
-    const auto visit = visits_.find(below->hash_value());
-    const pugi::xml_node parent = visit == visits_.end() ? below->parent() : visit->second.parent;
+  for (const pugi::xml_node& below : std::ranges::reverse_view(chain)) {
+    const auto visit = visits_.find(below.hash_value());
+    const pugi::xml_node parent = visit == visits_.end() ? below.parent() : visit->second.parent;
     const auto around = placements_.find(parent.hash_value());
-    const auto own = readNodePlacement(*frame_, *below);
+    const auto own = readNodePlacement(*frame_, below);
     if (!own) {
       return own;
     }
     result = around == placements_.end() ? *own : around->second * *own;
-    placements_.emplace(below->hash_value(), result);
+    placements_.emplace(below.hash_value(), result);
   }
   return placements_.at(node.hash_value());
 }

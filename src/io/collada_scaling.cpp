@@ -96,7 +96,7 @@ struct ShapeScaler {
   static ConvexHull round(float radius, float halfHeight, float cap) {
     return roundHull({-halfHeight, {radius, radius}, cap}, {halfHeight, {radius, radius}, cap});
   }
-  ConvexShape near(ConvexHull hull) const {
+  [[nodiscard]] ConvexShape near(ConvexHull hull) const {
     exact = false;
     return (*this)(std::move(hull));
   }

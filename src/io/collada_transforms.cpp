@@ -38,10 +38,11 @@ Result<glm::dmat4> readMatrix(const ColladaFrame& frame, const pugi::xml_node& n
     frame.note(node, "the last row is not 0 0 0 1 and is ignored");
   }
   glm::dmat4 matrix(1.0);
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 4; ++column) {
-      const double value = v[static_cast<std::size_t>(4 * row + column)];
-      matrix[column][row] = column == 3 ? value * frame.metersPerUnit() : value;
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 4; ++column) {
+      const double value = v[4 * row + column];
+      matrix[static_cast<int>(column)][static_cast<int>(row)] =
+          column == 3 ? value * frame.metersPerUnit() : value;
     }
   }
   return matrix;

@@ -40,7 +40,7 @@ void readLimits(const SceneTable& table, SceneFileJoint& joint) {
   if (joint.lower < -180.0F || joint.upper > 180.0F) {
     table.report("lower", "the limits of a hinge must be from -180 to 180 degrees");
   }
-  const float half = glm::pi<float>();
+  const auto half = glm::pi<float>();
   joint.lower = std::clamp(glm::radians(joint.lower), -half, half);
   joint.upper = std::clamp(glm::radians(joint.upper), -half, half);
 }

@@ -99,8 +99,8 @@ Keys objectShapeKeys() {
 }
 
 Keys objectBodyKeys() {
-  return {{"motion", "text", "", "\"dynamic\"; of a plane \"static\"",
-           "`\"dynamic\"`, `\"static\"` (never moves) or `\"kinematic\"` (pushes, is never pushed)."},
+  return {{"motion", "text", "", R"("dynamic"; of a plane "static")",
+           R"(`"dynamic"`, `"static"` (never moves) or `"kinematic"` (pushes, is never pushed).)"},
           {"mass", "number", "kg", "that of the model, or 1", "", 1e-6, 1e12},
           {"density", "number", "kg/m³", "none", "Instead of `mass`; of the volume of the finest level.",
            1e-3, 1e6},
@@ -126,7 +126,7 @@ Keys objectPlaceKeys() {
       {"in", "text", "", "none", "Instead of `at`: `count` bodies at random in the `[[region]]`."},
       {"count", "whole number", "", "1", "How many bodies `in` a region.", 1, 20000},
       {"orientation", "text or table", "", "none",
-       "`\"random\"`, `\"upright\"` (turned at random about the y axis), or a table; see `orientation`."},
+       R"(`"random"`, `"upright"` (turned at random about the y axis), or a table; see `orientation`.)"},
       {"velocity", "[x, y, z] or table", "m/s", "[0, 0, 0]", "At the start; see `velocity`.", -kFastest,
        kFastest},
       {"spin", "[x, y, z] or table", "rad/s", "[0, 0, 0]",

@@ -25,7 +25,7 @@ class LevelView {
 
   int width_;
   int height_ = 0;
-  glm::dmat3 axes_;  ///< Rows: right, down, away from the eye.
+  glm::dmat3 axes_{1.0};  ///< Rows: right, down, away from the eye.
   glm::dvec3 center_{0.0};
   double pixelsPerMetre_ = 1.0;
 };

@@ -13,7 +13,7 @@ using Color = glm::dvec3;
 
 /// A triangle on the screen: x to the right and y down in pixels, z away from the eye in any unit.
 struct ScreenTriangle {
-  glm::dvec3 corners[3];
+  glm::dvec3 corners[3]{};
   glm::dvec3 normal{0.0, 0.0, -1.0};  ///< Of the surface, in the view's axes.
   Color color{0.7};                   ///< As seen, shading included.
   std::uint32_t part = 0;             ///< A strong line is drawn between parts,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <ranges>
 #include <utility>
 
 #include "levels/distance_grid.h"
@@ -70,16 +71,17 @@ Result<void> checkDefinition(const LevelBuildDef& definition) {
   if (definition.finestGap) {
     checks.push_back(checkGap(definition.finestGap->metres));
     checks.push_back(checkGap(definition.finestGap->ofDiagonal));
-    if (!definition.partCounts.empty()) checks.push_back(fail("give either part counts or a gap, not both"));
+    if (!definition.partCounts.empty())
+      checks.emplace_back(fail("give either part counts or a gap, not both"));
     if (definition.finestGap->metres.has_value() == definition.finestGap->ofDiagonal.has_value()) {
-      checks.push_back(fail("give the gap of the finest level either in metres or as a share"));
+      checks.emplace_back(fail("give the gap of the finest level either in metres or as a share"));
     }
   }
   if (definition.hullMargin && !(std::isfinite(*definition.hullMargin) && *definition.hullMargin >= 0.0F)) {
-    checks.push_back(fail("the hull margin must be finite and not negative, not " +
-                          toText(static_cast<double>(*definition.hullMargin))));
+    checks.emplace_back(fail("the hull margin must be finite and not negative, not " +
+                             toText(static_cast<double>(*definition.hullMargin))));
   }
-  if (definition.maxTriangles == 0) checks.push_back(fail("the most triangles must be at least 1"));
+  if (definition.maxTriangles == 0) checks.emplace_back(fail("the most triangles must be at least 1"));
   for (Result<void>& check : checks) {
     if (!check) return std::move(check);
   }
@@ -205,9 +207,9 @@ class Build {
     LevelSetDef set;
     set.name = definition_.name;
     set.hullMargin = static_cast<float>(margin(space.mesh.diagonal));
-    for (auto draft = drafts.rbegin(); draft != drafts.rend(); ++draft) {
+    for (const auto& draft : std::ranges::reverse_view(drafts)) {
       Level level;
-      for (const PartDraft& part : draft->parts) level.parts.push_back(part.part);
+      for (const PartDraft& part : draft.parts) level.parts.push_back(part.part);
       set.levels.push_back(std::move(level));
     }
     auto levels = LevelSet::create(std::move(set));

@@ -23,7 +23,8 @@ constexpr double kMarginGrowth = 4.0;
 constexpr int kTries = 6;
 
 glm::dvec3 roundedToFloat(const glm::dvec3& point) {
-  return glm::dvec3(Vec3(point));
+  const Vec3 rounded(point);
+  return {rounded.x, rounded.y, rounded.z};
 }
 
 /// The hull's vertices moved out the shortest way that lets its planes hold the points with the margin to

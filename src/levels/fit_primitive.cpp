@@ -146,7 +146,7 @@ FittedPrimitive fitCapsule(std::span<const Ball> balls, const Quat& rotation, co
 
 struct BallsOf {
   DoublePose pose;
-  double hullMargin;
+  double hullMargin = 0.0;
 
   std::vector<Ball> operator()(const Box& box) const {
     std::vector<Ball> balls;

@@ -90,7 +90,7 @@ class Merger {
   }
 
   MergeTree run() {
-    const double total = static_cast<double>(nodes_.size());
+    const auto total = static_cast<double>(nodes_.size());
     std::vector<MergeTree::Merge> merges;
     bool hasAllPairs = false;
     while (alive_ > 1) {

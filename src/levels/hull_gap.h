@@ -17,7 +17,7 @@ template <class GapAt>
 [[nodiscard]] double largestGap(const TriangleHull& hull, double spacing, const GapAt& gapAt) {
   using Corners = std::array<glm::dvec3, 3>;
   struct Patch {
-    Corners corners;
+    Corners corners{};
     double bound = 0.0;
     double size = 0.0;
   };

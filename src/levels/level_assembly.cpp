@@ -36,7 +36,7 @@ constexpr double kFineCells = 2.0;
 ConvexPart toPart(const TriangleHull& hull, const Vec3& origin) {
   ConvexHull shape;
   shape.vertices.reserve(hull.vertices.size());
-  for (const glm::dvec3& vertex : hull.vertices) shape.vertices.push_back(Vec3(vertex));
+  for (const glm::dvec3& vertex : hull.vertices) shape.vertices.emplace_back(vertex);
   return {std::move(shape), Transform{origin, kNoRotation}};
 }
 

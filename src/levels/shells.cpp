@@ -262,8 +262,9 @@ MeshSpace makeMeshSpace(WorkMesh mesh, MeshInterior interior) {
   bool isSolid = interior == MeshInterior::kSolid;
   if (interior == MeshInterior::kAutomatic) isSolid = closed || enclosesVolume(mesh, tree);
   if (!closed) {
-    mesh.notes.push_back(isSolid ? "the mesh is not closed, but taken as solid: its holes are bridged"
-                                 : "the mesh is not closed and taken as a surface: both sides are outside");
+    mesh.notes.emplace_back(isSolid
+                                ? "the mesh is not closed, but taken as solid: its holes are bridged"
+                                : "the mesh is not closed and taken as a surface: both sides are outside");
   }
   return {std::move(mesh), std::move(tree), closed, isSolid};
 }

@@ -40,7 +40,7 @@ bool HullBuilder::build(std::span<const glm::dvec3> points, const HullDef& defin
   originals_ = points;
   points_ = points;
   Outcome outcome = attempt(definition, result);
-  if (outcome != Outcome::Inconsistent) return outcome == Outcome::Done;
+  if (outcome != Outcome::kInconsistent) return outcome == Outcome::kDone;
 
   // Coplanar points can make rounding contradict itself; moved a little, they do not.
   DoubleBounds bounds;
@@ -54,14 +54,14 @@ bool HullBuilder::build(std::span<const glm::dvec3> points, const HullDef& defin
     }
     points_ = joggled_;
     outcome = attempt(definition, result);
-    if (outcome != Outcome::Inconsistent) return outcome == Outcome::Done;
+    if (outcome != Outcome::kInconsistent) return outcome == Outcome::kDone;
   }
   return false;
 }
 
 HullBuilder::Outcome HullBuilder::attempt(const HullDef& definition, TriangleHull& result) {
   tolerance_ = definition.tolerance;
-  if (points_.size() < 4 || !startSimplex(definition.thickness)) return Outcome::Flat;
+  if (points_.size() < 4 || !startSimplex(definition.thickness)) return Outcome::kFlat;
   result.excess = 0.0;
   for (std::size_t vertices = 4; vertices <= points_.size(); ++vertices) {
     const std::int32_t face = takeFarthestFace();
@@ -69,10 +69,10 @@ HullBuilder::Outcome HullBuilder::attempt(const HullDef& definition, TriangleHul
     if (static_cast<int>(vertices) == definition.budget) {
       result.excess = faces_[static_cast<std::size_t>(face)].distance;
     }
-    if (!insert(static_cast<std::uint32_t>(face))) return Outcome::Inconsistent;
+    if (!insert(static_cast<std::uint32_t>(face))) return Outcome::kInconsistent;
   }
   emit(result);
-  return Outcome::Done;
+  return Outcome::kDone;
 }
 
 bool HullBuilder::startSimplex(double thickness) {

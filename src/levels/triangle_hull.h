@@ -38,7 +38,7 @@ class HullBuilder {
   bool build(std::span<const glm::dvec3> points, const HullDef& definition, TriangleHull& result);
 
  private:
-  enum class Outcome { Done, Flat, Inconsistent };
+  enum class Outcome { kDone, kFlat, kInconsistent };
 
   struct Face {
     Triangle corners{};
