@@ -142,9 +142,11 @@ double UnitTime::unitsIn(double milliseconds) const {
 }
 
 double UnitTime::millisecondsPerUnit() const {
-  // Steps that take longer than usual should fit too.
-  constexpr double kShare = 0.8;
-  return perUnit_.at(kShare);
+  // Steps in which units take longer than usual should fit too, but odd ones need not.
+  constexpr double kUsual = 0.5;
+  constexpr double kSlow = 0.95;
+  constexpr double kSlowest = 1.12;
+  return std::min(perUnit_.at(kSlow), kSlowest * perUnit_.at(kUsual));
 }
 
 }  // namespace scatter::lod

@@ -146,7 +146,7 @@ class UnitTime {
   [[nodiscard]] double millisecondsPerUnit() const;
 
  private:
-  RecentQuantile<15> perUnit_;
+  RecentQuantile<31> perUnit_;
 };
 
 }  // namespace scatter::lod
