@@ -175,7 +175,7 @@ TEST(UnitTime, IsNotImpressedBySingleSteps) {
 TEST(UnitTime, FollowsAMachineThatBecomesSlower) {
   UnitTime time;
   for (int i = 0; i < 40; ++i) time.learn(1000.0, 2.0);
-  for (int i = 0; i < 10; ++i) time.learn(1000.0, 4.0);
+  for (int i = 0; i < 20; ++i) time.learn(1000.0, 4.0);
   EXPECT_DOUBLE_EQ(time.millisecondsPerUnit(), 0.004);
 }
 
