@@ -1,6 +1,6 @@
 #include "io/collada_nodes.h"
 
-#include <ranges>
+#include <algorithm>
 #include <string_view>
 
 namespace scatter::io {
@@ -98,7 +98,8 @@ Result<Placement> ColladaNodes::placement(const pugi::xml_node& node) {
     above = visit == visits_.end() ? above.parent() : visit->second.parent;
   }
   Placement result;
-  for (const pugi::xml_node& below : std::ranges::reverse_view(chain)) {
+  std::reverse(chain.begin(), chain.end());
+  for (const pugi::xml_node& below : chain) {
     const auto visit = visits_.find(below.hash_value());
     const pugi::xml_node parent = visit == visits_.end() ? below.parent() : visit->second.parent;
     const auto around = placements_.find(parent.hash_value());

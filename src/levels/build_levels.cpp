@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <ranges>
 #include <utility>
 
 #include "levels/distance_grid.h"
@@ -207,11 +206,12 @@ class Build {
     LevelSetDef set;
     set.name = definition_.name;
     set.hullMargin = static_cast<float>(margin(space.mesh.diagonal));
-    for (const auto& draft : std::ranges::reverse_view(drafts)) {
+    for (const auto& draft : drafts) {
       Level level;
       for (const PartDraft& part : draft.parts) level.parts.push_back(part.part);
       set.levels.push_back(std::move(level));
     }
+    std::reverse(set.levels.begin(), set.levels.end());
     auto levels = LevelSet::create(std::move(set));
     if (!levels) return fail(levels.error().message);
     return BuiltLevels{std::move(*levels), space.isSolid, std::move(notes_)};
