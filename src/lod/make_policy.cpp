@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "text/edit_distance.h"
+
 namespace scatter::lod {
 namespace {
 
@@ -32,21 +34,6 @@ std::string number(double value) {
   std::array<char, 48> buffer{};
   std::snprintf(buffer.data(), buffer.size(), "%g", value);
   return buffer.data();
-}
-
-/// How many letters must be changed, put in or left out to make one word of the other.
-std::size_t editDistance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j < row.size(); ++j) row[j] = j;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t changed = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({changed, row[j] + 1, diagonal + 1});
-    }
-  }
-  return row.back();
 }
 
 /// What is known, and what may have been meant. Every known thing has a name.

@@ -2,28 +2,13 @@
 
 #include <algorithm>
 #include <cassert>
-#include <numeric>
 #include <string_view>
+
+#include "text/edit_distance.h"
 
 namespace scatter {
 
 namespace {
-
-/// Levenshtein distance: insertions, deletions and replacements that turn `a` into `b`.
-std::size_t editDistance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
-    }
-  }
-  return row.back();
-}
 
 std::string unknownScene(const std::string& name, const std::vector<std::string>& known) {
   if (known.empty()) return "unknown scene \"" + name + "\": this program has no scenes";
