@@ -1,8 +1,8 @@
 #include <scatter/io/collada.h>
 
-#include <array>
 #include <cstdio>
 #include <filesystem>
+#include <vector>
 
 #include "prop.h"
 #include "ship.h"
@@ -10,26 +10,22 @@
 namespace scatter::tools {
 namespace {
 
-Result<void> writeShip(const Ship& ship, FinestLevel finest, const std::filesystem::path& file) {
-  return ship.build(finest).and_then([&](const Model& model) { return writeCollada(model, file); });
-}
-
-Result<void> writeModels(const std::filesystem::path& folder) {
-  for (const Ship& ship : {makeHunter(), makeFighter()}) {
-    for (const auto& [finest, suffix] :
-         {std::pair(FinestLevel::kBoxes, ".dae"), std::pair(FinestLevel::kHulls, "_hulls.dae")}) {
-      if (auto written = writeShip(ship, finest, folder / (ship.name() + suffix)); !written) {
-        return written;
-      }
-    }
-  }
-  for (const Prop& prop :
-       {makeTable(), makeChair(), makeShelf(), makeCrate(), makeBarrel(), makeLamp(), makeMug()}) {
-    const auto written = prop.build().and_then(
-        [&](const Model& model) { return writeCollada(model, folder / (prop.name() + ".dae")); });
+/// `Maker` is a ship or a prop.
+template <typename Maker>
+Result<void> write(const std::vector<Maker>& makers, const std::filesystem::path& folder) {
+  for (const Maker& maker : makers) {
+    const auto written = maker.build().and_then(
+        [&](const Model& model) { return writeCollada(model, folder / (maker.name() + ".dae")); });
     if (!written) return written;
   }
   return {};
+}
+
+Result<void> writeModels(const std::filesystem::path& folder) {
+  return write<Ship>({makeHunter(), makeFighter()}, folder).and_then([&] {
+    return write<Prop>(
+        {makeTable(), makeChair(), makeShelf(), makeCrate(), makeBarrel(), makeLamp(), makeMug()}, folder);
+  });
 }
 
 }  // namespace

@@ -145,45 +145,31 @@ void Ship::alignGroup(const std::string& group, const glm::dvec3& direction) {
   groupAxes_[group + "-left"] = axesAlong({direction.x, direction.y, -direction.z}, {0.0, 1.0, 0.0});
 }
 
-Level Ship::finestLevel(FinestLevel kind) const {
+Level Ship::finestLevel() const {
   Level level;
   for (const Piece& piece : pieces_) {
-    if (kind == FinestLevel::kBoxes) {
-      level.parts.push_back(boxAround(joined(piece.rings), piece.axes, 0.0));
-      continue;
-    }
-    for (std::size_t i = 1; i < piece.rings.size(); ++i) {
-      level.parts.push_back({ConvexHull{joined(std::vector<Ring>{piece.rings[i - 1], piece.rings[i]})}, {}});
-    }
+    level.parts.push_back(boxAround(joined(piece.rings), piece.axes, 0.0));
   }
   return level;
 }
 
-Level Ship::middleLevel(FinestLevel kind, float hullMargin) const {
+Level Ship::middleLevel() const {
   Level level;
   for (const std::string& group : groups_) {
     std::vector<Vec3> points;
     for (const Piece& piece : pieces_) {
-      if (piece.group != group) {
-        continue;
-      }
-      const std::vector<Vec3> rings = joined(piece.rings);
-      if (kind == FinestLevel::kBoxes) {
-        addCorners(boxAround(rings, piece.axes, 0.0), points);
-      } else {
-        points.insert(points.end(), rings.begin(), rings.end());
+      if (piece.group == group) {
+        addCorners(boxAround(joined(piece.rings), piece.axes, 0.0), points);
       }
     }
     const auto axes = groupAxes_.find(group);
-    const double margin = kind == FinestLevel::kHulls ? static_cast<double>(hullMargin) : 0.0;
-    level.parts.push_back(
-        boxAround(points, axes == groupAxes_.end() ? glm::dmat3(1.0) : axes->second, margin));
+    level.parts.push_back(boxAround(points, axes == groupAxes_.end() ? glm::dmat3(1.0) : axes->second, 0.0));
   }
   return level;
 }
 
-Result<Model> Ship::build(FinestLevel finest) const {
-  Level middle = middleLevel(finest, kHullMargin);
+Result<Model> Ship::build() const {
+  Level middle = middleLevel();
   std::vector<Vec3> corners;
   for (const ConvexPart& part : middle.parts) {
     addCorners(part, corners);
@@ -191,7 +177,7 @@ Result<Model> Ship::build(FinestLevel finest) const {
   Level coarsest{{boxAround(corners, glm::dmat3(1.0), 0.0)}};
   LevelSetDef def;
   def.name = name_;
-  def.levels = {std::move(coarsest), std::move(middle), finestLevel(finest)};
+  def.levels = {std::move(coarsest), std::move(middle), finestLevel()};
   def.hullMargin = kHullMargin;
   return LevelSet::create(std::move(def)).map([&](std::shared_ptr<const LevelSet> levels) {
     return Model{name_, mesh_, std::move(levels), mass_, 0.5F, 0.1F};

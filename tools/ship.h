@@ -39,8 +39,6 @@ struct Loft {
   std::vector<Cut> cuts;
 };
 
-enum class FinestLevel { kBoxes, kHulls };
-
 /// A ship as a union of lofts: x forward, y up, z to starboard.
 class Ship {
  public:
@@ -59,8 +57,8 @@ class Ship {
 
   [[nodiscard]] const std::string& name() const { return name_; }
 
-  /// Three levels: the finest of a box per cut or of a hull per segment, then a box per group, then one.
-  [[nodiscard]] Result<Model> build(FinestLevel finest) const;
+  /// Three levels: the finest of a box per cut, then a box per group, then one.
+  [[nodiscard]] Result<Model> build() const;
 
  private:
   using Ring = std::vector<Vec3>;
@@ -74,8 +72,8 @@ class Ship {
 
   void addRings(const Loft& loft, std::vector<Ring> rings, bool mirrored);
   void addMesh(const std::vector<Ring>& rings, bool mirrored);
-  [[nodiscard]] Level finestLevel(FinestLevel kind) const;
-  [[nodiscard]] Level middleLevel(FinestLevel kind, float hullMargin) const;
+  [[nodiscard]] Level finestLevel() const;
+  [[nodiscard]] Level middleLevel() const;
 
   std::string name_;
   float mass_;

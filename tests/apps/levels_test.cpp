@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include <unistd.h>
+#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -124,6 +125,16 @@ TEST_F(Levels, TheSameMeshGivesTheSameBytes) {
   ASSERT_EQ(build({input, "-o", "a.dae"}).status, 0);
   ASSERT_EQ(build({input, "-o", "b.dae"}).status, 0);
   EXPECT_EQ(readText(folder / "a.dae"), readText(folder / "b.dae"));
+}
+
+TEST_F(Levels, ShipsOfTheModelsFolderAreWhatTheCommandMakes) {
+  const std::string command =
+      "'" SCATTER_MAKE_LEVELS "' '" + folder.string() + "' '" SCATTER_PROGRAM "' > /dev/null";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  for (const char* name : {"hunter_hulls.dae", "fighter_hulls.dae"}) {
+    EXPECT_TRUE(readText(folder / name) == readText(fs::path(SCATTER_TEST_MODEL_DIR) / name))
+        << name << " differs; run tools/make_levels models";
+  }
 }
 
 TEST_F(Levels, CheckFindsAMovedVertexOfTheMesh) {

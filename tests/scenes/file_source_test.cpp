@@ -103,10 +103,10 @@ TEST(FileScenes, StartBitForBitAsTheFiguresWereMeasured) {
   EXPECT_EQ(hashOfStart("duel"), 1056298394184931990U);
   EXPECT_EQ(hashOfStart("tower"), 3530858973732954216U);
   EXPECT_EQ(hashOfStart("convergence"), 1917413664344704060U);
-  EXPECT_EQ(hashOfStart("fleet"), 9459059481091268140U);
+  EXPECT_EQ(hashOfStart("fleet"), 14022834431475332183U);
   EXPECT_EQ(hashOfStart("fleet_boxes"), 486976846747204605U);
-  EXPECT_EQ(hashOfStart("armada"), 2121015483360253691U);
-  EXPECT_EQ(hashOfStart("quiet_apart"), 14945153553094619218U);
+  EXPECT_EQ(hashOfStart("armada"), 14675559289273725097U);
+  EXPECT_EQ(hashOfStart("quiet_apart"), 17610495579566708451U);
 }
 
 }  // namespace
