@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "io/isolated_call.h"
+#include "io/mesh/isolated_call.h"
 
 namespace scatter::bench {
 namespace {

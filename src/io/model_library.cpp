@@ -3,8 +3,8 @@
 
 #include <utility>
 
+#include "io/collada/xml_source.h"
 #include "io/data_folders.h"
-#include "io/xml_source.h"
 
 namespace scatter {
 namespace {

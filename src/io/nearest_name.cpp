@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "io/xml_source.h"
+#include "io/collada/xml_source.h"
 #include "text/edit_distance.h"
 
 namespace scatter::io {

@@ -1,8 +1,8 @@
 #include <scatter/io/scene_library.h>
 
+#include "io/collada/xml_source.h"
 #include "io/data_folders.h"
 #include "io/nearest_name.h"
-#include "io/xml_source.h"
 
 namespace scatter {
 namespace {

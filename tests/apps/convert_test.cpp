@@ -5,8 +5,8 @@
 #include <fstream>
 
 #include "apps/program.h"
-#include "io/gltf_comparison.h"
-#include "io/gltf_text.h"
+#include "io/gltf/comparison.h"
+#include "io/gltf/text.h"
 
 namespace scatter::test {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "apps/program.h"
-#include "io/mesh_files.h"
+#include "io/mesh/files.h"
 
 namespace scatter::test {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "io/rich_scene.h"
-#include "io/toml_mutator.h"
+#include "io/scene_file/toml_mutator.h"
 #include "scenes/file_scene.h"
 
 namespace scatter::test {

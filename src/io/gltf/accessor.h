@@ -1,0 +1,17 @@
+#pragma once
+
+#include <scatter/math.h>
+#include <cstdint>
+#include <vector>
+
+#include "io/gltf/file.h"
+
+namespace scatter::io {
+
+/// The values of the accessor that `reference` names, each spent from the file's budget. Throws GltfFailure.
+/// @{
+[[nodiscard]] std::vector<Vec3> readPositions(GltfFile& file, const JsonPlace& reference);
+[[nodiscard]] std::vector<std::uint32_t> readIndices(GltfFile& file, const JsonPlace& reference);
+/// @}
+
+}  // namespace scatter::io

@@ -1,0 +1,248 @@
+#include "io/mesh/assimp_mesh.h"
+
+#include <assimp/BaseImporter.h>
+#include <assimp/DefaultIOSystem.h>
+#include <assimp/importerdesc.h>
+#include <assimp/scene.h>
+
+#include <algorithm>
+#include <array>
+#include <assimp/Importer.hpp>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <system_error>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "io/mesh/polygon.h"
+
+namespace scatter::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kDeepestNode = 2000;
+
+/// Opens the mesh's file and what lies in its folder, as long as they are plain files.
+class OwnFolder : public Assimp::DefaultIOSystem {
+ public:
+  OwnFolder(const fs::path& file, std::uint64_t maxBytes)
+      : folder_(fs::weakly_canonical(file).parent_path()), maxBytes_(maxBytes) {}
+
+  bool Exists(const char* file) const override { return isAllowed(file); }
+  Assimp::IOStream* Open(const char* file, const char* mode) override {
+    const bool reads = std::string_view(mode).find_first_of("wa+") == std::string_view::npos;
+    return reads && isAllowed(file) ? DefaultIOSystem::Open(file, mode) : nullptr;
+  }
+
+ private:
+  [[nodiscard]] bool isAllowed(const fs::path& file) const {
+    std::error_code error;
+    const fs::path target = fs::canonical(file, error);
+    if (error || !fs::is_regular_file(target, error) || fs::file_size(target, error) > maxBytes_)
+      return false;
+    return std::mismatch(folder_.begin(), folder_.end(), target.begin(), target.end()).first == folder_.end();
+  }
+
+  fs::path folder_;
+  std::uint64_t maxBytes_;
+};
+
+bool handles(const aiImporterDesc& description, const std::string& extension) {
+  const std::string known = " " + std::string(description.mFileExtensions) + " ";
+  // The two glTF versions share their extensions; the first one went out of use.
+  return known.find(" " + extension + " ") != std::string::npos &&
+         std::string_view(description.mName) != "glTF Importer";
+}
+
+/// Assimp tries every format it knows on a file that it cannot place: leaves it those of the extension.
+void keepFormat(Assimp::Importer& importer, const std::string& extension) {
+  for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
+    if (handles(*importer.GetImporterInfo(i), extension)) continue;
+    const std::unique_ptr<Assimp::BaseImporter> format(importer.GetImporter(i));
+    importer.UnregisterLoader(format.get());
+  }
+}
+
+glm::dmat4 toMatrix(const aiMatrix4x4& m) {
+  glm::dmat4 result;
+  for (unsigned row = 0; row < 4; ++row) {
+    for (unsigned column = 0; column < 4; ++column) {
+      result[static_cast<int>(column)][static_cast<int>(row)] = static_cast<double>(m[row][column]);
+    }
+  }
+  return result;
+}
+
+/// Turns the given axis up.
+glm::dmat4 uprightFrom(UpAxis up) {
+  glm::dmat4 turn{1.0};
+  if (up == UpAxis::kZ) {
+    turn[1] = {0.0, 0.0, -1.0, 0.0};
+    turn[2] = {0.0, 1.0, 0.0, 0.0};
+  } else if (up == UpAxis::kX) {
+    turn[0] = {0.0, 1.0, 0.0, 0.0};
+    turn[1] = {-1.0, 0.0, 0.0, 0.0};
+  }
+  return turn;
+}
+
+/// Numbers points; equal ones get the same number. Assimp repeats a vertex for each face of an obj file.
+class Welder {
+ public:
+  explicit Welder(std::vector<Vec3>& vertices) : vertices_(vertices) {}
+
+  std::uint32_t indexOf(const Vec3& vertex) {
+    const auto next = static_cast<std::uint32_t>(vertices_.size());
+    const auto [found, isNew] = numbers_.try_emplace({vertex.x, vertex.y, vertex.z}, next);
+    if (isNew) vertices_.push_back(vertex);
+    return found->second;
+  }
+
+ private:
+  using Key = std::array<float, 3>;
+  struct Hash {
+    std::size_t operator()(const Key& key) const {
+      std::size_t hash = 0;
+      for (const float value : key) hash = hash * 0x9e3779b97f4a7c15U + std::hash<float>{}(value);
+      return hash ^ hash >> 29U;
+    }
+  };
+
+  std::vector<Vec3>& vertices_;
+  std::unordered_map<Key, std::uint32_t, Hash> numbers_;
+};
+
+/// Walks a scene and collects its triangles.
+class Collector {
+ public:
+  Collector(const aiScene& scene, const MeshOptions& options) : scene_(scene), options_(options) {}
+
+  Result<MeshFile> collect(const glm::dmat4& root) {
+    if (scene_.mRootNode != nullptr) addNode(*scene_.mRootNode, root, 0);
+    if (error_) return fail(std::move(*error_));
+    if (result_.mesh.triangles.empty()) return fail("has no triangles");
+    describeLosses();
+    return std::move(result_);
+  }
+
+ private:
+  void addNode(const aiNode& node, const glm::dmat4& parent, int depth) {
+    if (depth > kDeepestNode) error_ = "has nodes nested more than " + std::to_string(kDeepestNode) + " deep";
+    const glm::dmat4 frame = depth == 0 ? parent : parent * toMatrix(node.mTransformation);
+    for (unsigned i = 0; i < node.mNumMeshes && !error_; ++i) {
+      if (node.mMeshes[i] < scene_.mNumMeshes) addMesh(*scene_.mMeshes[node.mMeshes[i]], frame);
+    }
+    for (unsigned i = 0; i < node.mNumChildren && !error_; ++i) addNode(*node.mChildren[i], frame, depth + 1);
+  }
+
+  void addMesh(const aiMesh& mesh, const glm::dmat4& frame) {
+    ++result_.pieces;
+    hasBones_ = hasBones_ || mesh.mNumBones > 0;
+    const bool mirrors = glm::determinant(glm::dmat3(frame)) < 0.0;
+    indices_.assign(mesh.mNumVertices, kNone);
+    for (unsigned i = 0; i < mesh.mNumFaces && !error_; ++i) addFace(mesh, mesh.mFaces[i], frame, mirrors);
+  }
+
+  void addFace(const aiMesh& mesh, const aiFace& face, const glm::dmat4& frame, bool mirrors) {
+    if (face.mNumIndices < 3) {
+      ++(face.mNumIndices == 2 ? lines_ : points_);
+      return;
+    }
+    std::vector<glm::dvec3> corners;
+    for (unsigned i = 0; i < face.mNumIndices; ++i) {
+      const unsigned index = face.mIndices[i];
+      if (index >= mesh.mNumVertices) {
+        error_ = "has a face that names vertex " + std::to_string(index) + " of " +
+                 std::to_string(mesh.mNumVertices);
+        return;
+      }
+      const aiVector3D& v = mesh.mVertices[index];
+      corners.emplace_back(frame * glm::dvec4(v.x, v.y, v.z, 1.0));
+    }
+    for (auto [a, b, c] : triangulate(corners)) {
+      if (mirrors) std::swap(b, c);
+      addTriangle({indexOf(face.mIndices[a], corners[a]), indexOf(face.mIndices[b], corners[b]),
+                   indexOf(face.mIndices[c], corners[c])});
+    }
+  }
+
+  std::uint32_t indexOf(unsigned fileIndex, const glm::dvec3& position) {
+    std::uint32_t& index = indices_[fileIndex];
+    if (index != kNone) return index;
+    const Vec3 vertex(position);
+    if (!(std::isfinite(vertex.x) && std::isfinite(vertex.y) && std::isfinite(vertex.z))) {
+      error_ = "has a vertex that is not finite or does not fit a float (number " +
+               std::to_string(fileIndex + 1) + " of piece " + std::to_string(result_.pieces) +
+               "); export it again";
+    }
+    index = welder_.indexOf(vertex);
+    return index;
+  }
+
+  void addTriangle(const std::array<std::uint32_t, 3>& triangle) {
+    if (result_.mesh.triangles.size() >= options_.maxTriangles) {
+      error_ = "has more than " + std::to_string(options_.maxTriangles) + " triangles; simplify it first";
+      return;
+    }
+    result_.mesh.triangles.push_back(triangle);
+  }
+
+  void describeLosses() {
+    std::vector<std::string>& warnings = result_.warnings;
+    if (points_ > 0) warnings.push_back(std::to_string(points_) + " points are left out");
+    if (lines_ > 0) warnings.push_back(std::to_string(lines_) + " lines are left out");
+    if (hasBones_) warnings.emplace_back("bones are ignored; the mesh is taken as it is stored");
+    if (scene_.mNumAnimations > 0) warnings.emplace_back("animations are ignored");
+  }
+
+  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
+  const aiScene& scene_;
+  const MeshOptions& options_;
+  MeshFile result_;
+  Welder welder_{result_.mesh.vertices};
+  std::vector<std::uint32_t> indices_;  ///< From the current mesh's vertices to the result's.
+  std::optional<std::string> error_;
+  std::size_t points_ = 0;
+  std::size_t lines_ = 0;
+  bool hasBones_ = false;
+};
+
+/// The root's frame, in metres and upright. Assimp's COLLADA reader puts unit and up axis into the root.
+glm::dmat4 rootFrame(const aiScene& scene, const std::string& extension, const MeshOptions& options) {
+  const bool isPlain = extension == "obj" || extension == "stl" || extension == "ply";
+  const glm::dmat4 root =
+      scene.mRootNode != nullptr ? toMatrix(scene.mRootNode->mTransformation) : glm::dmat4(1.0);
+  double scale = options.unit.value_or(1.0);
+  if (options.unit && extension == "dae") {
+    const double fileUnit = std::cbrt(std::abs(glm::determinant(glm::dmat3(root))));
+    if (fileUnit > 0.0) scale /= fileUnit;
+  }
+  glm::dmat4 frame = isPlain ? uprightFrom(options.up) * root : root;
+  for (int column = 0; column < 4; ++column) {
+    frame[column] = glm::dvec4(scale * glm::dvec3(frame[column]), frame[column].w);
+  }
+  return frame;
+}
+
+}  // namespace
+
+Result<MeshFile> readWithAssimp(const fs::path& path, const std::string& extension,
+                                const MeshOptions& options) {
+  Assimp::Importer importer;
+  keepFormat(importer, extension);
+  importer.SetIOHandler(new OwnFolder(path, options.maxFileBytes));  // The importer owns it.
+  const aiScene* scene = importer.ReadFile(path.string(), 0);
+  if (scene == nullptr) return fail(std::string("cannot be read: ") + importer.GetErrorString());
+  return Collector(*scene, options).collect(rootFrame(*scene, extension, options));
+}
+
+}  // namespace scatter::io

@@ -1,0 +1,233 @@
+#include <scatter/levels/build_levels.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "levels/build/distance_grid.h"
+#include "levels/build/greedy_merge.h"
+#include "levels/build/level_assembly.h"
+#include "levels/build/merge_tree.h"
+#include "levels/build/pre_merge.h"
+#include "levels/mesh/shells.h"
+#include "levels/mesh/work_mesh.h"
+#include "levels/text.h"
+
+namespace scatter {
+namespace levels {
+namespace {
+
+constexpr int kFewestVertices = 8;
+constexpr int kMostVertices = 64;
+constexpr int kMostLevels = 32;
+constexpr int kMostParts = 4096;
+
+constexpr int kGridCells = 64;
+constexpr int kFineGridCells = 128;
+/// Gaps below this share of the diagonal need the finer grid.
+constexpr double kSmallGap = 0.01;
+
+constexpr std::size_t kFewestPatches = 1024;
+constexpr std::size_t kPatchesPerPart = 16;
+constexpr std::size_t kMostPatches = 4096;
+
+constexpr double kDefaultMargin = 0.02;
+constexpr double kDefaultMarginShare = 0.01;
+
+Result<void> checkCounts(const std::vector<int>& counts) {
+  int last = 0;
+  for (const int count : counts) {
+    if (count <= last) {
+      return fail("part counts must be positive and increase from the coarsest level to the finest; " +
+                  std::to_string(count) + " does not follow " + std::to_string(last));
+    }
+    last = count;
+  }
+  if (last <= kMostParts) return {};
+  return fail("part count " + std::to_string(last) + " exceeds " + std::to_string(kMostParts));
+}
+
+Result<void> checkRange(const std::string& what, int value, int low, int high) {
+  if (value >= low && value <= high) return {};
+  return fail(what + " must be " + std::to_string(low) + " to " + std::to_string(high) + ", not " +
+              std::to_string(value));
+}
+
+Result<void> checkGap(const std::optional<float>& gap) {
+  if (!gap || (std::isfinite(*gap) && *gap > 0.0F)) return {};
+  return fail("the gap of the finest level must be positive and finite, not " +
+              toText(static_cast<double>(*gap)));
+}
+
+Result<void> checkDefinition(const LevelBuildDef& definition) {
+  std::vector<Result<void>> checks{
+      checkCounts(definition.partCounts),
+      checkRange("the number of levels", definition.levels, 1, kMostLevels),
+      checkRange("the parts of the finest level", definition.finestParts, 1, kMostParts),
+      checkRange("the most parts of a level", definition.maxParts, 1, kMostParts),
+      checkRange("the vertices of a hull", definition.maxVertices, kFewestVertices, kMostVertices)};
+  if (definition.finestGap) {
+    checks.push_back(checkGap(definition.finestGap->metres));
+    checks.push_back(checkGap(definition.finestGap->ofDiagonal));
+    if (!definition.partCounts.empty())
+      checks.emplace_back(fail("give either part counts or a gap, not both"));
+    if (definition.finestGap->metres.has_value() == definition.finestGap->ofDiagonal.has_value()) {
+      checks.emplace_back(fail("give the gap of the finest level either in metres or as a share"));
+    }
+  }
+  if (definition.hullMargin && !(std::isfinite(*definition.hullMargin) && *definition.hullMargin >= 0.0F)) {
+    checks.emplace_back(fail("the hull margin must be finite and not negative, not " +
+                             toText(static_cast<double>(*definition.hullMargin))));
+  }
+  if (definition.maxTriangles == 0) checks.emplace_back(fail("the most triangles must be at least 1"));
+  for (Result<void>& check : checks) {
+    if (!check) return std::move(check);
+  }
+  return {};
+}
+
+/// Counts from 1 to `finest` in equal ratios, without repeats.
+std::vector<int> countsUpTo(int finest, int levels) {
+  if (levels == 1) return {finest};
+  std::vector<int> counts;
+  for (int i = 0; i < levels; ++i) {
+    const double exponent = static_cast<double>(i) / (levels - 1);
+    const int count = static_cast<int>(std::lround(std::pow(finest, exponent)));
+    const int next = counts.empty() ? 1 : counts.back() + 1;
+    counts.push_back(std::max(count, next));
+  }
+  while (counts.size() > 1 && counts[counts.size() - 2] >= finest) counts.pop_back();
+  counts.back() = finest;
+  return counts;
+}
+
+class Build {
+ public:
+  Build(const LevelBuildDef& definition, const BuildProgress& progress)
+      : definition_(definition), progress_(progress) {}
+
+  Result<BuiltLevels> run(const SurfaceMesh& mesh) {
+    if (Result<void> sound = checkDefinition(definition_); !sound) return fail(sound.error().message);
+    Result<WorkMesh> work = makeWorkMesh(mesh);
+    if (!work) return fail(work.error().message);
+    report("shells", 0.0);
+    const MeshSpace space = makeMeshSpace(std::move(*work), definition_.interior);
+    notes_ = space.mesh.notes;
+    const std::vector<LevelAssembler::Draft> drafts = assemble(space);
+    return finish(space, drafts);
+  }
+
+ private:
+  void report(std::string_view stage, double share) const {
+    if (progress_) progress_(stage, share);
+  }
+
+  [[nodiscard]] double gapLimit(double diagonal) const {
+    if (!definition_.finestGap) return 0.0;
+    const GapLimit& gap = *definition_.finestGap;
+    return gap.metres ? static_cast<double>(*gap.metres) : static_cast<double>(*gap.ofDiagonal) * diagonal;
+  }
+
+  [[nodiscard]] double margin(double diagonal) const {
+    if (definition_.hullMargin) return static_cast<double>(*definition_.hullMargin);
+    return std::min(kDefaultMargin, kDefaultMarginShare * diagonal);
+  }
+
+  [[nodiscard]] FinestDef finestDef(double diagonal) const {
+    if (definition_.finestGap) return {static_cast<std::size_t>(definition_.maxParts), gapLimit(diagonal)};
+    const int parts =
+        definition_.partCounts.empty() ? definition_.finestParts : definition_.partCounts.back();
+    return {static_cast<std::size_t>(parts), 0.0};
+  }
+
+  std::vector<LevelAssembler::Draft> assemble(const MeshSpace& space) {
+    const double diagonal = space.mesh.diagonal;
+    const FinestDef finest = finestDef(diagonal);
+    const bool isFine = finest.gap > 0.0 && finest.gap < kSmallGap * diagonal;
+    const DistanceGrid grid(space, isFine ? kFineGridCells : kGridCells,
+                            [this](double share) { report("distances", share); });
+    const std::size_t patchCount =
+        std::clamp(kPatchesPerPart * finest.maxParts, kFewestPatches, kMostPatches);
+    report("patches", 0.0);
+    Patches patches = preMerge(space.mesh, patchCount, definition_.maxTriangles);
+    if (patches.isGrouped) {
+      notes_.push_back(std::to_string(space.mesh.triangles.size()) + " triangles are more than " +
+                       std::to_string(definition_.maxTriangles) +
+                       ": grouped by cell and facing; all of them are enclosed");
+    }
+    const MergeTree tree =
+        mergeGreedily(space.mesh, grid, std::move(patches),
+                      {definition_.maxVertices, [this](double share) { report("merging", share); }});
+    LevelAssembler assembler(space, grid, tree,
+                             {definition_.maxVertices, margin(diagonal), definition_.fitPrimitives});
+    std::vector<LevelAssembler::Draft> drafts;
+    drafts.push_back(assembler.finest(finest, [this](double share) { report("parts", share); }));
+    noteFinest(drafts.front(), finest);
+    addCoarser(assembler, drafts);
+    return drafts;
+  }
+
+  /// Adds the coarser levels behind the finest one.
+  void addCoarser(LevelAssembler& assembler, std::vector<LevelAssembler::Draft>& drafts) {
+    const int finestCount = static_cast<int>(drafts.front().parts.size());
+    std::vector<int> counts = definition_.partCounts;
+    if (counts.empty()) counts = countsUpTo(finestCount, definition_.levels);
+    const std::size_t wanted =
+        definition_.partCounts.empty() ? static_cast<std::size_t>(definition_.levels) : counts.size();
+    std::erase_if(counts, [finestCount](int count) { return count >= finestCount; });
+    for (auto count = counts.rbegin(); count != counts.rend(); ++count) {
+      report("levels", static_cast<double>(drafts.size()) / static_cast<double>(counts.size() + 1));
+      drafts.push_back(assembler.coarser(drafts.back(), static_cast<std::size_t>(*count)));
+    }
+    if (drafts.size() < wanted) {
+      notes_.push_back(std::to_string(drafts.size()) + " of " + std::to_string(wanted) +
+                       " levels made: the finest has only " + std::to_string(finestCount) +
+                       (finestCount == 1 ? " part" : " parts"));
+    }
+  }
+
+  void noteFinest(const LevelAssembler::Draft& finest, const FinestDef& wanted) {
+    double gap = 0.0;
+    for (const PartDraft& part : finest.parts) gap = std::max(gap, part.gap);
+    const std::string parts = std::to_string(finest.parts.size());
+    if (wanted.gap > 0.0 && gap > wanted.gap) {
+      notes_.push_back("the gap of the finest level is " + toText(gap) + " m instead of " +
+                       toText(wanted.gap) + " m: " + parts +
+                       " parts are the most that were allowed or could be made");
+    } else if (wanted.gap <= 0.0 && finest.parts.size() < wanted.maxParts) {
+      notes_.push_back("the finest level has " + parts + " parts instead of " +
+                       std::to_string(wanted.maxParts) + ": more would not be nearer to the mesh");
+    }
+  }
+
+  Result<BuiltLevels> finish(const MeshSpace& space, const std::vector<LevelAssembler::Draft>& drafts) {
+    report("check", 0.0);
+    LevelSetDef set;
+    set.name = definition_.name;
+    set.hullMargin = static_cast<float>(margin(space.mesh.diagonal));
+    for (const auto& draft : drafts) {
+      Level level;
+      for (const PartDraft& part : draft.parts) level.parts.push_back(part.part);
+      set.levels.push_back(std::move(level));
+    }
+    std::reverse(set.levels.begin(), set.levels.end());
+    auto levels = LevelSet::create(std::move(set));
+    if (!levels) return fail(levels.error().message);
+    return BuiltLevels{std::move(*levels), space.isSolid, std::move(notes_)};
+  }
+
+  const LevelBuildDef& definition_;
+  const BuildProgress& progress_;
+  std::vector<std::string> notes_;
+};
+
+}  // namespace
+}  // namespace levels
+
+Result<BuiltLevels> buildLevels(const SurfaceMesh& mesh, const LevelBuildDef& definition,
+                                const BuildProgress& progress) {
+  return levels::Build(definition, progress).run(mesh);
+}
+
+}  // namespace scatter

@@ -1,0 +1,51 @@
+#include "levels/build/distance_grid.h"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <limits>
+
+namespace scatter::levels {
+
+DistanceGrid::DistanceGrid(const MeshSpace& space, int cells) {
+  const glm::dvec3 size = space.mesh.bounds.max - space.mesh.bounds.min;
+  step_ = std::max({size.x, size.y, size.z}) / cells;
+  cellsPerMetre_ = 1.0 / step_;
+  low_ = space.mesh.bounds.min - 1.5 * step_;
+  count_ = glm::ivec3(size / step_) + 4;
+  values_.assign(index(0, 0, count_.z), 0.0F);
+}
+
+void DistanceGrid::fillSlice(const MeshSpace& space, int k) {
+  for (int j = 0; j < count_.y; ++j) {
+    double last = std::numeric_limits<double>::infinity();
+    bool isInside = false;
+    for (int i = 0; i < count_.x; ++i) {
+      const glm::dvec3 point = low_ + step_ * glm::dvec3(i, j, k);
+      const double distance = space.tree.distance(point, last + 1.001 * step_);
+      // Between neighbours, a closed surface can only pass where both are near it.
+      const bool mayCross = !space.isClosed || i == 0 || distance + last <= 1.001 * step_;
+      if (mayCross) isInside = space.isInside(point);
+      last = distance;
+      values_[index(i, j, k)] = static_cast<float>(isInside ? -distance : distance);
+    }
+  }
+}
+
+double DistanceGrid::value(const glm::dvec3& point) const {
+  const glm::dvec3 last(count_ - 1);
+  const glm::dvec3 place = glm::clamp((point - low_) * cellsPerMetre_, glm::dvec3(0.0), last);
+  const glm::ivec3 cell = glm::min(glm::ivec3(place), count_ - 2);
+  const glm::vec3 t(place - glm::dvec3(cell));
+  const auto row = static_cast<std::ptrdiff_t>(count_.x);
+  const std::ptrdiff_t slice = row * count_.y;
+  const float* corner = &values_[index(cell.x, cell.y, cell.z)];
+  const auto along = [&t](const float* first) { return first[0] + t.x * (first[1] - first[0]); };
+  const auto across = [&](const float* first) {
+    const float low = along(first);
+    return low + t.y * (along(first + row) - low);
+  };
+  const float low = across(corner);
+  return static_cast<double>(low + t.z * (across(corner + slice) - low));
+}
+
+}  // namespace scatter::levels

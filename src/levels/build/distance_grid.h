@@ -1,0 +1,48 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "levels/mesh/shells.h"
+
+namespace scatter::levels {
+
+/// Distances to a mesh at the points of a grid around it; negative inside.
+class DistanceGrid {
+ public:
+  /// `cells` along the longest side of the mesh's bounds. `progress(share)` is called now and then.
+  template <class Progress>
+  DistanceGrid(const MeshSpace& space, int cells, const Progress& progress) : DistanceGrid(space, cells) {
+    for (int k = 0; k < count_.z; ++k) {
+      fillSlice(space, k);
+      progress(static_cast<double>(k + 1) / count_.z);
+    }
+  }
+
+  [[nodiscard]] double step() const { return step_; }  ///< Size of a cell.
+
+  /// The distance at a point, interpolated; negative inside. Points beyond the grid are moved to its edge.
+  [[nodiscard]] double value(const glm::dvec3& point) const;
+
+  /// The same, but 0 inside.
+  [[nodiscard]] double gap(const glm::dvec3& point) const { return std::max(0.0, value(point)); }
+
+ private:
+  DistanceGrid(const MeshSpace& space, int cells);
+  void fillSlice(const MeshSpace& space, int k);
+  [[nodiscard]] std::size_t index(int i, int j, int k) const {
+    return (static_cast<std::size_t>(k) * static_cast<std::size_t>(count_.y) + static_cast<std::size_t>(j)) *
+               static_cast<std::size_t>(count_.x) +
+           static_cast<std::size_t>(i);
+  }
+
+  glm::ivec3 count_{0};
+  glm::dvec3 low_{0.0};
+  double step_ = 1.0;
+  double cellsPerMetre_ = 1.0;
+  std::vector<float> values_;
+};
+
+}  // namespace scatter::levels

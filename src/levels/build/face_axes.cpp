@@ -1,0 +1,48 @@
+#include "levels/build/face_axes.h"
+
+#include <cmath>
+#include <cstddef>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "levels/mesh/triangle.h"
+
+namespace scatter::levels {
+namespace {
+
+constexpr int kSweeps = 30;
+
+/// Rotates two axes so that `matrix` has no entry that couples them (Jacobi).
+void decouple(glm::dmat3& matrix, glm::dmat3& axes, int p, int q) {
+  if (std::abs(matrix[p][q]) < 1e-300) return;
+  const double angle = 0.5 * std::atan2(2.0 * matrix[p][q], matrix[q][q] - matrix[p][p]);
+  glm::dmat3 turn{1.0};
+  turn[p][p] = turn[q][q] = std::cos(angle);
+  turn[q][p] = std::sin(angle);
+  turn[p][q] = -std::sin(angle);
+  matrix = glm::transpose(turn) * matrix * turn;
+  axes = axes * turn;
+}
+
+}  // namespace
+
+glm::dmat3 faceAxes(const TriangleHull& hull) {
+  glm::dmat3 scatter{0.0};
+  for (std::size_t i = 0; i < hull.triangles.size(); ++i) {
+    const Triangle& t = hull.triangles[i];
+    const double area = triangleArea(hull.vertices[t[0]], hull.vertices[t[1]], hull.vertices[t[2]]);
+    scatter += area * glm::outerProduct(hull.planes[i].normal, hull.planes[i].normal);
+  }
+  glm::dmat3 axes{1.0};
+  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    decouple(scatter, axes, 0, 1);
+    decouple(scatter, axes, 0, 2);
+    decouple(scatter, axes, 1, 2);
+  }
+  axes[0] = glm::normalize(axes[0]);
+  axes[1] = glm::normalize(axes[1] - axes[0] * glm::dot(axes[0], axes[1]));
+  axes[2] = glm::cross(axes[0], axes[1]);
+  return axes;
+}
+
+}  // namespace scatter::levels

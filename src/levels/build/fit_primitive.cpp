@@ -1,0 +1,219 @@
+#include "levels/build/fit_primitive.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <limits>
+#include <numbers>
+#include <utility>
+#include <variant>
+
+#include "levels/build/face_axes.h"
+#include "levels/part_check.h"
+#include "levels/part_geometry.h"
+
+namespace scatter::levels {
+namespace {
+
+constexpr int kCenterRounds = 300;
+
+/// Rounded up, so that nothing is lost.
+float toFloatAbove(double value) {
+  const auto rounded = static_cast<float>(value);
+  return std::nextafter(rounded, std::numeric_limits<float>::infinity());
+}
+
+/// The middle of about the smallest ball around others: steps toward the furthest, ever shorter (Bădoiu and
+/// Clarkson, 2003). `squash` is 1, or leaves out the direction in which distance does not count.
+glm::dvec3 middleOf(std::span<const Ball> balls, const glm::dvec3& squash) {
+  glm::dvec3 middle{0.0};
+  for (const Ball& ball : balls) middle += ball.center / static_cast<double>(balls.size());
+  for (int round = 1; round <= kCenterRounds; ++round) {
+    glm::dvec3 toFurthest{0.0};
+    double furthest = -1.0;
+    for (const Ball& ball : balls) {
+      const glm::dvec3 offset = squash * (ball.center - middle);
+      const double distance = glm::length(offset) + ball.radius;
+      if (distance > furthest) {
+        furthest = distance;
+        toFurthest = offset;
+      }
+    }
+    middle += toFurthest / (1.0 + round);
+  }
+  return middle;
+}
+
+/// The balls in the frame of a rotation, which is rounded as it will be stored.
+struct Frame {
+  Quat rotation;
+  DoublePose pose;
+  std::vector<Ball> balls;
+
+  Frame(std::span<const Ball> source, const Quat& turn)
+      : rotation(turn), pose({Vec3(0.0F), turn}), balls(source.begin(), source.end()) {
+    for (Ball& ball : balls) ball.center = pose.toLocal(ball.center);
+  }
+
+  /// The place in the model's frame as it will be stored, and moves the balls to be relative to it.
+  Vec3 place(const glm::dvec3& localMiddle, const Vec3& origin) {
+    const Vec3 position(glm::dvec3(origin) + pose(localMiddle));
+    const glm::dvec3 exact = pose.toLocal(glm::dvec3(position) - glm::dvec3(origin));
+    for (Ball& ball : balls) ball.center -= exact;
+    return position;
+  }
+};
+
+Quat toQuat(const glm::dmat3& axes) {
+  return glm::normalize(Quat(glm::quat_cast(axes)));
+}
+
+/// The rotation that takes the y axis, along which capsules lie, to one of three axes.
+glm::dmat3 withYAlong(const glm::dmat3& axes, int axis) {
+  const glm::dvec3 y = axes[axis];
+  const glm::dvec3 x = axes[(axis + 1) % 3];
+  return {x, y, glm::cross(x, y)};
+}
+
+double ballVolume(double radius) {
+  return 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
+}
+
+FittedPrimitive fitBox(std::span<const Ball> balls, const Quat& rotation, const Vec3& origin, double slack) {
+  Frame frame(balls, rotation);
+  glm::dvec3 low(std::numeric_limits<double>::infinity());
+  glm::dvec3 high = -low;
+  for (const Ball& ball : frame.balls) {
+    low = glm::min(low, ball.center - ball.radius);
+    high = glm::max(high, ball.center + ball.radius);
+  }
+  const Vec3 position = frame.place(0.5 * (low + high), origin);
+  glm::dvec3 half{0.0};
+  for (const Ball& ball : frame.balls) half = glm::max(half, glm::abs(ball.center) + ball.radius);
+  half += slack;
+  const Box box{{toFloatAbove(half.x), toFloatAbove(half.y), toFloatAbove(half.z)}};
+  return {{box, {position, rotation}}, 8.0 * half.x * half.y * half.z};
+}
+
+FittedPrimitive fitSphere(std::span<const Ball> balls, const Vec3& origin, double slack) {
+  Frame frame(balls, kNoRotation);
+  const Vec3 position = frame.place(middleOf(frame.balls, glm::dvec3(1.0)), origin);
+  double radius = 0.0;
+  for (const Ball& ball : frame.balls) radius = std::max(radius, glm::length(ball.center) + ball.radius);
+  radius += slack;
+  return {{Sphere{toFloatAbove(radius)}, {position, kNoRotation}}, ballVolume(radius)};
+}
+
+FittedPrimitive fitCapsule(std::span<const Ball> balls, const Quat& rotation, const Vec3& origin,
+                           double slack) {
+  Frame frame(balls, rotation);
+  const glm::dvec3 across{1.0, 0.0, 1.0};
+  glm::dvec3 middle = across * middleOf(frame.balls, across);
+  const auto widthOf = [](const Ball& ball, const glm::dvec3& axis) {
+    return std::hypot(ball.center.x - axis.x, ball.center.z - axis.z);
+  };
+  double radius = 0.0;
+  for (const Ball& ball : frame.balls) radius = std::max(radius, widthOf(ball, middle) + ball.radius);
+  // A ball near the axis may lie in the round end.
+  const auto reachIntoEnd = [&](const Ball& ball, const glm::dvec3& axis) {
+    const double room = radius - ball.radius;
+    const double width = widthOf(ball, axis);
+    return std::sqrt(std::max(0.0, room * room - width * width));
+  };
+  double top = -std::numeric_limits<double>::infinity();
+  double bottom = -top;
+  for (const Ball& ball : frame.balls) {
+    top = std::max(top, ball.center.y - reachIntoEnd(ball, middle));
+    bottom = std::min(bottom, ball.center.y + reachIntoEnd(ball, middle));
+  }
+  middle.y = 0.5 * (top + bottom);
+
+  // Once more around the place as it is stored.
+  const Vec3 position = frame.place(middle, origin);
+  const glm::dvec3 axis{0.0};
+  for (const Ball& ball : frame.balls) radius = std::max(radius, widthOf(ball, axis) + ball.radius);
+  double half = 0.0;
+  for (const Ball& ball : frame.balls) {
+    half = std::max(half, std::abs(ball.center.y) - reachIntoEnd(ball, axis));
+  }
+  radius += slack;
+  half += slack;
+  return {{Capsule{toFloatAbove(radius), toFloatAbove(half)}, {position, rotation}},
+          ballVolume(radius) + 2.0 * std::numbers::pi * radius * radius * half};
+}
+
+struct BallsOf {
+  DoublePose pose;
+  double hullMargin = 0.0;
+
+  std::vector<Ball> operator()(const Box& box) const {
+    std::vector<Ball> balls;
+    for (unsigned corner = 0; corner < 8; ++corner) {
+      const glm::dvec3 sign{(corner & 1U) != 0 ? 1.0 : -1.0, (corner & 2U) != 0 ? 1.0 : -1.0,
+                            (corner & 4U) != 0 ? 1.0 : -1.0};
+      balls.push_back({pose(sign * glm::dvec3(box.halfExtents)), 0.0});
+    }
+    return balls;
+  }
+  std::vector<Ball> operator()(const Sphere& sphere) const {
+    return {{pose.position, static_cast<double>(sphere.radius)}};
+  }
+  std::vector<Ball> operator()(const Capsule& capsule) const {
+    return onAxis(capsule.halfHeight, static_cast<double>(capsule.radius));
+  }
+  /// The ball around the cylinder: it has no fewer.
+  std::vector<Ball> operator()(const Cylinder& cylinder) const {
+    const double corner =
+        std::hypot(static_cast<double>(cylinder.radius), static_cast<double>(cylinder.halfHeight));
+    return {{pose.position, corner}};
+  }
+  std::vector<Ball> operator()(const ConvexHull& hull) const {
+    std::vector<Ball> balls;
+    for (const Vec3& vertex : hull.vertices) balls.push_back({pose(glm::dvec3(vertex)), hullMargin});
+    return balls;
+  }
+
+ private:
+  [[nodiscard]] std::vector<Ball> onAxis(float halfHeight, double radius) const {
+    const glm::dvec3 end{0.0, static_cast<double>(halfHeight), 0.0};
+    return {{pose(end), radius}, {pose(-end), radius}};
+  }
+};
+
+}  // namespace
+
+std::vector<FittedPrimitive> fitPrimitives(std::span<const Ball> balls, const TriangleHull& hull,
+                                           const Vec3& origin, const PrimitiveDef& definition) {
+  const glm::dmat3 axes = faceAxes(hull);
+  const double slack = definition.slack;
+  std::vector<FittedPrimitive> fitted{fitBox(balls, toQuat(axes), origin, slack),
+                                      fitBox(balls, kNoRotation, origin, slack)};
+  // Round parts take longer to fit: first see from the box whether they can be small enough.
+  const glm::dvec3 half(std::get<Box>(fitted.front().part.shape).halfExtents);
+  const double longest = std::max({half.x, half.y, half.z});
+  if (ballVolume(longest - slack) <= definition.maxVolume) fitted.push_back(fitSphere(balls, origin, slack));
+  for (int axis = 0; axis < 3; ++axis) {
+    const double radius = std::max(half[(axis + 1) % 3], half[(axis + 2) % 3]) - slack;
+    const double straight = std::max(0.0, half[axis] - slack - radius);
+    if (ballVolume(radius) + 2.0 * std::numbers::pi * radius * radius * straight > definition.maxVolume)
+      continue;
+    fitted.push_back(fitCapsule(balls, toQuat(withYAlong(axes, axis)), origin, slack));
+  }
+  // A wire has no capsule that a level takes.
+  std::erase_if(fitted, [&](const FittedPrimitive& each) {
+    return each.volume > definition.maxVolume || findDefect(each.part).has_value();
+  });
+  std::stable_sort(fitted.begin(), fitted.end(),
+                   [](const FittedPrimitive& a, const FittedPrimitive& b) { return a.volume < b.volume; });
+  return fitted;
+}
+
+std::vector<Ball> ballsOf(const ConvexPart& part, const Vec3& origin, double hullMargin) {
+  DoublePose pose(part.pose);
+  pose.position -= glm::dvec3(origin);
+  return std::visit(BallsOf{pose, hullMargin}, part.shape);
+}
+
+}  // namespace scatter::levels

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <scatter/levels/convex_part.h>
+
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "levels/mesh/triangle_hull.h"
+
+namespace scatter::levels {
+
+/// A point and all within a radius of it.
+struct Ball {
+  glm::dvec3 center{0.0};
+  double radius = 0.0;
+};
+
+struct FittedPrimitive {
+  ConvexPart part;
+  double volume = 0.0;
+};
+
+struct PrimitiveDef {
+  double slack = 0.0;      ///< Left around what is held.
+  double maxVolume = 0.0;  ///< Larger ones are of no interest.
+};
+
+/// Boxes, spheres and capsules that strictly hold all balls, rounding included, smallest first. The balls,
+/// and the hull that gives the directions, are relative to `origin`.
+[[nodiscard]] std::vector<FittedPrimitive> fitPrimitives(std::span<const Ball> balls,
+                                                         const TriangleHull& hull, const Vec3& origin,
+                                                         const PrimitiveDef& definition);
+
+/// A few balls whose hull holds the part, margin included, relative to `origin`; around a cylinder, one ball.
+[[nodiscard]] std::vector<Ball> ballsOf(const ConvexPart& part, const Vec3& origin, double hullMargin);
+
+}  // namespace scatter::levels

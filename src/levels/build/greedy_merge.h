@@ -1,0 +1,21 @@
+#pragma once
+
+#include <functional>
+
+#include "levels/build/distance_grid.h"
+#include "levels/build/merge_tree.h"
+#include "levels/build/pre_merge.h"
+#include "levels/mesh/work_mesh.h"
+
+namespace scatter::levels {
+
+struct MergeDef {
+  int maxVertices = 16;
+  std::function<void(double share)> progress;
+};
+
+/// Merges the patches down to one, each time the pair whose common hull stays closest to the mesh.
+[[nodiscard]] MergeTree mergeGreedily(const WorkMesh& mesh, const DistanceGrid& grid, Patches patches,
+                                      const MergeDef& definition);
+
+}  // namespace scatter::levels

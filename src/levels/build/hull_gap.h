@@ -1,0 +1,57 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <vector>
+
+#include "levels/mesh/triangle_hull.h"
+
+namespace scatter::levels {
+
+/// The largest value of `gapAt(point)`, a distance to something, on the surface of a hull, sampled at
+/// distances of about `spacing`. As a distance changes by at most the way gone, samples are needed only
+/// where it can exceed the largest one so far.
+template <class GapAt>
+[[nodiscard]] double largestGap(const TriangleHull& hull, double spacing, const GapAt& gapAt) {
+  using Corners = std::array<glm::dvec3, 3>;
+  struct Patch {
+    Corners corners{};
+    double bound = 0.0;
+    double size = 0.0;
+  };
+  double largest = 0.0;
+  const auto sampled = [&](const Corners& corners) {
+    const glm::dvec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+    const double gap = gapAt(middle);
+    largest = std::max(largest, gap);
+    double squared = 0.0;
+    for (const glm::dvec3& corner : corners) {
+      squared = std::max(squared, glm::dot(corner - middle, corner - middle));
+    }
+    return Patch{corners, gap + std::sqrt(squared), std::sqrt(squared)};
+  };
+  std::vector<Patch> open;
+  for (const Triangle& t : hull.triangles) {
+    open.push_back(sampled({hull.vertices[t[0]], hull.vertices[t[1]], hull.vertices[t[2]]}));
+  }
+  while (!open.empty()) {
+    const Patch patch = open.back();
+    open.pop_back();
+    if (patch.bound <= largest || patch.size <= spacing) continue;
+    const auto& [a, b, c] = patch.corners;
+    const double ab = glm::dot(b - a, b - a);
+    const double bc = glm::dot(c - b, c - b);
+    const double ca = glm::dot(a - c, a - c);
+    const Corners longestFirst = ab >= bc && ab >= ca ? Corners{a, b, c}
+                                 : bc >= ca           ? Corners{b, c, a}
+                                                      : Corners{c, a, b};
+    const glm::dvec3 half = 0.5 * (longestFirst[0] + longestFirst[1]);
+    open.push_back(sampled({longestFirst[0], half, longestFirst[2]}));
+    open.push_back(sampled({half, longestFirst[1], longestFirst[2]}));
+  }
+  return largest;
+}
+
+}  // namespace scatter::levels

@@ -1,0 +1,202 @@
+#include "levels/build/level_assembly.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <queue>
+#include <utility>
+#include <variant>
+
+#include "levels/build/enclosing_hull.h"
+#include "levels/build/hull_gap.h"
+#include "levels/part_geometry.h"
+
+namespace scatter::levels {
+namespace {
+
+/// Shares of the diagonal.
+constexpr double kSpacing = 1.0 / 60.0;
+constexpr double kNegligibleGap = 1e-4;
+constexpr double kPrimitiveSlack = 2e-7;
+/// By how much a primitive's gap may exceed the hull's.
+constexpr double kPrimitiveGap = 1e-3;
+
+/// By what factor a primitive's volume may exceed the hull's.
+constexpr double kPrimitiveVolume = 1.1;
+
+/// More than rounding to single precision takes, as a share of the value.
+constexpr double kFloatRounding = 1e-6;
+
+/// How much the area of a part counts beside its gap; found by trial.
+constexpr double kAreaPower = 0.25;
+
+/// Below so many cells the grid is too coarse to tell a gap.
+constexpr double kFineCells = 2.0;
+
+ConvexPart toPart(const TriangleHull& hull, const Vec3& origin) {
+  ConvexHull shape;
+  shape.vertices.reserve(hull.vertices.size());
+  for (const glm::dvec3& vertex : hull.vertices) shape.vertices.emplace_back(vertex);
+  return {std::move(shape), Transform{origin, kNoRotation}};
+}
+
+/// Points whose hull holds what the part reaches beyond the margin that a hull around it has.
+std::vector<glm::dvec3> outlineOf(const ConvexPart& part, const Vec3& origin, double hullMargin) {
+  std::vector<glm::dvec3> points;
+  for (const Ball& ball : ballsOf(part, origin, hullMargin)) {
+    const double radius = ball.radius - hullMargin;
+    if (!(radius > 0.0)) {
+      points.push_back(ball.center);
+      continue;
+    }
+    const ConvexPart sphere{Sphere{static_cast<float>(radius)}, {}};
+    const Polytope around = outerPolytope(sphere, 0.0, {}, 0.0);
+    for (const glm::dvec3& corner : around.vertices()) {
+      points.push_back(ball.center + corner * (1.0 + kFloatRounding));
+    }
+  }
+  return points;
+}
+
+void add(Content& content, const Content& more) {
+  content.points.insert(content.points.end(), more.points.begin(), more.points.end());
+  content.balls.insert(content.balls.end(), more.balls.begin(), more.balls.end());
+}
+
+double volumeOf(const TriangleHull& hull) {
+  double volume = 0.0;
+  for (const Triangle& t : hull.triangles) {
+    const glm::dvec3& a = hull.vertices.front();
+    volume +=
+        glm::dot(hull.vertices[t[0]] - a, glm::cross(hull.vertices[t[1]] - a, hull.vertices[t[2]] - a)) / 6.0;
+  }
+  return volume;
+}
+
+}  // namespace
+
+LevelAssembler::Draft LevelAssembler::finest(const FinestDef& definition,
+                                             const std::function<void(double)>& progress) {
+  const double enough = std::max(definition.gap, kNegligibleGap * space_.mesh.diagonal);
+  std::vector<std::pair<NodeIndex, PartDraft>> parts;
+  // Importance and place in `parts`, the most important on top, the earliest of equals.
+  using Entry = std::pair<double, std::size_t>;
+  const auto isLess = [](const Entry& a, const Entry& b) {
+    return a.first != b.first ? a.first < b.first : a.second > b.second;
+  };
+  std::priority_queue<Entry, std::vector<Entry>, decltype(isLess)> queue(isLess);
+  Draft draft;
+  const auto add = [&](std::size_t place, NodeIndex node) {
+    parts[place] = {node, partAround(contentUnder(node))};
+    const PartDraft& part = parts[place].second;
+    // Of two with the same gap, the larger part shows more of it.
+    const double share = part.area / (space_.mesh.diagonal * space_.mesh.diagonal);
+    if (part.gap > enough && !tree_.isLeaf(node)) {
+      queue.emplace(part.gap * std::pow(share, kAreaPower), place);
+    }
+  };
+  parts.resize(1);
+  add(0, tree_.root());
+  while (!queue.empty() && parts.size() < definition.maxParts) {
+    const std::size_t place = queue.top().second;
+    queue.pop();
+    draft.splits.push_back(parts[place].first);
+    const MergeTree::Merge halves = tree_.merge(parts[place].first);
+    parts.emplace_back();
+    add(place, halves.left);
+    add(parts.size() - 1, halves.right);
+    progress(static_cast<double>(parts.size()) / static_cast<double>(definition.maxParts));
+  }
+  std::sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (auto& [node, part] : parts) {
+    draft.nodes.push_back(node);
+    draft.parts.push_back(std::move(part));
+  }
+  return draft;
+}
+
+LevelAssembler::Draft LevelAssembler::coarser(const Draft& finer, std::size_t count) {
+  Draft draft;
+  // The first splits are those that bring the most.
+  draft.splits.assign(finer.splits.begin(), finer.splits.begin() + static_cast<std::ptrdiff_t>(std::min(
+                                                                       count - 1, finer.splits.size())));
+  draft.nodes = tree_.nodesAfter(draft.splits);
+  const std::vector<std::size_t> places = tree_.ancestorPlaces(finer.nodes, draft.nodes);
+  for (std::size_t i = 0; i < draft.nodes.size(); ++i) {
+    Content content;
+    std::size_t children = 0;
+    std::size_t child = 0;
+    for (std::size_t j = 0; j < places.size(); ++j) {
+      if (places[j] != i) continue;
+      ++children;
+      child = j;
+      add(content, finer.parts[j].content);
+    }
+    draft.parts.push_back(children == 1 ? finer.parts[child] : partAround(content));
+  }
+  return draft;
+}
+
+PartDraft LevelAssembler::partAround(const Content& content) {
+  const double diagonal = space_.mesh.diagonal;
+  const TriangleHull hull = encloseInHull(builder_, content.points, {diagonal, definition_.maxVertices});
+  PartDraft draft;
+  draft.part = toPart(hull, space_.mesh.origin);
+  draft.gap = gapOf(hull);
+  draft.area = hull.area;
+  if (definition_.fitPrimitives) {
+    if (std::optional<PartDraft> primitive = primitiveAround(content, draft, hull))
+      draft = std::move(*primitive);
+  }
+  draft.content.points = outlineOf(draft.part, space_.mesh.origin, definition_.hullMargin);
+  draft.content.balls = ballsOf(draft.part, space_.mesh.origin, definition_.hullMargin);
+  return draft;
+}
+
+std::optional<PartDraft> LevelAssembler::primitiveAround(const Content& content, const PartDraft& draft,
+                                                         const TriangleHull& hull) {
+  const double diagonal = space_.mesh.diagonal;
+  const PrimitiveDef wanted{kPrimitiveSlack * diagonal, kPrimitiveVolume * volumeOf(hull)};
+  for (const FittedPrimitive& fitted : fitPrimitives(content.balls, hull, space_.mesh.origin, wanted)) {
+    TriangleHull outline;
+    if (!builder_.build(outlineOf(fitted.part, space_.mesh.origin, 0.0), {}, outline)) continue;
+    const double gap = gapOf(outline);
+    if (gap <= draft.gap + kPrimitiveGap * diagonal) return PartDraft{fitted.part, {}, gap, outline.area};
+  }
+  return std::nullopt;
+}
+
+double LevelAssembler::gapOf(const TriangleHull& hull) const {
+  const double spacing = kSpacing * space_.mesh.diagonal;
+  const auto roughly = [this](const glm::dvec3& point) { return grid_.gap(point); };
+  const auto exactly = [this](const glm::dvec3& point) {
+    // Away from the mesh the grid knows the side, which saves the winding number.
+    const double side = grid_.value(point);
+    if (side < -grid_.step()) return 0.0;
+    return side > grid_.step() ? space_.tree.distance(point) : space_.distance(point);
+  };
+  // Corners stick out most, but the middle of a face may lie over a hollow.
+  double corners = 0.0;
+  for (const glm::dvec3& vertex : hull.vertices) corners = std::max(corners, exactly(vertex));
+  const double rough = std::max(corners, largestGap(hull, spacing, roughly));
+  if (rough > kFineCells * grid_.step()) return rough;
+  return std::max(corners, largestGap(hull, spacing, exactly));
+}
+
+Content LevelAssembler::contentUnder(NodeIndex node) const {
+  std::vector<std::uint32_t> indices;
+  for (const std::uint32_t triangle : tree_.trianglesUnder(node)) {
+    const Triangle& corners = space_.mesh.triangles[triangle];
+    indices.insert(indices.end(), corners.begin(), corners.end());
+  }
+  std::sort(indices.begin(), indices.end());
+  indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+  Content content;
+  for (const std::uint32_t i : indices) {
+    content.points.push_back(space_.mesh.vertices[i]);
+    content.balls.push_back({space_.mesh.vertices[i], 0.0});
+  }
+  return content;
+}
+
+}  // namespace scatter::levels

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <scatter/levels/convex_part.h>
+#include <scatter/levels/level_set.h>
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "levels/build/distance_grid.h"
+#include "levels/build/fit_primitive.h"
+#include "levels/build/merge_tree.h"
+#include "levels/mesh/shells.h"
+#include "levels/mesh/triangle_hull.h"
+
+namespace scatter::levels {
+
+/// What a part must hold, relative to the mesh's origin.
+struct Content {
+  std::vector<glm::dvec3> points;  ///< For a hull, whose margin is not counted.
+  std::vector<Ball> balls;         ///< For a box or a round part, which has no margin.
+};
+
+struct PartDraft {
+  ConvexPart part;    ///< In the model's frame.
+  Content content;    ///< What a part around this one must hold.
+  double gap = 0.0;   ///< The largest distance from its surface to the mesh that sampling found.
+  double area = 0.0;  ///< Of its surface, about.
+};
+
+struct AssemblyDef {
+  int maxVertices = 16;
+  double hullMargin = 0.02;
+  bool fitPrimitives = true;
+};
+
+/// When to stop splitting parts of the finest level.
+struct FinestDef {
+  std::size_t maxParts = 64;
+  double gap = 0.0;  ///< No part needs to be nearer to the mesh than this, metres.
+};
+
+/// Makes the parts of levels from the nodes of a merge tree.
+class LevelAssembler {
+ public:
+  LevelAssembler(const MeshSpace& space, const DistanceGrid& grid, const MergeTree& tree,
+                 const AssemblyDef& definition)
+      : space_(space), grid_(grid), tree_(tree), definition_(definition) {}
+
+  /// A level: nodes of the tree, ascending, and the part of each.
+  struct Draft {
+    std::vector<NodeIndex> nodes;
+    std::vector<PartDraft> parts;
+    std::vector<NodeIndex> splits;  ///< What was split on the way from the root, in order.
+  };
+
+  /// The finest level: splits the part furthest from the mesh until all are near enough or there are
+  /// enough of them. `progress` is given a share from 0 to 1.
+  [[nodiscard]] Draft finest(const FinestDef& definition, const std::function<void(double)>& progress);
+
+  /// The next coarser level, of at most `count` parts around those of `finer`.
+  [[nodiscard]] Draft coarser(const Draft& finer, std::size_t count);
+
+ private:
+  [[nodiscard]] PartDraft partAround(const Content& content);
+  [[nodiscard]] std::optional<PartDraft> primitiveAround(const Content& content, const PartDraft& draft,
+                                                         const TriangleHull& hull);
+  [[nodiscard]] double gapOf(const TriangleHull& hull) const;
+  [[nodiscard]] Content contentUnder(NodeIndex node) const;
+
+  const MeshSpace& space_;
+  const DistanceGrid& grid_;
+  const MergeTree& tree_;
+  AssemblyDef definition_;
+  HullBuilder builder_;
+};
+
+}  // namespace scatter::levels
