@@ -17,7 +17,7 @@ namespace scatter::lod {
 /// in all pairs once a step's cost is over a share of the budget, and takes it back when the load has been
 /// fine for a while. Looks at the last step's units; says nothing without a budget. The governor does the
 /// same for the pairs that matter least: this is the report's simple trigger.
-class LoadPolicy final : public Policy {
+class LoadPolicy final : public NamedPolicy<LoadPolicy> {
  public:
   static constexpr std::string_view kName = "load";
   static constexpr PolicyScope kScope = PolicyScope::kGlobal;
@@ -35,8 +35,6 @@ class LoadPolicy final : public Policy {
 
   explicit LoadPolicy(const Def& def) : def_(def), latch_(def.steps) {}
 
-  [[nodiscard]] std::string_view name() const override { return kName; }
-  [[nodiscard]] PolicyScope scope() const override { return kScope; }
   void observe(const Situation& situation) override;
   void advise(const Situation& situation, const PairView& pair, Wish& wish) const override;
 
@@ -48,7 +46,7 @@ class LoadPolicy final : public Policy {
 /// "When the number of overlapping groups exceeds a threshold" (report, section 3.4.4): groups that are about
 /// to run into each other make many pairs at once, so a coarse level is asked for in all pairs. Looks at the
 /// balls around groups.
-class OverlapPolicy final : public Policy {
+class OverlapPolicy final : public NamedPolicy<OverlapPolicy> {
  public:
   static constexpr std::string_view kName = "overlap";
   static constexpr PolicyScope kScope = PolicyScope::kGlobal;
@@ -64,8 +62,6 @@ class OverlapPolicy final : public Policy {
 
   OverlapPolicy(const Def& def, std::shared_ptr<Grouping> grouping);
 
-  [[nodiscard]] std::string_view name() const override { return kName; }
-  [[nodiscard]] PolicyScope scope() const override { return kScope; }
   void observe(const Situation& situation) override;
   void advise(const Situation& situation, const PairView& pair, Wish& wish) const override;
 
@@ -81,7 +77,7 @@ class OverlapPolicy final : public Policy {
 [[nodiscard]] int countOverlaps(std::span<const Group> groups, int members);
 
 /// Everything at level n, budget or not.
-class FinestPolicy final : public Policy {
+class FinestPolicy final : public NamedPolicy<FinestPolicy> {
  public:
   static constexpr std::string_view kName = "finest";
   static constexpr PolicyScope kScope = PolicyScope::kGlobal;
@@ -92,15 +88,13 @@ class FinestPolicy final : public Policy {
 
   explicit FinestPolicy(const Def& /*def*/) {}
 
-  [[nodiscard]] std::string_view name() const override { return kName; }
-  [[nodiscard]] PolicyScope scope() const override { return kScope; }
   void advise(const Situation& /*situation*/, const PairView& pair, Wish& wish) const override {
     wish.promise(pair.finest);
   }
 };
 
 /// Everything at level 1, as far as it is safe.
-class CoarsestPolicy final : public Policy {
+class CoarsestPolicy final : public NamedPolicy<CoarsestPolicy> {
  public:
   static constexpr std::string_view kName = "coarsest";
   static constexpr PolicyScope kScope = PolicyScope::kGlobal;
@@ -111,8 +105,6 @@ class CoarsestPolicy final : public Policy {
 
   explicit CoarsestPolicy(const Def& /*def*/) {}
 
-  [[nodiscard]] std::string_view name() const override { return kName; }
-  [[nodiscard]] PolicyScope scope() const override { return kScope; }
   void advise(const Situation& /*situation*/, const PairView& /*pair*/, Wish& wish) const override {
     wish.request(1);
   }

@@ -114,7 +114,7 @@ class GroupSharePolicy final : public GroupPolicy {
 /// "Anomalies that occur between homogeneous distractors are less obvious" (O'Sullivan and Dingliana; report,
 /// section 3.4.1): importance falls with the number of neighbours of about the same size that the two bodies
 /// of a pair touch, the smaller number of the two. Balls around long bodies would find neighbours far away.
-class GroupDensityPolicy final : public Policy {
+class GroupDensityPolicy final : public NamedPolicy<GroupDensityPolicy> {
  public:
   static constexpr std::string_view kName = "group-density";
   static constexpr PolicyScope kScope = PolicyScope::kGroup;
@@ -130,8 +130,6 @@ class GroupDensityPolicy final : public Policy {
 
   explicit GroupDensityPolicy(const Def& def) : def_(def) {}
 
-  [[nodiscard]] std::string_view name() const override { return kName; }
-  [[nodiscard]] PolicyScope scope() const override { return kScope; }
   void observe(const Situation& situation) override;
   void advise(const Situation& situation, const PairView& pair, Wish& wish) const override;
 

@@ -15,7 +15,7 @@ namespace scatter::lod {
 /// touch yet and whose bodies approach each other, and stands by it through the first steps of the contact.
 /// Looks at the velocities of the two centres along the line between them; beside what nothing moves, at the
 /// speed.
-class ProximityPolicy final : public Policy {
+class ProximityPolicy final : public NamedPolicy<ProximityPolicy> {
  public:
   static constexpr std::string_view kName = "proximity";
   static constexpr PolicyScope kScope = PolicyScope::kLocal;
@@ -30,8 +30,6 @@ class ProximityPolicy final : public Policy {
 
   explicit ProximityPolicy(const Def& def) : def_(def) {}
 
-  [[nodiscard]] std::string_view name() const override { return kName; }
-  [[nodiscard]] PolicyScope scope() const override { return kScope; }
   void advise(const Situation& situation, const PairView& pair, Wish& wish) const override;
 
  private:
@@ -41,7 +39,7 @@ class ProximityPolicy final : public Policy {
 /// Fast collisions need less detail: the reaction is over before an error is noticed (report, section 3.4.1).
 /// Importance falls with the relative speed of the two centres; on request, very fast pairs are coarse
 /// (the report's "velocity over a threshold", section 3.4.4).
-class SpeedPolicy final : public Policy {
+class SpeedPolicy final : public NamedPolicy<SpeedPolicy> {
  public:
   static constexpr std::string_view kName = "speed";
   static constexpr PolicyScope kScope = PolicyScope::kLocal;
@@ -58,8 +56,6 @@ class SpeedPolicy final : public Policy {
 
   explicit SpeedPolicy(const Def& def) : def_(def) {}
 
-  [[nodiscard]] std::string_view name() const override { return kName; }
-  [[nodiscard]] PolicyScope scope() const override { return kScope; }
   void advise(const Situation& situation, const PairView& pair, Wish& wish) const override;
 
  private:
@@ -68,7 +64,7 @@ class SpeedPolicy final : public Policy {
 
 /// A viewer has time to look at a contact that lasts, and an object that rests on a gap looks wrong (report,
 /// section 3.4.1): importance grows with the number of steps that a pair has been touching.
-class ContactTimePolicy final : public Policy {
+class ContactTimePolicy final : public NamedPolicy<ContactTimePolicy> {
  public:
   static constexpr std::string_view kName = "contact-time";
   static constexpr PolicyScope kScope = PolicyScope::kLocal;
@@ -82,8 +78,6 @@ class ContactTimePolicy final : public Policy {
 
   explicit ContactTimePolicy(const Def& def) : def_(def) {}
 
-  [[nodiscard]] std::string_view name() const override { return kName; }
-  [[nodiscard]] PolicyScope scope() const override { return kScope; }
   void advise(const Situation& situation, const PairView& pair, Wish& wish) const override;
 
  private:
@@ -94,7 +88,7 @@ class ContactTimePolicy final : public Policy {
 /// report, section 3.4.1). Looks at the smaller body of a pair: importance grows with its size on screen and
 /// falls with the angle between it and the point that the viewer looks at; what is outside of the picture
 /// counts least. Says nothing in a situation without a focus.
-class FocusPolicy final : public Policy {
+class FocusPolicy final : public NamedPolicy<FocusPolicy> {
  public:
   static constexpr std::string_view kName = "focus";
   static constexpr PolicyScope kScope = PolicyScope::kLocal;
@@ -110,8 +104,6 @@ class FocusPolicy final : public Policy {
 
   explicit FocusPolicy(const Def& def);
 
-  [[nodiscard]] std::string_view name() const override { return kName; }
-  [[nodiscard]] PolicyScope scope() const override { return kScope; }
   void observe(const Situation& situation) override;
   void advise(const Situation& situation, const PairView& pair, Wish& wish) const override;
 
@@ -132,7 +124,7 @@ class FocusPolicy final : public Policy {
 
 /// What the user holds has the user's attention (report, section 3.4.1): pairs with a held body are always at
 /// their finest level.
-class HeldPolicy final : public Policy {
+class HeldPolicy final : public NamedPolicy<HeldPolicy> {
  public:
   static constexpr std::string_view kName = "held";
   static constexpr PolicyScope kScope = PolicyScope::kLocal;
@@ -143,15 +135,13 @@ class HeldPolicy final : public Policy {
 
   explicit HeldPolicy(const Def& /*def*/) {}
 
-  [[nodiscard]] std::string_view name() const override { return kName; }
-  [[nodiscard]] PolicyScope scope() const override { return kScope; }
   void advise(const Situation& situation, const PairView& pair, Wish& wish) const override;
 };
 
 /// The heavier, the more depends on a contact (local knowledge in the report's Figure 3.7): importance grows
 /// with the square root of the lighter body's mass, or the heavier one's, against a reference. What nothing
 /// moves counts as the heaviest.
-class MassPolicy final : public Policy {
+class MassPolicy final : public NamedPolicy<MassPolicy> {
  public:
   static constexpr std::string_view kName = "mass";
   static constexpr PolicyScope kScope = PolicyScope::kLocal;
@@ -166,8 +156,6 @@ class MassPolicy final : public Policy {
 
   explicit MassPolicy(const Def& def) : def_(def), reference_(def.reference) {}
 
-  [[nodiscard]] std::string_view name() const override { return kName; }
-  [[nodiscard]] PolicyScope scope() const override { return kScope; }
   void observe(const Situation& situation) override;
   void advise(const Situation& situation, const PairView& pair, Wish& wish) const override;
 

@@ -61,4 +61,12 @@ class Policy {
   virtual void advise(const Situation& situation, const PairView& pair, Wish& wish) const = 0;
 };
 
+/// A policy whose class `Derived` has its name and scope as `kName` and `kScope`.
+template <class Derived>
+class NamedPolicy : public Policy {
+ public:
+  [[nodiscard]] std::string_view name() const final { return Derived::kName; }
+  [[nodiscard]] PolicyScope scope() const final { return Derived::kScope; }
+};
+
 }  // namespace scatter::lod
