@@ -1,6 +1,5 @@
 #include <scatter/io/collada.h>
 #include <scatter/io/file.h>
-#include <scatter/io/model_library.h>
 #include <scatter/levels/level_check.h>
 
 #include <gtest/gtest.h>
@@ -16,13 +15,13 @@
 #include <string>
 #include <vector>
 
+#include "io/loaded_model.h"
 #include "io/temporary_folder.h"
 
 namespace scatter {
 namespace {
 
-struct Expected {
-  const char* name;
+struct Expected : test::ExpectedModel {
   float mass;
   float length;
   std::size_t middleParts;
@@ -30,20 +29,7 @@ struct Expected {
   bool hulls;
 };
 
-void PrintTo(const Expected& expected, std::ostream* out) {
-  *out << expected.name;
-}
-
-class Ship : public testing::TestWithParam<Expected> {
- protected:
-  void SetUp() override {
-    auto loaded = loadModel(GetParam().name);
-    ASSERT_TRUE(loaded.has_value()) << loaded.error().message;
-    model_ = *loaded;
-  }
-
-  std::shared_ptr<const Model> model_;
-};
+using Ship = test::LoadedModel<Expected>;
 
 TEST_P(Ship, HasThreeLevelsOfTheSizesThatItsPageStates) {
   ASSERT_EQ(model_->levels->count(), 3);

@@ -1,5 +1,3 @@
-#include <scatter/io/model_library.h>
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,31 +9,19 @@
 #include <string>
 #include <utility>
 
+#include "io/loaded_model.h"
+
 namespace scatter {
 namespace {
 
-struct Expected {
-  const char* name;
+struct Expected : test::ExpectedModel {
   float mass;
   float height;
   std::size_t middleParts;
   std::size_t finestParts;
 };
 
-void PrintTo(const Expected& expected, std::ostream* out) {
-  *out << expected.name;
-}
-
-class Prop : public testing::TestWithParam<Expected> {
- protected:
-  void SetUp() override {
-    auto loaded = loadModel(GetParam().name);
-    ASSERT_TRUE(loaded.has_value()) << loaded.error().message;
-    model_ = *loaded;
-  }
-
-  std::shared_ptr<const Model> model_;
-};
+using Prop = test::LoadedModel<Expected>;
 
 TEST_P(Prop, HasTheLevelsAndTheMassThatItsPageStates) {
   ASSERT_EQ(model_->levels->count(), 3);

@@ -1,14 +1,28 @@
 #pragma once
 
-#include <scatter/io/physics_document.h>
-#include <scatter/result.h>
+#include "io/collada/frame.h"
+#include "io/document_check.h"
 
 namespace scatter::io {
 
-/// Whether the sizes and the place of a shape are in the range that the reader takes.
-[[nodiscard]] bool isWritable(const DocumentShape& shape);
-
-/// Fails on what the reader would refuse or change: the message names the thing and its value.
-[[nodiscard]] Result<void> checkWritable(const PhysicsDocument& document);
+/// What the COLLADA reader takes.
+inline constexpr DocumentBounds kColladaBounds{.maxDistance = static_cast<float>(ColladaFrame::kMaxLength),
+                                               .maxHalfExtent = static_cast<float>(ColladaFrame::kMaxLength),
+                                               .minSize = static_cast<float>(ColladaFrame::kMinLength),
+                                               .minShapeWeight = 1e-12F,
+                                               .maxShapeWeight = 1e18F,
+                                               .minInertia = 1e-18F,
+                                               .maxInertia = 1e18F,
+                                               .maxSpeed = static_cast<float>(ColladaFrame::kMaxLength),
+                                               .maxGravity = 1e9F,
+                                               .minTimeStep = 1e-9F,
+                                               .maxFieldAcceleration = 1e12F,
+                                               .maxFieldRadius = 1e12F,
+                                               .maxLinearLimit = static_cast<float>(ColladaFrame::kMaxLength),
+                                               .maxAngularLimit = 6.28319F,
+                                               .keepsNames = false,
+                                               .needsVolume = false,
+                                               .needsModel = true,
+                                               .finestIsShapes = true};
 
 }  // namespace scatter::io

@@ -5,6 +5,7 @@
 #include <pugixml.hpp>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "io/collada/fields.h"
@@ -14,6 +15,7 @@
 #include "io/collada/nodes.h"
 #include "io/collada/scene.h"
 #include "io/collada/visuals.h"
+#include "io/numbers.h"
 
 namespace scatter::io {
 namespace {
@@ -57,20 +59,28 @@ Result<std::vector<pugi::xml_node>> findScenes(const ColladaFrame& frame) {
       scenes.push_back(*scene);
     }
   }
-  const pugi::xml_node first = root.child("library_physics_scenes").child("physics_scene");
-  if (scenes.empty() && first) {
+  const pugi::xml_node library = root.find_child([](const pugi::xml_node& child) {
+    return std::string_view(child.name()) == "library_physics_scenes" && child.child("physics_scene");
+  });
+  if (const pugi::xml_node first = library.child("physics_scene"); scenes.empty() && first) {
     frame.note(first, "no <instance_physics_scene> names a physics scene; the first one is read");
     scenes.push_back(first);
   }
+  std::set<std::size_t> used;
+  for (const pugi::xml_node& scene : scenes) {
+    used.insert(scene.hash_value());
+  }
+  frame.noteUnused("library_physics_scenes", "physics_scene", used);
   return scenes;
 }
 
 void noteUnitOfGravity(const ColladaFrame& frame, const pugi::xml_node& node, const Vec3& gravity) {
   const float length = glm::length(gravity);
   if (length > 9.5F && length < 10.1F && frame.metersPerUnit() != 1.0) {
-    frame.note(
-        node,
-        "is in the file's unit and thus not that of the Earth; if it should be, write <unit meter=\"1\">");
+    frame.note(node, "is in the file's unit, which makes it " +
+                         formatNumber(static_cast<double>(length) * frame.metersPerUnit(), 3) +
+                         " m/s²; that of the Earth would be " +
+                         formatNumber(9.81 / frame.metersPerUnit(), 6));
   }
 }
 
@@ -104,9 +114,9 @@ Result<void> readWorld(const ColladaFrame& frame, const pugi::xml_node& scene, P
 }
 
 Result<void> readScene(const ColladaFrame& frame, const pugi::xml_node& scene, ColladaScene& bodies,
-                       PhysicsDocument& document) {
+                       std::set<std::size_t>& usedFields, PhysicsDocument& document) {
   for (const pugi::xml_node& instance : scene.children("instance_force_field")) {
-    auto field = readField(frame, instance);
+    auto field = readField(frame, instance, usedFields);
     if (!field) {
       return tl::unexpected(field.error());
     }
@@ -129,6 +139,8 @@ Result<void> readScenes(const ColladaFrame& frame, ColladaScene& bodies, Physics
   }
   if (scenes->empty()) {
     frame.note(frame.xml().root(), "has no physics scene; each of its rigid bodies stands at the origin");
+    frame.noteUnused("library_force_fields", "force_field", {});
+    bodies.noteUnusedConstraints();
     return bodies.addEveryBody();
   }
   const std::string_view name = scenes->front().attribute("name").value();
@@ -136,23 +148,28 @@ Result<void> readScenes(const ColladaFrame& frame, ColladaScene& bodies, Physics
   if (const auto world = readWorld(frame, scenes->front(), document); !world) {
     return world;
   }
+  std::set<std::size_t> usedFields;
   for (const pugi::xml_node& scene : *scenes) {
     if (scene != scenes->front()) {
       frame.note(scene, "is read together with the first one, whose gravity and time step are taken");
     }
-    if (const auto read = readScene(frame, scene, bodies, document); !read) {
+    if (const auto read = readScene(frame, scene, bodies, usedFields, document); !read) {
       return read;
     }
   }
+  frame.noteUnused("library_force_fields", "force_field", usedFields);
+  bodies.noteUnusedConstraints();
   return bodies.addJoints();
 }
 
+/// What moves bodies and is not read. Cameras, lights and what surfaces look like are no part of a document.
 void noteLibraries(const ColladaFrame& frame) {
   for (const pugi::xml_node& library : frame.xml().root().children()) {
     const std::string_view name = library.name();
-    if (name == "library_animations" || name.find("kinematics") != std::string_view::npos ||
-        name.find("articulated") != std::string_view::npos || name == "library_joints") {
-      frame.note(library, "is not supported; the scene is read as it starts");
+    for (const char* moving : {"animation", "kinematics", "articulated", "joints", "formulas"}) {
+      if (name.starts_with("library_") && name.find(moving) != std::string_view::npos) {
+        frame.note(library, "is not supported; the scene is read as it starts");
+      }
     }
   }
 }
@@ -165,11 +182,12 @@ Result<PhysicsDocument> readDocument(const ColladaFrame& frame, std::string_view
   if (!materials) {
     return tl::unexpected(materials.error());
   }
-  auto nodes = ColladaNodes::read(frame);
+  const std::set<std::size_t> moved = findMovedNodes(frame);
+  auto nodes = ColladaNodes::read(frame, moved);
   if (!nodes) {
     return tl::unexpected(nodes.error());
   }
-  ColladaVisuals visuals(frame, findMovedNodes(frame));
+  ColladaVisuals visuals(frame, moved);
   auto models = ColladaModels::read(frame, *materials, visuals);
   if (!models) {
     return tl::unexpected(models.error());

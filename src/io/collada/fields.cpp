@@ -51,17 +51,20 @@ Result<DocumentField> readPoint(const ColladaFrame& frame, const pugi::xml_node&
 
 }  // namespace
 
-Result<std::optional<DocumentField>> readField(const ColladaFrame& frame, const pugi::xml_node& instance) {
+Result<std::optional<DocumentField>> readField(const ColladaFrame& frame, const pugi::xml_node& instance,
+                                               std::set<std::size_t>& used) {
   const auto node = frame.followOrMend(instance, "url", "force_field", "it is left out");
   if (!node || !*node) {
     return node.map([](const pugi::xml_node&) { return std::optional<DocumentField>(); });
   }
+  used.insert(node->hash_value());
   const pugi::xml_node point =
       node->find_child_by_attribute("technique", "profile", "SCATTER").child("point");
   if (!point) {
     frame.note(*node, "has no <technique profile=\"SCATTER\"> with a <point> and is left out");
     return std::nullopt;
   }
+  frame.noteUnknown(*node, {});
   const std::string_view name = node->attribute("name").value();
   return readPoint(frame, point).map([&](DocumentField field) {
     field.name = name.empty() ? node->attribute("id").value() : name;

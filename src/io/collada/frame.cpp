@@ -83,6 +83,21 @@ void ColladaFrame::noteUnknown(const pugi::xml_node& parent,
       note(child, "is not known in <" + std::string(parent.name()).substr(0, 60) + "> and is ignored");
     } else if (const std::string_view profile = child.attribute("profile").value(); profile != "SCATTER") {
       note(child, "profile " + inQuotes(profile) + " is not read");
+    } else {
+      noteUnknown(child, {"levels", "motion", "point", "shown_mesh"});
+    }
+  }
+}
+
+void ColladaFrame::noteUnused(const char* library, const char* kind,
+                              const std::set<std::size_t>& used) const {
+  for (const pugi::xml_node& entries : xml_->root().children(library)) {
+    for (const pugi::xml_node& entry : entries.children(kind)) {
+      if (!used.contains(entry.hash_value())) {
+        const pugi::xml_attribute id = entry.attribute("id");
+        note(entry, inQuotes((id ? id : entry.attribute("name")).value()) +
+                        " is instanced by nothing that is read; it is left out");
+      }
     }
   }
 }

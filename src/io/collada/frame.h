@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -51,6 +52,9 @@ class ColladaFrame {
 
   /// Notes every child element but the known ones, `<asset>` and `<extra>` or `<technique>` of SCATTER.
   void noteUnknown(const pugi::xml_node& parent, std::initializer_list<std::string_view> known) const;
+
+  /// Notes every `kind` in the libraries of that name whose hash value is not among `used`.
+  void noteUnused(const char* library, const char* kind, const std::set<std::size_t>& used) const;
 
   /// XmlSource::follow, that also takes an id without its '#'.
   [[nodiscard]] Result<pugi::xml_node> follow(const pugi::xml_node& node, const char* attribute,

@@ -211,20 +211,13 @@ void writeGeometries(pugi::xml_node& root, const PhysicsDocument& document) {
 }
 
 void writeMaterials(pugi::xml_node& root, const PhysicsDocument& document) {
-  if (document.materials.empty()) {
-    return;
-  }
-  pugi::xml_node library = append(root, "library_physics_materials");
-  for (std::size_t index = 0; index < document.materials.size(); ++index) {
-    const DocumentMaterial& material = document.materials[index];
-    pugi::xml_node node = append(library, "physics_material");
-    setAttribute(node, "id", makeId("material", index));
-    setName(node, material.name);
-    pugi::xml_node technique = append(node, "technique_common");
-    appendText(technique, "dynamic_friction", formatNumber(material.dynamicFriction));
-    appendText(technique, "restitution", formatNumber(material.restitution));
-    appendText(technique, "static_friction", formatNumber(material.staticFriction));
-  }
+  writeLibrary(root, "physics_material", "material", document.materials,
+               [](pugi::xml_node& node, const DocumentMaterial& material) {
+                 pugi::xml_node technique = append(node, "technique_common");
+                 appendText(technique, "dynamic_friction", formatNumber(material.dynamicFriction));
+                 appendText(technique, "restitution", formatNumber(material.restitution));
+                 appendText(technique, "static_friction", formatNumber(material.staticFriction));
+               });
 }
 
 void writePhysicsModels(pugi::xml_node& root, const PhysicsDocument& document) {

@@ -107,7 +107,9 @@ Result<void> ColladaModels::override(const pugi::xml_node& instance, DocumentMod
   }
   if (!shapes->empty()) {
     model.shapes = std::move(*shapes);
-    model.levels = nullptr;
+    if (std::exchange(model.levels, nullptr)) {
+      frame_->note(instance, "has shapes of its own; the levels of its <rigid_body> are left out");
+    }
   }
   return {};
 }
@@ -138,7 +140,9 @@ Result<void> ColladaModels::scale(const pugi::xml_node& body, const Vec3& scale,
   if (!scaleShapes(model.shapes, scale)) {
     frame_->note(body, "its node scales it unequally; a convex hull is taken for its round shapes");
   }
-  if (!std::all_of(model.shapes.begin(), model.shapes.end(), isWritable)) {
+  if (std::any_of(model.shapes.begin(), model.shapes.end(), [](const DocumentShape& shape) {
+        return findShapeDefect(shape, kColladaBounds).has_value();
+      })) {
     return frame_->xml().failAt(body, "its node scales it so that a shape gets too big or too small");
   }
   if (model.massFrame) {

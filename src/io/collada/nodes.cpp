@@ -23,12 +23,13 @@ Result<pugi::xml_node> findScene(const ColladaFrame& frame) {
 
 }  // namespace
 
-Result<ColladaNodes> ColladaNodes::read(const ColladaFrame& frame) {
-  ColladaNodes nodes(frame);
+Result<ColladaNodes> ColladaNodes::read(const ColladaFrame& frame, const std::set<std::size_t>& moved) {
+  ColladaNodes nodes(frame, moved);
   const auto scene = findScene(frame);
   if (!scene) {
     return tl::unexpected(scene.error());
   }
+  frame.noteUnused("library_visual_scenes", "visual_scene", {scene->hash_value()});
   if (const auto walked = nodes.walk(*scene); !walked) {
     return tl::unexpected(walked.error());
   }
@@ -41,6 +42,7 @@ Result<void> ColladaNodes::walk(const pugi::xml_node& scene) {
     const pugi::xml_node parent = queue_.back();
     queue_.pop_back();
     for (const pugi::xml_node& element : parent.children()) {
+      noteMesh(element, parent);
       pugi::xml_node child = isNode(element) ? element : pugi::xml_node();
       if (std::string_view(element.name()) == "instance_node") {
         const auto found = frame_->followOrMend(element, "url", "node", "it is left out");
@@ -57,6 +59,15 @@ Result<void> ColladaNodes::walk(const pugi::xml_node& scene) {
   return {};
 }
 
+void ColladaNodes::noteMesh(const pugi::xml_node& element, const pugi::xml_node& parent) const {
+  const std::string_view name = element.name();
+  const auto around = visits_.find(parent.hash_value());
+  if ((name == "instance_geometry" || name == "instance_controller") &&
+      (around == visits_.end() || !around->second.moved)) {
+    frame_->note(element, "belongs to no rigid body and is left out");
+  }
+}
+
 Result<void> ColladaNodes::visit(const pugi::xml_node& child, const pugi::xml_node& parent) {
   if (!child) {
     return {};
@@ -67,7 +78,8 @@ Result<void> ColladaNodes::visit(const pugi::xml_node& child, const pugi::xml_no
     return frame_->xml().failAt(child,
                                 "stands deeper in the scene than " + std::to_string(kMaxDepth) + " nodes");
   }
-  const auto [known, isNew] = visits_.try_emplace(child.hash_value(), Visit{parent, depth, false});
+  const bool moved = moved_.contains(child.hash_value()) || (around != visits_.end() && around->second.moved);
+  const auto [known, isNew] = visits_.try_emplace(child.hash_value(), Visit{parent, depth, moved, false});
   if (isNew) {
     queue_.push_back(child);
     return {};

@@ -152,6 +152,9 @@ Result<void> addPrimitive(const ColladaFrame& frame, const pugi::xml_node& primi
       });
     }
   }
+  if (kind == "lines" || kind == "linestrips") {
+    frame.note(primitive, "has no triangles and is not shown");
+  }
   return {};
 }
 

@@ -161,7 +161,7 @@ Result<std::shared_ptr<const LevelSet>> scaleLevels(const LevelSet& levels, cons
       if (!scalePart(part.shape, part.pose, scale)) {
         return fail("a round part cannot be scaled unequally");
       }
-      if (!isWritable({part.shape, part.pose, {}, {}, {}})) {
+      if (findShapeDefect({part.shape, part.pose, {}, {}, {}}, kColladaBounds)) {
         return fail("a part gets too big or too small");
       }
     }

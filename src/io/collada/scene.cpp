@@ -1,5 +1,7 @@
 #include "io/collada/scene.h"
 
+#include <algorithm>
+#include <glm/common.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <utility>
 
@@ -233,17 +235,20 @@ Result<void> ColladaScene::readMovement(const pugi::xml_node& instance, const pu
       return tl::unexpected(degrees.error());
     }
     const auto radians = [&](std::size_t i) { return (*degrees)[i] * kDegreesToRadians; };
-    const glm::dvec3 velocity(radians(0), radians(1), radians(2));
-    if (!(glm::length(velocity) < 1e6)) {
+    const Vec3 velocity(radians(0), radians(1), radians(2));
+    const Vec3 sizes = glm::abs(velocity);
+    if (!(std::max({sizes.x, sizes.y, sizes.z}) <= 1e6F)) {
       return frame_->xml().failAt(node, "is faster than 1e6 radians a second");
     }
-    result.angularVelocity = frame_->turnYUp(Vec3(velocity));
+    result.angularVelocity = frame_->turnYUp(velocity);
   }
   return {};
 }
 
 Result<void> ColladaScene::addConstraint(const pugi::xml_node& instance, const Context& context) {
   if (const pugi::xml_node constraint = findChild(instance, context.model)) {
+    frame_->noteUnknown(instance, {});
+    usedConstraints_.insert(constraint.hash_value());
     constraints_.push_back({constraint, context.scope});
   } else {
     frame_->note(instance, "constraint " + inQuotes(instance.attribute("constraint").value()) +
@@ -284,6 +289,20 @@ Result<std::optional<Anchor>> ColladaScene::findAnchor(const pugi::xml_node& att
   frame_->note(attachment,
                "rigid_body " + inQuotes(link) + " names no body of its model; the joint is left out");
   return std::nullopt;
+}
+
+void ColladaScene::noteUnusedConstraints() const {
+  for (const pugi::xml_node& library : frame_->xml().root().children("library_physics_models")) {
+    for (const pugi::xml_node& model : library.children("physics_model")) {
+      for (const pugi::xml_node& constraint : model.children("rigid_constraint")) {
+        if (!usedConstraints_.contains(constraint.hash_value())) {
+          const pugi::xml_attribute sid = constraint.attribute("sid");
+          frame_->note(constraint, inQuotes((sid ? sid : constraint.attribute("name")).value()) +
+                                       " is named by no <instance_rigid_constraint>; it is left out");
+        }
+      }
+    }
+  }
 }
 
 Result<void> ColladaScene::addJoints() {

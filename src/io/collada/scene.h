@@ -30,6 +30,9 @@ class ColladaScene {
   /// Adds a body of every rigid body, at the origin.
   [[nodiscard]] Result<void> addEveryBody();
 
+  /// Notes the constraints that no instance named.
+  void noteUnusedConstraints() const;
+
   /// Adds the joints of all instances, after their bodies.
   [[nodiscard]] Result<void> addJoints();
 
@@ -87,6 +90,7 @@ class ColladaScene {
   std::map<std::size_t, std::size_t> bodyOfNode_;
   std::map<std::size_t, std::map<std::string_view, pugi::xml_node>> sids_;
   std::set<std::size_t> open_;  ///< Physics models whose content is being added.
+  std::set<std::size_t> usedConstraints_;
   std::set<std::string> names_;
   std::map<std::string, std::size_t> suffixes_;
 };

@@ -93,22 +93,15 @@ void writePhysicsScene(pugi::xml_node& root, const PhysicsDocument& document) {
 }  // namespace
 
 void writeFields(pugi::xml_node& root, const PhysicsDocument& document) {
-  if (document.fields.empty()) {
-    return;
-  }
-  pugi::xml_node library = append(root, "library_force_fields");
-  for (std::size_t index = 0; index < document.fields.size(); ++index) {
-    const DocumentField& field = document.fields[index];
-    pugi::xml_node node = append(library, "force_field");
-    setAttribute(node, "id", makeId("field", index));
-    setName(node, field.name);
-    pugi::xml_node technique = append(node, "technique");
-    setAttribute(technique, "profile", "SCATTER");
-    pugi::xml_node point = append(technique, "point");
-    appendText(point, "center", formatVector(field.center));
-    appendText(point, "acceleration", formatNumber(field.acceleration));
-    appendText(point, "radius", formatNumber(field.radius));
-  }
+  writeLibrary(root, "force_field", "field", document.fields,
+               [](pugi::xml_node& node, const DocumentField& field) {
+                 pugi::xml_node technique = append(node, "technique");
+                 setAttribute(technique, "profile", "SCATTER");
+                 pugi::xml_node point = append(technique, "point");
+                 appendText(point, "center", formatVector(field.center));
+                 appendText(point, "acceleration", formatNumber(field.acceleration));
+                 appendText(point, "radius", formatNumber(field.radius));
+               });
 }
 
 void writeScenes(pugi::xml_node& root, const PhysicsDocument& document) {

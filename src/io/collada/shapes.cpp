@@ -219,6 +219,25 @@ Result<pugi::xml_node> findGeometry(const ColladaFrame& frame, const pugi::xml_n
   return geometry;
 }
 
+/// Notes what else a shape holds than its size, and geometry beyond the first.
+void noteRest(const ColladaFrame& frame, const pugi::xml_node& shape) {
+  constexpr std::array<std::string_view, 7> kSized{
+      "plane", "box", "sphere", "capsule", "cylinder", "tapered_capsule", "tapered_cylinder"};
+  std::size_t count = 0;
+  for (const pugi::xml_node& child : shape.children()) {
+    const std::string_view name = child.name();
+    const bool sized = std::find(kSized.begin(), kSized.end(), name) != kSized.end();
+    if (sized) {
+      frame.noteUnknown(
+          child, {"equation", "half_extents", "half_extends", "radius", "radius1", "radius2", "height"});
+    }
+    count += sized || name == "instance_geometry" || name == "convex_mesh" ? 1 : 0;
+  }
+  if (count > 1) {
+    frame.note(shape, "holds several geometries; one is read, give the others a <shape> of their own");
+  }
+}
+
 Result<std::optional<DocumentShape>> readGeometry(const ColladaFrame& frame, const pugi::xml_node& shape) {
   DocumentShape result;
   if (const pugi::xml_node plane = shape.child("plane")) {
@@ -300,6 +319,7 @@ Result<std::optional<DocumentShape>> readShape(const ColladaFrame& frame, const 
   frame.noteUnknown(shape, {"hollow", "mass", "density", "instance_physics_material", "physics_material",
                             "plane", "box", "sphere", "capsule", "cylinder", "tapered_capsule",
                             "tapered_cylinder", "convex_mesh", "instance_geometry", "translate", "rotate"});
+  noteRest(frame, shape);
   auto result = readGeometry(frame, shape);
   if (!result || !*result) {
     return result;

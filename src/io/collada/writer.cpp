@@ -37,8 +37,8 @@ PhysicsDocument documentOf(const Model& model) {
 namespace scatter {
 
 Result<void> writeColladaDocument(const PhysicsDocument& document, const std::filesystem::path& path) {
-  if (auto writable = io::checkWritable(document); !writable) {
-    return writable;
+  if (const auto sound = io::checkDocument(document, io::kColladaBounds); !sound) {
+    return fail("cannot write " + path.string() + ": " + sound.error().message);
   }
   pugi::xml_document xml;
   pugi::xml_node root = io::writeRoot(xml);
@@ -52,7 +52,7 @@ Result<void> writeColladaDocument(const PhysicsDocument& document, const std::fi
 
 Result<void> writeCollada(const Model& model, const std::filesystem::path& path) {
   if (model.levels == nullptr) {
-    return fail("model " + io::inQuotes(model.name) + " cannot be written: it has no levels");
+    return fail("cannot write " + path.string() + ": model " + io::inQuotes(model.name) + " has no levels");
   }
   return writeColladaDocument(io::documentOf(model), path);
 }

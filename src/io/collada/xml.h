@@ -28,6 +28,23 @@ void setAttribute(pugi::xml_node& node, const char* name, const std::string& val
 /// Sets the attribute `name` if there is one.
 void setName(pugi::xml_node& node, const std::string& name);
 
+/// The library of an `element`: one for each item, with an id of that kind and the item's name, whose content
+/// `writeContent` adds. Without items there is no library: the schema wants none that is empty.
+template <class Item, class WriteContent>
+void writeLibrary(pugi::xml_node& root, const std::string& element, const char* idKind,
+                  const std::vector<Item>& items, const WriteContent& writeContent) {
+  if (items.empty()) {
+    return;
+  }
+  pugi::xml_node library = append(root, ("library_" + element + "s").c_str());
+  for (std::size_t index = 0; index < items.size(); ++index) {
+    pugi::xml_node node = append(library, element.c_str());
+    setAttribute(node, "id", makeId(idKind, index));
+    setName(node, items[index].name);
+    writeContent(node, items[index]);
+  }
+}
+
 /// Degrees with as few digits as give back the same number of radians.
 [[nodiscard]] std::string formatDegrees(float radians);
 

@@ -104,6 +104,8 @@ void GltfBodies::addBody(std::size_t node, std::size_t modelCount) {
 }
 
 void GltfBodies::readMotion(const JsonPlace& motion, GltfBody& body) {
+  file_->warnUnknown(motion, {"isKinematic", "mass", "centerOfMass", "inertiaDiagonal", "inertiaOrientation",
+                              "linearVelocity", "angularVelocity", "gravityFactor"});
   const auto kinematic = motion.find("isKinematic");
   body.motion = kinematic && kinematic->boolean() ? DocumentMotion::kKinematic : DocumentMotion::kDynamic;
   if (const auto mass = motion.find("mass")) {
@@ -174,9 +176,14 @@ void GltfBodies::readNode(std::size_t node) {
     }
   }
   const auto physics = extension(node);
-  if (!physics || (body == nullptr && !(*nodes_)[node].inScene)) {
+  if (!physics) {
     return;
   }
+  if (body == nullptr && !(*nodes_)[node].inScene) {
+    file_->warn(place, "has physics, but stands outside the scene; it is left out");
+    return;
+  }
+  file_->warnUnknown(*physics, {"motion", "collider", "trigger", "joint"});
   if (const auto trigger = physics->find("trigger")) {
     file_->warn(*trigger, "triggers are not supported; it is left out");
   }
@@ -191,6 +198,10 @@ void GltfBodies::readCollider(std::size_t node, const JsonPlace& collider) {
   result.placement = owners_[node].placement;
   // Earlier drafts had the shape in the collider itself.
   const JsonPlace geometry = collider.find("geometry").value_or(collider);
+  file_->warnUnknown(geometry, {"shape", "node", "convexHull", "physicsMaterial", "collisionFilter"});
+  if (collider.find("geometry")) {
+    file_->warnUnknown(collider, {"geometry", "physicsMaterial", "collisionFilter"});
+  }
   const auto shape = geometry.find("shape");
   const auto source = geometry.find("node");
   if (shape.has_value() == source.has_value()) {

@@ -33,7 +33,7 @@ std::optional<DocumentShape> GltfColliders::shapeOf(const GltfCollider& collider
   DocumentShape shape;
   shape.geometry = std::move(scaled->geometry);
   shape.pose = collider.placement.rigid();
-  if (const auto defect = findShapeDefect(shape)) {
+  if (const auto defect = findShapeDefect(shape, kGltfBounds)) {
     file_->warn(place, "cannot be used: " + *defect + "; it is left out");
     return std::nullopt;
   }

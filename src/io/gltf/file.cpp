@@ -7,6 +7,7 @@
 #include <cstring>
 #include <utility>
 
+#include "io/collada/xml_source.h"
 #include "io/gltf/base64.h"
 #include "io/numbers.h"
 
@@ -225,6 +226,15 @@ void GltfFile::warn(const std::string& what) {
     warnings_.push_back(what);
   } else {
     ++warningsLeftOut_;
+  }
+}
+
+void GltfFile::warnUnknown(const JsonPlace& place, std::initializer_list<std::string_view> known) {
+  for (const std::string& key : place.keys()) {
+    if (std::find(known.begin(), known.end(), key) == known.end() && key != "name" && key != "extras" &&
+        key != "extensions") {
+      warn(place, inQuotes(key) + " is not known here and is ignored");
+    }
   }
 }
 

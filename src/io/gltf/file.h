@@ -3,6 +3,7 @@
 #include <scatter/levels/level_set.h>
 
 #include <filesystem>
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <string>
@@ -52,6 +53,9 @@ class GltfFile {
 
   void warn(const JsonPlace& place, const std::string& what);
   void warn(const std::string& what);
+
+  /// Warns of every member of an object but the known ones, "name", "extras" and "extensions".
+  void warnUnknown(const JsonPlace& place, std::initializer_list<std::string_view> known);
 
   /// Without the file's name, in the order in which they came; what there is too much of is counted.
   [[nodiscard]] std::vector<std::string> takeWarnings();

@@ -23,6 +23,7 @@ std::optional<double> readBound(const JsonPlace& limit, const char* key, double 
 void applyLimit(GltfFile& file, const JsonPlace& limit, DocumentJoint& joint) {
   const auto linear = limit.find("linearAxes");
   const auto angular = limit.find("angularAxes");
+  file.warnUnknown(limit, {"linearAxes", "angularAxes", "min", "max", "stiffness", "damping"});
   if (linear.has_value() == angular.has_value()) {
     limit.fail(R"(should have either "linearAxes" or "angularAxes")");
   }
@@ -54,10 +55,8 @@ void applyLimit(GltfFile& file, const JsonPlace& limit, DocumentJoint& joint) {
   }
 }
 
-void readLimits(GltfFile& file, const JsonPlace& reference, DocumentJoint& joint) {
-  const auto all = file.root().find({"extensions", kRigidBodies, "physicsJoints"});
-  const std::size_t index = reference.index(all ? all->size() : 0, "joint");
-  const JsonPlace description = (*all)[index];
+void readLimits(GltfFile& file, const JsonPlace& description, DocumentJoint& joint) {
+  file.warnUnknown(description, {"limits", "drives"});
   if (const auto limits = description.find("limits")) {
     for (std::size_t i = 0; i < limits->size(); ++i) {
       applyLimit(file, (*limits)[i], joint);
@@ -96,6 +95,8 @@ bool findBody(const GltfOwner& owner, const std::vector<std::optional<std::size_
 std::vector<DocumentJoint> readJoints(GltfFile& file, const GltfNodes& nodes, const GltfBodies& bodies,
                                       const std::vector<std::optional<std::size_t>>& bodyOfNode) {
   std::vector<DocumentJoint> joints;
+  const auto descriptions = file.root().find({"extensions", kRigidBodies, "physicsJoints"});
+  std::vector<bool> isUsed(descriptions ? descriptions->size() : 0, false);
   for (std::size_t i = 0; i < nodes.count(); ++i) {
     const auto found = nodes[i].inScene ? findJoint(nodes, bodies, i) : std::nullopt;
     if (!found) {
@@ -103,6 +104,8 @@ std::vector<DocumentJoint> readJoints(GltfFile& file, const GltfNodes& nodes, co
     }
     const JsonPlace& place = found->place;
     const std::size_t other = place.at("connectedNode").index(nodes.count(), "node");
+    const std::size_t description = place.at("joint").index(isUsed.size(), "joint");
+    isUsed[description] = true;
     DocumentJoint joint;
     const bool complete = findBody(bodies.owner(i), bodyOfNode, joint.bodyA) &&
                           findBody(bodies.owner(other), bodyOfNode, joint.bodyB);
@@ -118,8 +121,14 @@ std::vector<DocumentJoint> readJoints(GltfFile& file, const GltfNodes& nodes, co
     joint.enabled = found->enabled;
     const auto collide = place.find("enableCollision");
     joint.bodiesCollide = collide && collide->boolean();
-    readLimits(file, place.at("joint"), joint);
+    file.warnUnknown(place, {"connectedNode", "joint", "enableCollision"});
+    readLimits(file, (*descriptions)[description], joint);
     joints.push_back(joint);
+  }
+  for (std::size_t i = 0; i < isUsed.size(); ++i) {
+    if (!isUsed[i]) {
+      file.warn((*descriptions)[i], "no node uses it; it is left out");
+    }
   }
   return joints;
 }

@@ -133,6 +133,14 @@ JsonPlace JsonPlace::at(const char* key) const {
   return *found;
 }
 
+std::vector<std::string> JsonPlace::keys() const {
+  std::vector<std::string> keys;
+  for (const auto& member : value_->items()) {
+    keys.push_back(member.key());
+  }
+  return keys;
+}
+
 std::size_t JsonPlace::size() const {
   if (!value_->is_array()) {
     fail("should be an array");

@@ -43,7 +43,8 @@ class JsonPlace {
   /// `find` along several keys, each an object's member.
   [[nodiscard]] std::optional<JsonPlace> find(std::initializer_list<const char*> keys) const;
 
-  [[nodiscard]] std::size_t size() const;  ///< Of this array.
+  [[nodiscard]] std::vector<std::string> keys() const;  ///< Of what is known to be an object.
+  [[nodiscard]] std::size_t size() const;               ///< Of this array.
   [[nodiscard]] JsonPlace operator[](std::size_t index) const;
 
   [[nodiscard]] double number() const;

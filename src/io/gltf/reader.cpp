@@ -2,6 +2,7 @@
 #include <scatter/io/gltf.h>
 
 #include <algorithm>
+#include <array>
 #include <exception>
 #include <new>
 #include <optional>
@@ -72,16 +73,22 @@ class Reader {
   PhysicsDocument document_;
 };
 
+/// Whether an extension is read, or only says what surfaces look like.
+bool isRead(std::string_view extension) {
+  constexpr std::array kRead{kRigidBodies, kImplicitShapes, "KHR_draco_mesh_compression",
+                             "EXT_meshopt_compression", "KHR_mesh_quantization"};
+  return std::find(kRead.begin(), kRead.end(), extension) != kRead.end() ||
+         extension.starts_with("KHR_materials_") || extension.starts_with("KHR_lights_") ||
+         extension.starts_with("KHR_texture_") || extension.starts_with("EXT_texture_");
+}
+
 void Reader::checkExtensions() {
   const auto used = file_.root().find("extensionsUsed");
   bool hasPhysics = file_.root().find({"extensions", kRigidBodies}).has_value();
   for (std::size_t i = 0; used && i < used->size(); ++i) {
     const std::string name = (*used)[i].text();
     hasPhysics = hasPhysics || name == kRigidBodies;
-    const bool physical = name.find("physics") != std::string::npos ||
-                          name.find("rigid") != std::string::npos ||
-                          name.find("collision") != std::string::npos;
-    if (physical && name != kRigidBodies) {
+    if (!isRead(name)) {
       file_.warn((*used)[i], "this extension is not supported and is left out");
     }
   }
@@ -117,6 +124,8 @@ void Reader::readMaterials() {
       const auto found = place.find(key);
       return found ? static_cast<float>(found->number(0.0, high)) : standard;
     };
+    file_.warnUnknown(
+        place, {"staticFriction", "dynamicFriction", "restitution", "frictionCombine", "restitutionCombine"});
     constexpr double kMaxFriction = 1e3;
     constexpr float kDraftFriction = 0.6F;
     DocumentMaterial material;

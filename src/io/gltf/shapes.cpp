@@ -87,6 +87,11 @@ std::optional<GltfShape> readGltfShape(GltfFile& file, const JsonPlace& place) {
   const JsonPlace typePlace = place.at("type");
   const std::string type = typePlace.text();
   const auto values = place.find(type.c_str());
+  file.warnUnknown(place, {"type", type, "translation", "rotation"});
+  if (values) {
+    file.warnUnknown(*values, {"size", "radius", "radiusBottom", "radiusTop", "height", "sizeX", "sizeZ",
+                               "doubleSided", "vertices"});
+  }
   if (type == "box") {
     return readBox(values);
   }

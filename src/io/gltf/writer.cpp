@@ -242,7 +242,7 @@ Result<void> writeGltfDocument(const PhysicsDocument& document, const std::files
   if (extension != ".gltf" && extension != ".glb") {
     return fail("cannot write " + path.string() + ": the name should end in .gltf or .glb");
   }
-  if (auto sound = io::checkDocument(document); !sound) {
+  if (auto sound = io::checkGltfDocument(document); !sound) {
     return fail("cannot write " + path.string() + ": " + sound.error().message);
   }
   io::Writer writer(document);

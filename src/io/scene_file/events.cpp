@@ -81,11 +81,9 @@ void readJoint(const SceneTable& table, SceneFile& scene, const SceneNames& name
   static const std::vector<std::string_view> kKinds{"point", "hinge", "slider", "fixed", "six_dof"};
   SceneFileJoint joint;
   joint.line = table.line();
-  table.demand("kind");
-  const auto kind = table.choose("kind", kKinds);
+  const auto kind = table.needKind("kind", kKinds);
   if (!kind) return;
   joint.kind = static_cast<Kind>(*kind);
-  table.keepToKind("kind", kKinds[*kind]);
   readJointBodies(table, scene, names, joint);
   table.read("at", joint.frame.position);
   if (joint.kind == Kind::kHinge || joint.kind == Kind::kSlider) {
@@ -172,10 +170,8 @@ void readEvent(const SceneTable& table, SceneFile& scene, const SceneNames& name
   static const std::vector<std::string_view> kDeeds{"throw", "knock", "break", "remove", "field"};
   SceneFileEvent event;
   event.line = table.line();
-  table.demand("do");
-  const auto deed = table.choose("do", kDeeds);
+  const auto deed = table.needKind("do", kDeeds);
   if (!deed) return;
-  table.keepToKind("do", kDeeds[*deed]);
   event.frame = readFrame(table);
   if (kDeeds[*deed] != "field" && table.require("target")) event.bodies = names.bodies(table, "target");
   switch (*deed) {

@@ -13,26 +13,17 @@ namespace {
 constexpr std::size_t kMostHullPoints = 256;
 constexpr std::size_t kMostGibs = 256;
 
-Capsule readCapsule(const SceneTable& object) {
-  Capsule capsule;
+/// A Capsule or Cylinder.
+template <class Round>
+Round readRound(const SceneTable& object, std::string_view key, std::string_view section) {
+  Round round;
   float length = 0.0F;
-  if (const auto table = object.table("capsule", "object.capsule")) {
-    table->need("radius", capsule.radius);
+  if (const auto table = object.table(key, section)) {
+    table->need("radius", round.radius);
     table->need("length", length);
   }
-  capsule.halfHeight = 0.5F * length;
-  return capsule;
-}
-
-Cylinder readCylinder(const SceneTable& object) {
-  Cylinder cylinder;
-  float length = 0.0F;
-  if (const auto table = object.table("cylinder", "object.cylinder")) {
-    table->need("radius", cylinder.radius);
-    table->need("length", length);
-  }
-  cylinder.halfHeight = 0.5F * length;
-  return cylinder;
+  round.halfHeight = 0.5F * length;
+  return round;
 }
 
 SceneFileBall readBall(const SceneTable& object) {
@@ -80,8 +71,8 @@ SceneFileShape readShape(const SceneTable& object) {
     for (int axis = 0; axis < 3; ++axis) size[axis] *= 0.5F;
     return Box{size};
   }
-  if (kind == "capsule") return readCapsule(object);
-  if (kind == "cylinder") return readCylinder(object);
+  if (kind == "capsule") return readRound<Capsule>(object, kind, "object.capsule");
+  if (kind == "cylinder") return readRound<Cylinder>(object, kind, "object.cylinder");
   if (kind == "hull") return readHull(object);
   if (kind == "plane") {
     SceneFilePlane plane;

@@ -61,13 +61,11 @@ void readRegion(const SceneTable& table, SceneFile& scene, SceneNames& names) {
   static const std::vector<std::string_view> kKinds{"shell", "ball", "box"};
   SceneFileRegion region;
   table.demand("name");
-  table.demand("kind");
   region.name = io::readName(table, "name");
   names.define(table, "region", region.name, scene.regions.size());
-  const auto kind = table.choose("kind", kKinds);
+  const auto kind = table.needKind("kind", kKinds);
   if (!kind) return;
   region.kind = static_cast<Kind>(*kind);
-  table.keepToKind("kind", kKinds[*kind]);
   table.read("center", region.center);
   table.read("clearance", region.clearance);
   if (region.kind == Kind::kShell) {

@@ -163,22 +163,24 @@ void SceneTable::read(std::string_view key, Quat& value) const {
   value = glm::normalize(given);
 }
 
-void SceneTable::read(std::string_view key, std::vector<float>& values) const {
+template <class Value>
+void SceneTable::readList(std::string_view key, std::vector<Value>& values,
+                          Value (SceneTable::*readOne)(const SceneKey& key, const TomlNode& node)
+                              const) const {
   const TomlEntry* entry = find(key);
   if (entry == nullptr) return;
   const SceneKey& info = *section_->find(key);
-  const auto* numbers = array(info, entry->node, 0);
-  if (numbers == nullptr) return;
-  for (const TomlNode& node : *numbers) values.push_back(number(info, node));
+  const auto* list = array(info, entry->node, 0);
+  if (list == nullptr) return;
+  for (const TomlNode& node : *list) values.push_back((this->*readOne)(info, node));
+}
+
+void SceneTable::read(std::string_view key, std::vector<float>& values) const {
+  readList(key, values, &SceneTable::number);
 }
 
 void SceneTable::read(std::string_view key, std::vector<Vec3>& values) const {
-  const TomlEntry* entry = find(key);
-  if (entry == nullptr) return;
-  const SceneKey& info = *section_->find(key);
-  const auto* points = array(info, entry->node, 0);
-  if (points == nullptr) return;
-  for (const TomlNode& node : *points) values.push_back(vector(info, node));
+  readList(key, values, &SceneTable::vector);
 }
 
 void SceneTable::readTexts(std::string_view key, std::vector<std::string>& values) const {
@@ -231,6 +233,14 @@ std::optional<std::size_t> SceneTable::choose(std::string_view key,
                     inQuotes(word));
   }
   return std::nullopt;
+}
+
+std::optional<std::size_t> SceneTable::needKind(std::string_view key,
+                                                const std::vector<std::string_view>& kinds) const {
+  demand(key);
+  const auto kind = choose(key, kinds);
+  if (kind) keepToKind(key, kinds[*kind]);
+  return kind;
 }
 
 void SceneTable::keepToKind(std::string_view kindKey, std::string_view kind) const {

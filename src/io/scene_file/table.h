@@ -78,6 +78,10 @@ class SceneTable {
   [[nodiscard]] std::optional<std::size_t> choose(std::string_view key,
                                                   const std::vector<std::string_view>& words) const;
 
+  /// The same for a key that must be there and says which other keys may be.
+  [[nodiscard]] std::optional<std::size_t> needKind(std::string_view key,
+                                                    const std::vector<std::string_view>& kinds) const;
+
   /// Refuses keys that belong to other kinds than this one.
   void keepToKind(std::string_view kindKey, std::string_view kind) const;
 
@@ -116,6 +120,9 @@ class SceneTable {
   [[nodiscard]] Vec3 vector(const SceneKey& key, const TomlNode& node) const;
   [[nodiscard]] const TomlNode::Array* array(const SceneKey& key, const TomlNode& node,
                                              std::size_t length) const;
+  template <class Value>
+  void readList(std::string_view key, std::vector<Value>& values,
+                Value (SceneTable::*readOne)(const SceneKey& key, const TomlNode& node) const) const;
   void reportType(const SceneKey& key, const TomlNode& node) const;
   void checkKeys() const;
 

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <exception>
+#include <optional>
+
+#include "io/utf8.h"
 
 namespace scatter::io {
 namespace {
@@ -46,6 +49,39 @@ int lineOfLongKey(std::string_view text) {
   return 0;
 }
 
+/// The parser is undefined on some characters beyond ASCII that stand where no text is. It gets each byte of
+/// such characters as a character of private use, U+E080 to U+E0FF, on which it is not.
+std::string shielded(std::string_view text) {
+  std::string result;
+  result.reserve(text.size());
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x80) {
+      result += c;
+    } else {
+      result += {'\xEE', static_cast<char>(0x80 | byte >> 6), static_cast<char>(0x80 | (byte & 0x3F))};
+    }
+  }
+  return result;
+}
+
+/// The text before it was shielded.
+std::string unshielded(std::string_view text) {
+  std::string result;
+  result.reserve(text.size());
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(text[at]); };
+    if (byte(i) == 0xEE && i + 2 < text.size() && (byte(i + 1) == 0x82 || byte(i + 1) == 0x83)) {
+      result += static_cast<char>((byte(i + 1) & 3) << 6 | (byte(i + 2) & 0x3F));
+      i += 2;
+    } else {
+      result += text[i];
+    }
+  }
+  // An escape in a text can name such a character, too.
+  return isUtf8(result) ? result : std::string(text);
+}
+
 /// The parser's message as one short line of visible characters.
 std::string onOneLine(std::string_view text) {
   constexpr std::size_t kMost = 200;
@@ -72,7 +108,7 @@ TomlNode::Table convertTable(const toml::table& table) {
   result.reserve(table.size());
   for (const auto& [key, node] : table) {
     const auto line = static_cast<int>(key.source().begin.line);
-    result.push_back({.key = std::string(key.str()), .line = line, .node = convert(node, line)});
+    result.push_back({.key = unshielded(key.str()), .line = line, .node = convert(node, line)});
   }
   std::stable_sort(result.begin(), result.end(),
                    [](const TomlEntry& a, const TomlEntry& b) { return a.line < b.line; });
@@ -86,7 +122,7 @@ TomlNode convert(const toml::node& node, int line) {
   result.line = own > 0 ? own : line;
   if (const auto* table = node.as_table()) result.value = convertTable(*table);
   if (const auto* array = node.as_array()) result.value = convertArray(*array, result.line);
-  if (const auto* text = node.as_string()) result.value = text->get();
+  if (const auto* text = node.as_string()) result.value = unshielded(text->get());
   if (const auto* whole = node.as_integer()) result.value = whole->get();
   if (const auto* number = node.as_floating_point()) result.value = number->get();
   if (const auto* flag = node.as_boolean()) result.value = flag->get();
@@ -113,6 +149,15 @@ std::size_t lineOfUnexpected(std::string_view text) {
   const auto line = std::partition_point(
       ends.begin(), ends.end(), [text](std::size_t end) { return !isUnexpected(text.substr(0, end)); });
   return static_cast<std::size_t>(line - ends.begin()) + 1;
+}
+
+std::optional<std::size_t> lineOfNoUtf8(std::string_view text) {
+  for (std::size_t line = 1; !text.empty(); ++line) {
+    const std::size_t length = std::min(text.find('\n'), text.size() - 1) + 1;
+    if (!isUtf8(text.substr(0, length))) return line;
+    text.remove_prefix(length);
+  }
+  return std::nullopt;
 }
 
 /// How many headers and inline tables there can be at most.
@@ -146,12 +191,18 @@ Result<TomlNode::Table> parseToml(std::string_view text, std::string_view name) 
     return fail(place(name, 1) + "more than " + std::to_string(kMostTables) +
                 " tables; place bodies that are alike with one [[object]]");
   }
+  if (const auto line = lineOfNoUtf8(text)) {
+    return fail(place(name, *line) + "is not UTF-8; save it as that");
+  }
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  const std::string toParse =
+      shielded(text.substr(text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0));
   try {
-    return convertTable(toml::parse(text, name));
+    return convertTable(toml::parse(toParse, name));
   } catch (const toml::parse_error& error) {
-    return fail(place(name, error.source().begin.line) + onOneLine(error.description()));
+    return fail(place(name, error.source().begin.line) + onOneLine(unshielded(error.description())));
   } catch (const UnexpectedText&) {
-    return fail(place(name, lineOfUnexpected(text)) + "expected a key, a value, a table or a comment");
+    return fail(place(name, lineOfUnexpected(toParse)) + "expected a key, a value, a table or a comment");
   }
 }
 

@@ -158,6 +158,72 @@ std::vector<Fault> warnings() {
          f.nodes = "<instance_node url=\"#n\"/><instance_node url=\"#n\"/>";
        },
        "3: <node>: stands in the visual scene several times"},
+      {"UnusedConstraint",
+       [](SceneFile& f) {
+         f.models = "<physics_model id=\"j\"><rigid_constraint sid=\"latch\"/></physics_model>";
+       },
+       "6: <rigid_constraint>: \"latch\" is named by no <instance_rigid_constraint>; it is left out"},
+      {"UnusedConstraintWithoutScene",
+       [](SceneFile& f) {
+         f.models =
+             "<physics_model id=\"j\"><rigid_constraint "
+             "sid=\"latch\"/></physics_model></library_physics_models>"
+             "<library_physics_models>";
+         f.scene = "";
+       },
+       "6: <rigid_constraint>: \"latch\" is named by no"},
+      {"UnusedField",
+       [](SceneFile& f) {
+         f.libraries = "<library_force_fields><force_field id=\"pull\"/></library_force_fields>";
+       },
+       "3: <force_field>: \"pull\" is instanced by nothing that is read"},
+      {"UnusedPhysicsScene",
+       [](SceneFile& f) {
+         f.libraries = "<library_physics_scenes><physics_scene id=\"later\"/></library_physics_scenes>";
+       },
+       "3: <physics_scene>: \"later\" is instanced by nothing that is read"},
+      {"UnusedVisualScene",
+       [](SceneFile& f) {
+         f.libraries = "<library_visual_scenes><visual_scene id=\"later\"/></library_visual_scenes>";
+       },
+       "3: <visual_scene>: \"later\" is instanced by nothing that is read"},
+      {"MeshOfNoBody",
+       [](SceneFile& f) { f.nodes += "<node><node><instance_geometry url=\"#x\"/></node></node>"; },
+       "8: <instance_geometry>: belongs to no rigid body and is left out"},
+      {"SkinOfNoBody", [](SceneFile& f) { f.nodes += "<node><instance_controller url=\"#x\"/></node>"; },
+       "8: <instance_controller>: belongs to no rigid body"},
+      {"TwoGeometries",
+       common(
+           "<shape><sphere><radius>1</radius></sphere><box><half_extents>1 1 1</half_extents></box></shape>"),
+       "5: <shape>: holds several geometries"},
+      {"UnknownInShape", common("<shape><sphere><radius>1</radius><margin>1</margin></sphere></shape>"),
+       "5: <margin>: is not known in <sphere>"},
+      {"UnknownOfOurs",
+       [](SceneFile& f) {
+         f.common +=
+             "</technique_common><extra><technique profile=\"SCATTER\"><levls/></technique></extra>"
+             "<technique_common>";
+       },
+       "5: <levls>: is not known in <technique>"},
+      {"LevelsUnderOtherShapes",
+       [](SceneFile& f) {
+         f.common += "</technique_common>" + test::coarser(test::boxLevel(1, "9 9 9")) + "<technique_common>";
+         f.instances =
+             "<instance_physics_model url=\"#m\"><instance_rigid_body body=\"b\" target=\"#n\">"
+             "<technique_common>" +
+             kBox + "</technique_common></instance_rigid_body></instance_physics_model>";
+       },
+       "10: <instance_rigid_body>: has shapes of its own; the levels"},
+      {"Lines",
+       [](SceneFile& f) {
+         f.libraries = "<library_geometries>" +
+                       test::geometry("wire", "mesh", 2, "0 0 0 1 1 1",
+                                      "<lines><input semantic=\"VERTEX\" source=\"#wire-v\" offset=\"0\"/>"
+                                      "<p>0 1</p></lines>") +
+                       "</library_geometries>";
+         f.nodes = "<node id=\"n\"><instance_geometry url=\"#wire\"/></node>";
+       },
+       "3: <lines>: has no triangles and is not shown"},
       {"Skin", node("<instance_controller url=\"#x\"/>"), "8: <instance_controller>: skins and morphs"},
   };
 }

@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 #include <string>
 
@@ -13,23 +12,13 @@
 namespace scatter {
 namespace {
 
+using test::expectNear;
+using test::parsed;
 using test::SceneFile;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::SizeIs;
-
-PhysicsDocument parsed(const std::string& text) {
-  auto document = parseColladaDocument(text, "test.dae");
-  EXPECT_TRUE(document.has_value()) << document.error().message;
-  return document ? *document : PhysicsDocument{};
-}
-
-void expectNear(const Vec3& actual, const Vec3& expected, float tolerance = 1e-5F) {
-  EXPECT_LT(glm::length(actual - expected), tolerance)
-      << actual.x << " " << actual.y << " " << actual.z << " instead of " << expected.x << " " << expected.y
-      << " " << expected.z;
-}
 
 const ConvexShape& convexShape(const PhysicsDocument& document, std::size_t model = 0,
                                std::size_t shape = 0) {

@@ -167,22 +167,24 @@ TEST(ColladaRoundTrip, RefusesADocumentThatCouldNotBeReadBack) {
   EXPECT_THAT(messageFor([](D& d) { d.timeStep = 0.0F; }), HasSubstr("time step"));
   EXPECT_THAT(messageFor([](D& d) { d.models[0].shapes.clear(); }), HasSubstr("it has no shapes"));
   EXPECT_THAT(messageFor([](D& d) { d.models[0].shapes[0].geometry = ConvexShape(Sphere{0.0F}); }),
-              HasSubstr("a shape has a size"));
-  EXPECT_THAT(messageFor([](D& d) { d.models[0].shapes[0].geometry = VisualMesh{}; }), HasSubstr("a shape"));
+              HasSubstr("a sphere has no sound size"));
+  EXPECT_THAT(messageFor([](D& d) { d.models[0].shapes[0].geometry = VisualMesh{}; }),
+              HasSubstr("has no triangles"));
   EXPECT_THAT(messageFor([](D& d) { d.models[0].shapes[0].material = 7; }), HasSubstr("does not exist"));
   EXPECT_THAT(messageFor([](D& d) { d.models[0].shapes[0].density = -1.0F; }), HasSubstr("density"));
   EXPECT_THAT(messageFor([&](D& d) { d.models[0].mass = nan; }), HasSubstr("mass of nan kg"));
-  EXPECT_THAT(messageFor([](D& d) { d.models[0].massFrame->inertia = Vec3(0.0F); }), HasSubstr("mass frame"));
+  EXPECT_THAT(messageFor([](D& d) { d.models[0].massFrame->inertia = Vec3(0.0F); }),
+              HasSubstr("its inertia is not positive"));
   EXPECT_THAT(messageFor([](D& d) {
                 d.materials.push_back({"m", 0.5F, 0.5F, 2.0F});
               }),
               HasSubstr("restitution"));
   EXPECT_THAT(messageFor([](D& d) { d.bodies[0].model = 7; }), HasSubstr("model that does not exist"));
-  EXPECT_THAT(messageFor([&](D& d) { d.bodies[0].pose.position.x = nan; }), HasSubstr("pose or velocity"));
+  EXPECT_THAT(messageFor([&](D& d) { d.bodies[0].pose.position.x = nan; }), HasSubstr("a position is not"));
   EXPECT_THAT(messageFor([](D& d) { d.bodies[0].pose.rotation = Quat(0.0F, 0.0F, 0.0F, 0.0F); }),
-              HasSubstr("pose or velocity"));
+              HasSubstr("a rotation is not"));
   EXPECT_THAT(messageFor([](D& d) { d.joints[0].bodyB = 7; }), HasSubstr("body that does not exist"));
-  EXPECT_THAT(messageFor([](D& d) { d.joints[0].bodyB.reset(); }), HasSubstr("with itself"));
+  EXPECT_THAT(messageFor([](D& d) { d.joints[0].bodyB.reset(); }), HasSubstr("to itself"));
   EXPECT_THAT(messageFor([&](D& d) { d.joints[0].linear[1] = {nan, 0.0F}; }), HasSubstr("a limit is not"));
   EXPECT_THAT(messageFor([&](D& d) {
                 d.fields.push_back({"f", Vec3(0.0F), nan, 1.0F});

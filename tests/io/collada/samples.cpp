@@ -1,5 +1,10 @@
 #include "io/collada/samples.h"
 
+#include <gtest/gtest.h>
+#include <scatter/io/collada.h>
+
+#include <glm/geometric.hpp>
+
 #include "io/documents.h"
 
 namespace scatter::test {
@@ -248,6 +253,18 @@ std::string exporterSample(const std::string& name) {
     }
   }
   return {};
+}
+
+PhysicsDocument parsed(const std::string& text) {
+  auto document = parseColladaDocument(text, "test.dae");
+  EXPECT_TRUE(document.has_value()) << document.error().message;
+  return document ? *document : PhysicsDocument{};
+}
+
+void expectNear(const Vec3& actual, const Vec3& expected, float tolerance) {
+  EXPECT_LT(glm::length(actual - expected), tolerance)
+      << actual.x << " " << actual.y << " " << actual.z << " instead of " << expected.x << " " << expected.y
+      << " " << expected.z;
 }
 
 }  // namespace scatter::test

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <scatter/io/physics_document.h>
+
 #include <string>
 #include <vector>
 
@@ -33,5 +35,10 @@ struct Sample {
 /// Small scenes in the manner of several exporters, with what each gets wrong.
 [[nodiscard]] std::vector<Sample> exporterSamples();
 [[nodiscard]] std::string exporterSample(const std::string& name);
+
+/// Reads a text that must be readable, as "test.dae".
+[[nodiscard]] PhysicsDocument parsed(const std::string& text);
+
+void expectNear(const Vec3& actual, const Vec3& expected, float tolerance = 1e-5F);
 
 }  // namespace scatter::test

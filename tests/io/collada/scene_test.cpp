@@ -12,22 +12,12 @@
 namespace scatter {
 namespace {
 
+using test::expectNear;
+using test::parsed;
 using test::SceneFile;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::SizeIs;
-
-PhysicsDocument parsed(const std::string& text) {
-  auto document = parseColladaDocument(text, "test.dae");
-  EXPECT_TRUE(document.has_value()) << document.error().message;
-  return document ? *document : PhysicsDocument{};
-}
-
-void expectNear(const Vec3& actual, const Vec3& expected) {
-  EXPECT_LT(glm::length(actual - expected), 1e-5F)
-      << actual.x << " " << actual.y << " " << actual.z << " instead of " << expected.x << " " << expected.y
-      << " " << expected.z;
-}
 
 /// Where the body of a file with this transform stack stands.
 Transform placed(const std::string& stack) {

@@ -268,6 +268,29 @@ TEST(GltfReader, WhatIsNotSupportedIsNamed) {
   }
 }
 
+TEST(GltfReader, WhatIsNotKnownOrNotUsedIsNamed) {
+  GltfText file;
+  file.materials = R"({"slipperiness":1})";
+  file.joints = R"({"limits":[{"linearAxes":[0],"min":0,"max":0,"spring":1}],"breaks":1},{})";
+  file.shapes = R"({"type":"box","box":{"size":[1,1,1],"margin":0.1}})";
+  file.nodes = physicsNode(R"("motion":{"spinn":[0,0,0]},"engine":{},)"
+                           R"("collider":{"geometry":{"shape":0},"layer":1},)"
+                           R"("joint":{"connectedNode":1,"joint":0,"strength":1})") +
+               "," + boxNode("{}") + "," + boxNode("{}");
+  file.roots = "0,1";
+  file.more = R"(,"extensionsUsed":["EXT_mesh_gpu_instancing","KHR_materials_clearcoat"])";
+  const auto warnings = readGltf(file.text()).warnings;
+  for (const char* part :
+       {"physicsMaterials[0]: \"slipperiness\" is not known", "limits[0]: \"spring\"",
+        "physicsJoints[0]: \"breaks\"", "box: \"margin\"", "motion: \"spinn\"",
+        "KHR_physics_rigid_bodies: \"engine\"", "collider: \"layer\"", "joint: \"strength\"",
+        "physicsJoints[1]: no node uses it", "nodes[2]: has physics, but stands outside the scene",
+        "extensionsUsed[0]: this extension is not supported", "what gravity is"}) {
+    EXPECT_THAT(warnings, Contains(HasSubstr(part)));
+  }
+  EXPECT_EQ(warnings.size(), 12U) << testing::PrintToString(warnings);
+}
+
 TEST(GltfReader, AFileWithoutPhysicsIsEmptyAndSaysSo) {
   const PhysicsDocument document = readGltf(R"({"asset":{"version":"2.0"}})");
   EXPECT_TRUE(document.bodies.empty());

@@ -173,7 +173,7 @@ TEST_F(GltfWriter, UnsoundDocumentsAreRefused) {
   refuse([](Doc& d) { d.bodies[1].name = "\xFF"; }, "its name is not UTF-8");
   refuse([](Doc& d) { d.bodies[0].pose.position.x = kNan; }, "a position is not finite");
   refuse([](Doc& d) { d.bodies[0].pose.rotation = Quat(2, 0, 0, 0); }, "a rotation is not of length 1");
-  refuse([](Doc& d) { d.bodies[0].mass = -1.0F; }, "its mass is not positive");
+  refuse([](Doc& d) { d.bodies[0].mass = -1.0F; }, "its mass of -1 kg is not positive");
   refuse([](Doc& d) { d.models[0].shapes.clear(); }, "model 0 (\"ship\"): it has no shapes");
   refuse([](Doc& d) { d.models[0].material = 0; }, "it names a material that does not exist");
   refuse([](Doc& d) { d.models[0].mesh.triangles = {{0, 1, 2}}; }, "a triangle names a vertex");

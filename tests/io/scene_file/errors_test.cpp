@@ -27,6 +27,20 @@ TEST(SceneFileErrors, AnUnknownKeyGetsTheNearestAndTheLine) {
             "s.toml:4: unknown key \"counts\" in grid = { … }; did you mean \"count\"?");
 }
 
+TEST(SceneFileErrors, CharactersBeyondAsciiStandInTextsAndComments) {
+  const std::string ball = "sphere = 1\n# Größe: 1 m ☃\n[[object]]\nsphere = 1\n";
+  EXPECT_THAT(errorOf("[[object]]\nname = \"größe\"\n" + ball), testing::HasSubstr("\"größe\""));
+  EXPECT_EQ(errorOf("\xEF\xBB\xBF[scene]\nsummary = \"Über 9 m²\"\n"),
+            "s.toml:1: the scene has no [[object]]");
+  // toml++ 3.3 itself is undefined on these.
+  for (const char* letter : {"é", "ÿ", "Ж", "々", "ﻼ", "\u00A0", "\u2028"}) {
+    EXPECT_THAT(errorOf("[scene]\nseed = 1 " + std::string(letter) + "\n"),
+                testing::StartsWith("s.toml:2: "));
+    EXPECT_THAT(errorOf("[scene]\n" + std::string(letter) + " = 1\n"), testing::StartsWith("s.toml:2: "));
+  }
+  EXPECT_EQ(errorOf("[scene]\nsummary = \"\xE9\"\n"), "s.toml:2: is not UTF-8; save it as that");
+}
+
 struct Mistake {
   const char* name;
   const char* toml;  ///< After a ball in lines 1 to 3; the mistake is in line 4 or as `line` says.
