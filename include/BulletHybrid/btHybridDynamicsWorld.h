@@ -4,6 +4,7 @@
 #include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
 
 #include "BulletHybrid/btHybridCollision.h"
+#include "BulletHybrid/btHybridObservation.h"
 #include "BulletHybrid/btHybridRigidBody.h"
 #include "BulletHybrid/btHybridSwitching.h"
 
@@ -72,6 +73,7 @@ class btHybridDynamicsWorld : public btDiscreteDynamicsWorld
 	int m_step;
 	int m_standingRequests;
 	bool m_isIndexed;  ///< the neighbourhood knows which object is which hybrid
+	btAlignedObjectArray<const btCollisionObject*> m_held;
 
 	btHybridNeighbourhood* m_neighbourhood;
 	btHybridNarrowphase* m_narrowphase;
@@ -86,13 +88,16 @@ class btHybridDynamicsWorld : public btDiscreteDynamicsWorld
 	void closeCounts();
 	void updateHybridAabb(btHybridRigidBody* body);
 	void followProximity(btHybridRigidBody* body);
+	void followHand(btHybridRigidBody* body);
 	void tryRequest(btHybridRigidBody* body);
-	bool isSafe(const btHybridRigidBody* body, int level);
-	bool isSeparatedFromPartners(const btHybridRigidBody* body, int level);
+	bool isSafe(btHybridRigidBody* body, int level);
+	const btCollisionObject* findObstacle(const btHybridRigidBody* body, int level);
 	void switchLevel(btHybridRigidBody* body, int level);
 	void makeRequest(btHybridRigidBody* body, int level, btHybridScope scope, bool byProximity);
 	void retract(btHybridRigidBody* body, btHybridRetraction reason);
 	void registerHybrid(btRigidBody* body);
+	void forget(const btCollisionObject* object);
+	void dropContactsOfHybrids();
 
 	btHybridDynamicsWorld(const btHybridDynamicsWorld&);
 	btHybridDynamicsWorld& operator=(const btHybridDynamicsWorld&);
@@ -107,6 +112,12 @@ public:
 	{
 		return m_planner ? BT_HYBRID_PAIR_SWITCHING : BT_HYBRID_BODY_SWITCHING;
 	}
+
+	/// Changes what has a level, between two steps. Bodies are brought to their finest level and woken, contacts with
+	/// hybrids are found anew, requests are retracted; policies, budget and btHybridPairSwitchingInfo start anew.
+	/// Returns 0, or the number of pairs on penetration credit that speak against it, and then nothing happens: body
+	/// switching knows no credit, and their finest shapes, which overlap by more than 2 cm, would be pushed apart.
+	int setSwitchingMode(btHybridSwitchingMode mode);
 
 	/// Asks for a level, 1 the coarsest. The request stands until the body has switched or the request is
 	/// retracted; it replaces one that stands. False, and nothing happens, if the body is not in this world
@@ -151,6 +162,9 @@ public:
 	/// Pair switching: adds one of the policies that come with the library, such as "speed" or "speed:from=5,to=20".
 	/// 0, or what is wrong with it, valid until the next call.
 	const char* addPolicy(const char* specification);
+
+	/// What addPolicy would return; nothing is added.
+	const char* checkPolicy(const char* specification);
 	void removePolicies();
 
 	/// Pair switching: what a step may cost. Detail is taken away where it is worth least, and given back when there
@@ -169,6 +183,10 @@ public:
 	/// Where the viewer looks, for the policy "focus".
 	void setFocus(const btVector3& eye, const btVector3& target, btScalar fieldOfView);
 	void removeFocus();
+
+	/// What the user holds is to be finest: pairs whatever policies, budget and requests ask for; bodies, in body
+	/// switching, as soon as that is safe. A hybrid is also told for the policy "held".
+	void setHeld(btCollisionObject* object, bool held);
 
 	/// The pair algorithm of hybrid bodies. The constructor registers it with the dispatcher for pairs of a
 	/// compound with a compound or convex shape, in the place of create functions that were registered before;
@@ -198,6 +216,11 @@ public:
 	/// The level in use between two objects whose broadphase bounds overlap, 1 the coarsest; the pair has as many
 	/// levels as the body that has more. 0 if they do not overlap or neither is a hybrid.
 	int getPairLevel(const btCollisionObject* objectA, const btCollisionObject* objectB) const;
+
+	/// What a debugger shows of a pair of this world, and of the request for a body. For pairs without a hybrid all zero.
+	/// Changes nothing.
+	btHybridPairView viewPair(const btBroadphasePair& pair) const;
+	btHybridRequestView viewRequest(const btHybridRigidBody* body) const;
 
 	int getNumHybrids() const
 	{

@@ -33,8 +33,11 @@ struct btHybridRequest
 	int m_stepMade;       ///< the world's step count when it was made
 	int m_nextTry;        ///< the world's step count of the next try
 
+	/// Body switching: what the last failed try was too near to; 0 if there was none, or it has left the world.
+	const btCollisionObject* m_blockedBy;
+
 	btHybridRequest()
-	    : m_targetLevel(0), m_scope(BT_HYBRID_LOCAL), m_byProximity(false), m_acknowledged(false), m_tries(0), m_stepMade(0), m_nextTry(0)
+	    : m_targetLevel(0), m_scope(BT_HYBRID_LOCAL), m_byProximity(false), m_acknowledged(false), m_tries(0), m_stepMade(0), m_nextTry(0), m_blockedBy(0)
 	{
 	}
 

@@ -203,4 +203,16 @@ TEST_F(WorldTest, HybridMayRemoveItselfWhenItHears) {
   EXPECT_TRUE(world.objects().empty());
 }
 
+TEST_F(WorldTest, AnEngineThatCannotSwitchSaysSo) {
+  Observation seen;
+  seen.bodies.resize(3);
+  physics.observe({}, seen);
+  EXPECT_TRUE(seen.bodies.empty());
+  EXPECT_FALSE(physics.setBudget({.units = 5.0}));
+  EXPECT_FALSE(physics.setPolicies(Policy::kNone, {}));
+  EXPECT_FALSE(physics.setSwitching(Switching::kBody));
+  EXPECT_FALSE(physics.setFrozen(BodyId{1}, true));
+  EXPECT_FALSE(physics.setHeld(BodyId{1}, true));
+}
+
 }  // namespace scatter

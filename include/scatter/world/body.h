@@ -1,9 +1,11 @@
 #pragma once
 
+#include <scatter/levels/surface_mesh.h>
 #include <scatter/math.h>
 #include <scatter/world/shape.h>
 
 #include <cstdint>
+#include <memory>
 #include <string>
 
 namespace scatter {
@@ -38,6 +40,9 @@ struct BodyDef {
   bool sensor = false;               ///< Reports contacts, but neither pushes nor is pushed.
   std::uint32_t group = 1;           ///< Collision group bits.
   std::uint32_t collidesWith = ~0U;  ///< Groups it collides with; both bodies must agree.
+
+  /// What is drawn, in the body's frame. None: its shape. Nothing else depends on it.
+  std::shared_ptr<const SurfaceMesh> mesh{};
 };
 
 struct BodyState {

@@ -7,6 +7,7 @@
 #include <scatter/world/fidelity.h>
 #include <scatter/world/joint.h>
 #include <scatter/world/level_event.h>
+#include <scatter/world/observation.h>
 #include <scatter/world/step_report.h>
 
 #include <cstdint>
@@ -86,6 +87,13 @@ struct PhysicsDef {
   CollisionDef collision{};
 };
 
+/// Where the viewer looks, for policies that ask.
+struct ViewFocus {
+  Vec3 eye{0.0F};
+  Vec3 target{0.0F};
+  float fieldOfView = 1.0F;  ///< Vertical, radians.
+};
+
 struct RayHit {
   BodyId body{};
   Vec3 point{0.0F};
@@ -159,6 +167,43 @@ class Physics {
   /// What the last step was allowed to cost, in units; 0 without a budget. Repeats the run exactly when given
   /// as BudgetDef::recorded.
   [[nodiscard]] virtual double budgetUnits() const = 0;
+
+  /// What a step may cost from the next one on; a default BudgetDef ends the budget. Clock-free budgets leave
+  /// the run the same every time. Values that are negative or not finite, or more than one of the three, are
+  /// asserted. False, and nothing happens, where there are no budgets: they need pair switching.
+  virtual bool setBudget(const BudgetDef& /*budget*/) { return false; }
+
+  /// Replaces the policies of SwitchingDef from the next step on; requests that the program has made stand.
+  /// Fails, and nothing happens, on a list that SwitchingDef would not take, in a standard world, and on
+  /// named policies with body switching, which has none.
+  [[nodiscard]] virtual Result<void> setPolicies(Policy /*policy*/,
+                                                 const std::vector<std::string>& /*policies*/) {
+    return fail("this world has no policies; start it as a hybrid world");
+  }
+
+  /// Changes what has a level. Every body is brought to its finest level, woken, and stays where it is;
+  /// requests are retracted, policies and budget start anew. Fails, and nothing happens, in a standard world,
+  /// and while it would push bodies apart: where pairs on penetration credit overlap finely by more than 2
+  /// cm. Starting the scene again with the other switching always works.
+  [[nodiscard]] virtual Result<void> setSwitching(Switching /*switching*/) {
+    return fail("this world has no levels that switch; start it as a hybrid world");
+  }
+
+  /// A frozen body stays where it is, whatever happens to it, and others collide with it as with a static
+  /// one; setPose() moves it. Thawing wakes it, at rest, and those that touch it. False, and nothing happens,
+  /// if the body is not dynamic or the engine cannot.
+  virtual bool setFrozen(BodyId /*body*/, bool /*frozen*/) { return false; }
+
+  /// What the user holds is to be at its finest level, budget or not, as soon as that is safe: all its pairs,
+  /// or with body switching the body. False, and nothing happens, in a standard world.
+  virtual bool setHeld(BodyId /*body*/, bool /*held*/) { return false; }
+
+  /// Where the viewer looks, for the policy "focus"; empty: nobody does. What is never told changes nothing.
+  virtual void setFocus(const std::optional<ViewFocus>& /*focus*/) {}
+
+  /// Fills `out` with what `parts` ask for, and empties the rest. Changes nothing in the world. The state is
+  /// that after the last step and the calls since. An engine that cannot tell leaves `out` empty.
+  virtual void observe(const ObservationParts& /*parts*/, Observation& out) const { out.clear(); }
 
   /// How true the contacts are to the finest shapes, now. Slow; call outside of what is timed. Changes
   /// nothing.

@@ -31,6 +31,10 @@ class Scene {
 
   /// Called before every step, so that a scene can throw, break or knock something out.
   virtual void update(World& /*world*/) {}
+
+  /// Called before an object is taken out of the world by somebody else than the scene, which must let go of
+  /// every pointer to it.
+  virtual void forget(const WorldObject& /*object*/) {}
 };
 
 struct SceneInfo {

@@ -78,13 +78,65 @@ void btHybridDynamicsWorld::removeRigidBody(btRigidBody* body)
 		hybrid->m_hybridIndex = -1;
 	}
 	m_isIndexed = false;
+	forget(body);
 	btDiscreteDynamicsWorld::removeRigidBody(body);
 }
 
 void btHybridDynamicsWorld::removeCollisionObject(btCollisionObject* collisionObject)
 {
 	m_isIndexed = false;
+	forget(collisionObject);
 	btDiscreteDynamicsWorld::removeCollisionObject(collisionObject);
+}
+
+void btHybridDynamicsWorld::forget(const btCollisionObject* object)
+{
+	for (int i = 0; i < m_hybrids.size(); i++)
+		if (m_hybrids[i]->m_request.m_blockedBy == object)
+			m_hybrids[i]->m_request.m_blockedBy = 0;
+	const int held = m_held.size();
+	m_held.remove(object);
+	if (m_planner && m_held.size() < held)
+		m_planner->setHeld(m_held);
+}
+
+void btHybridDynamicsWorld::setHeld(btCollisionObject* object, bool held)
+{
+	if (btHybridRigidBody* hybrid = btHybridRigidBody::upcast(object))
+		hybrid->setHeld(held);
+	m_held.remove(object);
+	if (held)
+		m_held.push_back(object);
+	if (m_planner)
+		m_planner->setHeld(m_held);
+}
+
+int btHybridDynamicsWorld::setSwitchingMode(btHybridSwitchingMode mode)
+{
+	const btScalar c_mostOverlap = btScalar(0.02);
+	if (mode == getSwitchingMode())
+		return 0;
+	const int numDeep = m_planner ? m_planner->countDeepPairs(c_mostOverlap) : 0;
+	if (numDeep > 0)
+		return numDeep;
+	retractAllRequests();
+	dropContactsOfHybrids();
+	m_narrowphase->setSwitchesPairs(mode == BT_HYBRID_PAIR_SWITCHING);
+	m_planner = m_narrowphase->getPlanner();
+	for (int i = 0; i < m_hybrids.size(); i++)
+	{
+		btHybridRigidBody* body = m_hybrids[i];
+		body->m_level = body->getFinestLevel();
+		body->setCollisionShape(body->m_levels->getLevelShape(body->m_level));
+		body->m_lonelySteps = 0;
+		body->activate();
+	}
+	if (m_planner)
+	{
+		m_planner->setListener(m_listener);
+		m_planner->setHeld(m_held);
+	}
+	return 0;
 }
 
 void btHybridDynamicsWorld::setListener(btHybridListener* listener)
@@ -203,6 +255,12 @@ const btHybridCollisionInfo& btHybridDynamicsWorld::getCollisionInfo() const
 
 void btHybridDynamicsWorld::setCollisionInfo(const btHybridCollisionInfo& info)
 {
+	dropContactsOfHybrids();
+	m_narrowphase->setInfo(info);
+}
+
+void btHybridDynamicsWorld::dropContactsOfHybrids()
+{
 	btBroadphasePairArray& pairs = m_broadphasePairCache->getOverlappingPairCache()->getOverlappingPairArray();
 	for (int i = 0; i < pairs.size(); i++)
 	{
@@ -211,7 +269,6 @@ void btHybridDynamicsWorld::setCollisionInfo(const btHybridCollisionInfo& info)
 		if (btHybridRigidBody::upcast(first) || btHybridRigidBody::upcast(second))
 			m_broadphasePairCache->getOverlappingPairCache()->cleanOverlappingPair(pairs[i], getDispatcher());
 	}
-	m_narrowphase->setInfo(info);
 }
 
 const btHybridCollisionCounts& btHybridDynamicsWorld::getCollisionCounts() const
@@ -235,14 +292,7 @@ int btHybridDynamicsWorld::getPairLevel(const btCollisionObject* objectA, const 
 	const btBroadphasePair* pair = m_broadphasePairCache->getOverlappingPairCache()->findPair(proxyA, proxyB);
 	if (!pair)
 		return 0;
-	const int planned = m_planner && pair->m_algorithm ? m_planner->getLevelOf(pair->m_algorithm) : 0;
-	if (planned > 0)
-		return planned;
-	const int levelA = !hybridA ? 1 : m_planner ? hybridA->getFinestLevel()
-	                                            : hybridA->getLevel();
-	const int levelB = !hybridB ? 1 : m_planner ? hybridB->getFinestLevel()
-	                                            : hybridB->getLevel();
-	return btMax(levelA, levelB);
+	return viewPair(*pair).m_level;
 }
 
 void btHybridDynamicsWorld::verifyContacts(int everyNSteps)
@@ -364,6 +414,12 @@ const char* btHybridDynamicsWorld::addPolicy(const char* specification)
 	return m_planner->addPolicy(specification);
 }
 
+const char* btHybridDynamicsWorld::checkPolicy(const char* specification)
+{
+	btAssert(m_planner);
+	return m_planner->checkPolicy(specification);
+}
+
 void btHybridDynamicsWorld::removePolicies()
 {
 	btAssert(m_planner);
@@ -416,7 +472,7 @@ void btHybridDynamicsWorld::closeCounts()
 void btHybridDynamicsWorld::planSwitching()
 {
 	BT_PROFILE("planSwitching");
-	if (!m_switching.m_proximity && m_standingRequests == 0)
+	if (!m_switching.m_proximity && m_standingRequests == 0 && m_held.size() == 0)
 	{
 		closeCounts();
 		return;
@@ -429,7 +485,9 @@ void btHybridDynamicsWorld::planSwitching()
 		btHybridRigidBody* body = m_hybrids[i];
 		if (!body->isActive())
 			continue;
-		if (m_switching.m_proximity)
+		if (m_held.findLinearSearch2(body) >= 0)
+			followHand(body);
+		else if (m_switching.m_proximity)
 			followProximity(body);
 		if (body->m_request.isStanding() && m_step >= body->m_request.m_nextTry)
 			tryRequest(body);
@@ -476,6 +534,16 @@ void btHybridDynamicsWorld::followProximity(btHybridRigidBody* body)
 		makeRequest(body, body->getFinestLevel(), BT_HYBRID_LOCAL, true);
 }
 
+// What the user holds asks for nothing coarser, whoever wants it.
+void btHybridDynamicsWorld::followHand(btHybridRigidBody* body)
+{
+	body->m_lonelySteps = 0;
+	if (body->m_level < body->getFinestLevel())
+		makeRequest(body, body->getFinestLevel(), BT_HYBRID_LOCAL, false);
+	else
+		retract(body, BT_HYBRID_RETRACTED_BY_CALLER);
+}
+
 void btHybridDynamicsWorld::tryRequest(btHybridRigidBody* body)
 {
 	btHybridRequest& request = body->m_request;
@@ -514,12 +582,15 @@ void btHybridDynamicsWorld::tryRequest(btHybridRigidBody* body)
 
 // Report, section 3.4.3: finer only if there is no contact, coarser only if the coarser level is free of
 // collision. Free of contact is measured at the present level, which holds the finer one.
-bool btHybridDynamicsWorld::isSafe(const btHybridRigidBody* body, int level)
+bool btHybridDynamicsWorld::isSafe(btHybridRigidBody* body, int level)
 {
-	return !m_switching.m_safetyConditions || isSeparatedFromPartners(body, btMin(level, body->m_level));
+	if (!m_switching.m_safetyConditions)
+		return true;
+	body->m_request.m_blockedBy = findObstacle(body, btMin(level, body->m_level));
+	return body->m_request.m_blockedBy == 0;
 }
 
-bool btHybridDynamicsWorld::isSeparatedFromPartners(const btHybridRigidBody* body, int level)
+const btCollisionObject* btHybridDynamicsWorld::findObstacle(const btHybridRigidBody* body, int level)
 {
 	const btCollisionShape* shape = body->m_levels->getLevelShape(level);
 	for (int i = 0; i < m_neighbourhood->getNumPairs(body->m_hybridIndex); i++)
@@ -529,9 +600,9 @@ bool btHybridDynamicsWorld::isSeparatedFromPartners(const btHybridRigidBody* bod
 			continue;
 		m_counting.m_separationQueries++;
 		if (!btHybridIsSeparated(shape, body->getWorldTransform(), partner->getCollisionShape(), partner->getWorldTransform(), m_switching.m_safetyGap))
-			return false;
+			return partner;
 	}
-	return true;
+	return 0;
 }
 
 void btHybridDynamicsWorld::switchLevel(btHybridRigidBody* body, int level)

@@ -52,6 +52,13 @@ btHybridNarrowphase::~btHybridNarrowphase()
 	delete m_planner;
 }
 
+void btHybridNarrowphase::setSwitchesPairs(bool switchesPairs)
+{
+	btAssert(m_pairs.size() == 0);
+	delete m_planner;
+	m_planner = switchesPairs ? new btHybridPlanner : 0;
+}
+
 void btHybridNarrowphase::retire()
 {
 	for (int type = 0; m_dispatcher && type < MAX_BROADPHASE_COLLISION_TYPES; type++)

@@ -97,6 +97,9 @@ public:
 		return m_planner;
 	}
 
+	/// Starts anew with a planner or without one. No pair algorithm must be left.
+	void setSwitchesPairs(bool switchesPairs);
+
 	/// By its owner: takes the create functions back. Pair algorithms must not outlive the dispatcher.
 	void retire();
 	void addUser()

@@ -3,6 +3,7 @@
 
 #include <BulletCollision/BroadphaseCollision/btCollisionAlgorithm.h>
 
+#include "BulletHybrid/btHybridObservation.h"
 #include "collision/part_pair.h"
 #include "lod/cost_model.h"
 
@@ -73,12 +74,18 @@ public:
 	/// Whether it kept its contacts in the last step instead of looking for them.
 	bool hasReused() const;
 
+	/// Pair switching: whether the finest shapes overlap deeper than this, or may do.
+	bool overlapsFinely(btScalar depth) const;
+
 	virtual void processCollision(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut);
 
 	/// Not used by dynamics worlds, which sweep bodies themselves.
 	virtual btScalar calculateTimeOfImpact(btCollisionObject* body0, btCollisionObject* body1, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut);
 
 	virtual void getAllContactManifolds(btManifoldArray& manifoldArray);
+
+	/// The same, with the credit of each.
+	void getManifolds(btAlignedObjectArray<btHybridManifoldView>& manifolds) const;
 };
 
 #endif  // BT_HYBRID_PAIR_ALGORITHM_H

@@ -61,7 +61,7 @@ BodyView viewOf(const btCollisionObject* object)
 }  // namespace
 
 btHybridPlanner::btHybridPlanner()
-    : m_costs(scatter::lod::CostWeights()), m_governor(scatter::lod::GovernorDef()), m_listener(0), m_step(0), m_numCreated(0), m_numBelowFinest(0), m_asks(false), m_plans(false), m_needsTime(false), m_fixedUnits(0), m_units(0), m_lastUnits(0), m_budgetUnits(0), m_auditUnits(0)
+    : m_costs(scatter::lod::CostWeights()), m_governor(scatter::lod::GovernorDef()), m_listener(0), m_step(0), m_numCreated(0), m_numBelowFinest(0), m_asks(false), m_plans(false), m_advisesAll(false), m_needsTime(false), m_fixedUnits(0), m_units(0), m_lastUnits(0), m_budgetUnits(0), m_auditUnits(0)
 {
 }
 
@@ -91,9 +91,17 @@ const char* btHybridPlanner::addPolicy(const char* specification)
 	return 0;
 }
 
+const char* btHybridPlanner::checkPolicy(const char* specification)
+{
+	const auto policy = scatter::lod::makePolicy(specification, m_policies.grouping());
+	m_mistake = policy ? std::string() : policy.error().message;
+	return policy ? 0 : m_mistake.c_str();
+}
+
 void btHybridPlanner::removePolicies()
 {
 	m_policies = scatter::lod::PolicyList();
+	m_advisesAll = true;
 	for (size_t i = 0; i < m_planned.size(); i++)
 		m_planned[i].wish = Wish();
 }
@@ -106,12 +114,6 @@ void btHybridPlanner::setFocus(const btVector3& eye, const btVector3& target, bt
 void btHybridPlanner::removeFocus()
 {
 	m_situation.focus.reset();
-}
-
-int btHybridPlanner::getLevelOf(const btCollisionAlgorithm* algorithm) const
-{
-	const btHybridPairAlgorithm* pair = dynamic_cast<const btHybridPairAlgorithm*>(algorithm);
-	return pair ? m_planned[pair->getPlanIndex()].view.level : 0;
 }
 
 bool btHybridPlanner::isAtFinest(const btCollisionAlgorithm* algorithm) const
@@ -138,7 +140,7 @@ int btHybridPlanner::addPair(btHybridPairAlgorithm* algorithm, const btHybridLev
 	planned.identity = m_numCreated++;
 	planned.kind = kindOf(object0->getNumParts() * object1->getNumParts());
 	m_planned.push_back(planned);
-	const Pair pair = {algorithm, {object0, object1}, false, false, planned.target, m_step};
+	const Pair pair = {algorithm, {object0, object1}, false, false, planned.target, m_step, m_step};
 	m_pairs.push_back(pair);
 	return int(m_pairs.size()) - 1;
 }
@@ -186,6 +188,19 @@ void btHybridPlanner::advise(int pair)
 	// A sensor that is told of what is not there would not be of use.
 	if (!objects[0]->hasContactResponse() || !objects[1]->hasContactResponse())
 		planned.wish.atLeast = planned.view.finest;
+	if (m_held.size() > 0 && (isHeld(objects[0]) || isHeld(objects[1])))
+		planned.wish.atLeast = planned.view.finest;
+}
+
+bool btHybridPlanner::isHeld(const btCollisionObject* object) const
+{
+	return m_held.findLinearSearch2(object) >= 0;
+}
+
+void btHybridPlanner::setHeld(const btAlignedObjectArray<const btCollisionObject*>& held)
+{
+	m_held.copyFromArray(held);
+	m_advisesAll = true;
 }
 
 void btHybridPlanner::applyAsked(int pair)
@@ -228,12 +243,13 @@ void btHybridPlanner::plan(const btCollisionObjectArray& objects, int numMoving,
 		PlannedPair& planned = m_planned[i];
 		if (planned.blockedSteps > 0)
 			planned.blockedSteps--;
-		if ((int(i) + m_step) % c_adviceInterval == 0 || m_asks)
+		if ((int(i) + m_step) % c_adviceInterval == 0 || m_asks || m_advisesAll)
 			advise(int(i));
 		if (m_asks)
 			applyAsked(int(i));
 		m_pairs[i].m_targetBefore = planned.target;
 	}
+	m_advisesAll = false;
 	m_governor.plan(m_planned, m_costs, m_fixedUnits, m_budgetUnits, numMoving);
 	for (size_t i = 0; i < m_planned.size(); i++)
 		followRequest(int(i));
@@ -257,6 +273,8 @@ void btHybridPlanner::followRequest(int pair)
 	}
 	if (followed.m_requested && planned.target == followed.m_targetBefore)
 		return;
+	if (!followed.m_requested)
+		followed.m_stepRequested = m_step;
 	followed.m_requested = true;
 	followed.m_acknowledged = false;
 	tell(BT_HYBRID_PAIR_REQUESTED, pair, planned.view.level, planned.target, false);
@@ -266,7 +284,6 @@ void btHybridPlanner::tell(btHybridPairEventKind kind, int pair, int from, int t
 {
 	if (!m_listener)
 		return;
-	const PlannedPair& planned = m_planned[pair];
 	btHybridPairEvent event;
 	event.m_kind = kind;
 	event.m_objectA = m_pairs[pair].m_objects[0]->getObject();
@@ -274,16 +291,23 @@ void btHybridPlanner::tell(btHybridPairEventKind kind, int pair, int from, int t
 	event.m_fromLevel = from;
 	event.m_toLevel = to;
 	event.m_onCredit = onCredit;
-	event.m_scope = hasBudget() ? BT_HYBRID_GLOBAL : BT_HYBRID_LOCAL;
-	event.m_policy = hasBudget() ? "governor" : "default";
-	const bool byProgram = planned.wish.askedBy == c_byProgram;
-	if (!planned.byBudget && (byProgram || planned.wish.askedBy < m_policies.size()) && planned.wish.atMost < planned.view.finest && planned.target <= planned.wish.atMost)
-	{
-		const btHybridScope scopes[] = {BT_HYBRID_LOCAL, BT_HYBRID_GROUP, BT_HYBRID_GLOBAL};
-		event.m_policy = byProgram ? "program" : m_policies[planned.wish.askedBy].name().data();
-		event.m_scope = byProgram ? BT_HYBRID_LOCAL : scopes[int(m_policies[planned.wish.askedBy].scope())];
-	}
+	event.m_policy = whoAsks(pair, event.m_scope);
 	m_listener->pairEvent(event);
+}
+
+const char* btHybridPlanner::whoAsks(int pair, btHybridScope& scope) const
+{
+	const PlannedPair& planned = m_planned[pair];
+	const bool byProgram = planned.wish.askedBy == c_byProgram;
+	const bool isKnown = byProgram || planned.wish.askedBy < m_policies.size();
+	if (planned.byBudget || !isKnown || planned.wish.atMost >= planned.view.finest || planned.target > planned.wish.atMost)
+	{
+		scope = hasBudget() ? BT_HYBRID_GLOBAL : BT_HYBRID_LOCAL;
+		return hasBudget() ? "governor" : "default";
+	}
+	const btHybridScope scopes[] = {BT_HYBRID_LOCAL, BT_HYBRID_GROUP, BT_HYBRID_GLOBAL};
+	scope = byProgram ? BT_HYBRID_LOCAL : scopes[int(m_policies[planned.wish.askedBy].scope())];
+	return byProgram ? "program" : m_policies[planned.wish.askedBy].name().data();
 }
 
 int btHybridPlanner::getTarget(int pair)
@@ -433,7 +457,7 @@ void btHybridPlanner::takeTime(double milliseconds)
 	m_budget.learn(m_units, milliseconds);
 }
 
-bool btHybridPlanner::complies(const btCollisionObject* body) const
+int btHybridPlanner::findFinerPair(const btCollisionObject* body) const
 {
 	for (size_t i = 0; i < m_pairs.size(); i++)
 	{
@@ -443,7 +467,7 @@ bool btHybridPlanner::complies(const btCollisionObject* body) const
 			continue;
 		const Wish& wish = m_planned[i].wish;
 		if (m_planned[i].view.level > btMax(wish.atMost, wish.atLeast))
-			return false;
+			return int(i);
 	}
-	return true;
+	return -1;
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "BulletHybrid/btHybridObservation.h"
 #include "BulletHybrid/btHybridRequest.h"
 #include "BulletHybrid/btHybridSwitching.h"
 #include "lod/governor.h"
@@ -27,7 +28,8 @@ class btHybridPlanner
 		bool m_requested;     ///< a change of level was asked for and has not happened
 		bool m_acknowledged;  ///< and was tried
 		unsigned char m_targetBefore;
-		int m_step;  ///< the last one in which it was processed
+		int m_step;           ///< the last one in which it was processed
+		int m_stepRequested;  ///< in which the request was made
 	};
 
 	static const unsigned char c_byProgram = 255;  ///< as scatter::lod::Wish::askedBy
@@ -51,6 +53,7 @@ class btHybridPlanner
 	int m_numBelowFinest;       ///< pairs that are, or should be, coarser than their finest level
 	bool m_asks;                ///< a body is asked to be coarse
 	bool m_plans;               ///< this step was planned
+	bool m_advisesAll;          ///< in the next plan every pair is advised, whosever turn it is
 	bool m_needsTime;
 	double m_fixedUnits;
 	double m_units;  ///< of the step under way
@@ -58,14 +61,17 @@ class btHybridPlanner
 	double m_budgetUnits;
 	double m_auditUnits;  ///< in this step
 	std::string m_mistake;
+	btAlignedObjectArray<const btCollisionObject*> m_held;  ///< by the user
 
 	void showBodies(const btCollisionObjectArray& objects);
 	void showPairs();
 	void advise(int pair);
 	void applyAsked(int pair);
+	bool isHeld(const btCollisionObject* object) const;
 	void followRequest(int pair);
 	void finishPair(int pair);
 	void tell(btHybridPairEventKind kind, int pair, int from, int to, bool onCredit) const;
+	const char* whoAsks(int pair, btHybridScope& scope) const;
 	bool hasBudget() const;
 	void spend(double units);
 
@@ -82,6 +88,7 @@ public:
 	}
 	/// 0, or what is wrong with it.
 	const char* addPolicy(const char* specification);
+	const char* checkPolicy(const char* specification);
 	void removePolicies();
 	void setFocus(const btVector3& eye, const btVector3& target, btScalar fieldOfView);
 	void removeFocus();
@@ -107,9 +114,6 @@ public:
 	{
 		return sizeof(Pair) + sizeof(scatter::lod::PlannedPair) + sizeof(scatter::lod::PairView);
 	}
-
-	/// Of the pair that is this algorithm's; 0 if it is none of the planner's.
-	int getLevelOf(const btCollisionAlgorithm* algorithm) const;
 
 	/// And looked for its contacts in the last step. Also of pairs that are none of the planner's.
 	bool isAtFinest(const btCollisionAlgorithm* algorithm) const;
@@ -182,8 +186,26 @@ public:
 		m_asks = asks;
 	}
 
+	/// Objects whose pairs are to be finest, whatever else is asked for.
+	void setHeld(const btAlignedObjectArray<const btCollisionObject*>& held);
+
+	/// A pair of a body that is finer than the body is asked to be; -1 if there is none.
+	int findFinerPair(const btCollisionObject* body) const;
+
 	/// Whether all pairs of a body have the level that it is asked to have.
-	bool complies(const btCollisionObject* body) const;
+	bool complies(const btCollisionObject* body) const
+	{
+		return findFinerPair(body) < 0;
+	}
+
+	/// Of the pair that is this algorithm's; all zero if it is none of the planner's.
+	btHybridPairView viewPair(const btCollisionAlgorithm* algorithm) const;
+
+	/// Pairs on credit whose finest shapes can not be proven to overlap by no more than `depth`.
+	int countDeepPairs(btScalar depth) const;
+
+	/// Adds to the request of a body what holds it up.
+	void viewObstacle(const btCollisionObject* body, btHybridRequestView& request) const;
 };
 
 #endif  // BT_HYBRID_PLANNER_H

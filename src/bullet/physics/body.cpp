@@ -40,6 +40,7 @@ BulletBody::BulletBody(BodyId id, const BodyDef& def, std::shared_ptr<const Bull
       name_(def.name),
       motion_(def.motion),
       isHybrid_(std::holds_alternative<std::shared_ptr<const LevelSet>>(def.shape)),
+      mayRest_(def.mayRest),
       mass_(static_cast<double>(def.mass)),
       shape_(std::move(shape)) {
   const btRigidBody::btRigidBodyConstructionInfo info = constructionInfo(def, *shape_);
@@ -72,7 +73,7 @@ BodyState BulletBody::state() const {
   state.pose = center * shape_->center().inverse();
   state.linearVelocity = fromBullet(rigid_->getLinearVelocity());
   state.angularVelocity = fromBullet(rigid_->getAngularVelocity());
-  state.asleep = motion_ != Motion::kStatic && !rigid_->isActive();
+  state.asleep = isAsleep();
   return state;
 }
 
@@ -88,7 +89,39 @@ void BulletBody::setPose(const Transform& pose) {
 }
 
 void BulletBody::wake() {
-  if (motion_ != Motion::kStatic) rigid_->activate(/*forceActivation=*/true);
+  if (motion_ != Motion::kStatic && !isFrozen_) rigid_->activate(/*forceActivation=*/true);
+}
+
+bool BulletBody::isAsleep() const {
+  return motion_ != Motion::kStatic && !isFrozen_ && !rigid_->isActive();
+}
+
+void BulletBody::freeze() {
+  isFrozen_ = true;
+  // Without mass Bullet takes it for a static body, which never is awake.
+  rigid_->setMassProps(0, btVector3(0, 0, 0));
+  rigid_->updateInertiaTensor();
+  rest();
+  rigid_->forceActivationState(ISLAND_SLEEPING);
+}
+
+void BulletBody::thaw() {
+  isFrozen_ = false;
+  rigid_->setMassProps(mass(), toBullet(shape_->inertia() * mass()));
+  rigid_->updateInertiaTensor();
+  rest();
+  rigid_->forceActivationState(mayRest_ ? ACTIVE_TAG : DISABLE_DEACTIVATION);
+  rigid_->setDeactivationTime(0);
+}
+
+void BulletBody::rest() {
+  const btVector3 none(0, 0, 0);
+  rigid_->clearForces();
+  rigid_->setLinearVelocity(none);
+  rigid_->setAngularVelocity(none);
+  rigid_->setInterpolationLinearVelocity(none);
+  rigid_->setInterpolationAngularVelocity(none);
+  rigid_->setInterpolationWorldTransform(rigid_->getWorldTransform());
 }
 
 btTransform BulletBody::fromCenter(const Transform& inWorld) const {

@@ -48,9 +48,22 @@ class BulletBody {
   [[nodiscard]] int level() const;
   [[nodiscard]] int levelCount() const { return shape_->levelCount(); }
 
+  /// Dynamic bodies: nothing moves it but setPose().
+  void freeze();
+  void thaw();  ///< Awake and at rest.
+  [[nodiscard]] bool isFrozen() const { return isFrozen_; }
+
+  void setHeld(bool held) { isHeld_ = held; }
+  [[nodiscard]] bool isHeld() const { return isHeld_; }
+
+  [[nodiscard]] float mass() const { return static_cast<float>(mass_); }
+
+  /// In the state that a body at rest takes, and not frozen or static.
+  [[nodiscard]] bool isAsleep() const;
+
   [[nodiscard]] BodyState state() const;
   void setPose(const Transform& pose);
-  void wake();
+  void wake();  ///< Unless it is frozen or static.
 
   /// The frame `inWorld` in the frame of the centre of mass.
   [[nodiscard]] btTransform fromCenter(const Transform& inWorld) const;
@@ -63,10 +76,15 @@ class BulletBody {
   [[nodiscard]] bool isFiniteNow() const;
 
  private:
+  void rest();
+
   BodyId id_;
   std::string name_;
   Motion motion_;
   bool isHybrid_;
+  bool mayRest_;
+  bool isFrozen_ = false;
+  bool isHeld_ = false;
   double mass_;
   std::shared_ptr<const BulletShape> shape_;
   btHybridRigidBody* switching_ = nullptr;

@@ -90,6 +90,7 @@ BodyState BulletPhysics::state(BodyId body) const {
 void BulletPhysics::setPose(BodyId body, const Transform& pose) {
   assert(isFinite(pose));
   BulletBody& moved = at(body);
+  if (moved.isFrozen()) engine_.wakeNeighbours(moved.rigid());
   moved.setPose(pose);
   // So that rays find it where it is now.
   engine_.world().updateSingleAabb(&moved.rigid());
@@ -98,7 +99,7 @@ void BulletPhysics::setPose(BodyId body, const Transform& pose) {
 void BulletPhysics::setVelocity(BodyId body, const Vec3& linear, const Vec3& angular) {
   assert(isFinite(linear) && isFinite(angular));
   BulletBody& moved = at(body);
-  if (!moved.isDynamic()) return;
+  if (!moved.isDynamic() || moved.isFrozen()) return;
   moved.rigid().setLinearVelocity(toBullet(linear));
   moved.rigid().setAngularVelocity(toBullet(angular));
   moved.wake();
@@ -253,7 +254,7 @@ void BulletPhysics::countStep(std::uint32_t newContacts) {
   maxPenetration_ = static_cast<double>(contacts.deepest);
   if (auto* hybrid = engine_.switching()) {
     addBodyCounts(hybrid->getStepInfo(), counters_);
-    if (def_.switching.switching == Switching::kPair) {
+    if (switchesByPair()) {
       const btHybridPairStepInfo info = hybrid->getPairStepInfo();
       addPairCounts(info, counters_);
       budgetUnits_ = info.m_budgetUnits;

@@ -47,6 +47,13 @@ class BulletPhysics final : public Physics {
   [[nodiscard]] int levelCount(BodyId body) const override;
   [[nodiscard]] int pairLevel(BodyId a, BodyId b) const override;
   [[nodiscard]] double budgetUnits() const override { return budgetUnits_; }
+  bool setBudget(const BudgetDef& budget) override;
+  [[nodiscard]] Result<void> setPolicies(Policy policy, const std::vector<std::string>& policies) override;
+  [[nodiscard]] Result<void> setSwitching(Switching switching) override;
+  bool setFrozen(BodyId body, bool frozen) override;
+  bool setHeld(BodyId body, bool held) override;
+  void setFocus(const std::optional<ViewFocus>& focus) override;
+  void observe(const ObservationParts& parts, Observation& out) const override;
   [[nodiscard]] FidelitySample measureFidelity() const override;
   bool requestLevel(BodyId body, int level, Scope scope) override;
   void retractRequest(BodyId body) override;
@@ -73,6 +80,9 @@ class BulletPhysics final : public Physics {
 
   [[nodiscard]] BulletBody& at(BodyId body);
   [[nodiscard]] const BulletBody& at(BodyId body) const;
+  [[nodiscard]] bool switchesByPair() const;
+  void askAllBodies();
+  void applyFocus();
   void runStep(float seconds);
   void countStep(std::uint32_t newContacts);
 
@@ -91,6 +101,7 @@ class BulletPhysics final : public Physics {
   std::uint32_t lastJoint_ = 0;
   std::uint32_t lastVehicle_ = 0;
 
+  std::optional<ViewFocus> focus_;
   double budgetUnits_ = 0.0;
   StepCounters counters_;
   StageTimes stageTimes_{};

@@ -12,27 +12,50 @@ namespace scatter {
 
 namespace {
 
-void setUpPairSwitching(btHybridDynamicsWorld& world, const SwitchingDef& def) {
-  btHybridPairSwitchingInfo& info = world.getPairSwitchingInfo();
-  info.m_credit = def.credit;
-  info.m_creditLevel = def.creditLevel;
-  info.m_retryInterval = def.retryInterval;
-  info.m_safetyConditions = def.safetyConditions;
-  std::vector<std::string> policies = def.policies;
-  if (def.policy == Policy::kCoarsest) policies.emplace_back("coarsest");
-  if (def.policy == Policy::kProximity) policies.emplace_back("proximity");
+bool switchesByPair(const SwitchingDef& def) {
+  return def.switching == Switching::kPair;
+}
+
+/// In the words of pair switching.
+std::vector<std::string> policyNames(Policy policy, std::vector<std::string> named) {
+  if (policy == Policy::kCoarsest) named.emplace_back("coarsest");
+  if (policy == Policy::kProximity) named.emplace_back("proximity");
+  return named;
+}
+
+void addPolicies(btHybridDynamicsWorld& world, const std::vector<std::string>& policies) {
   for (const std::string& policy : policies) {
     [[maybe_unused]] const char* mistake = world.addPolicy(policy.c_str());
-    assert(mistake == nullptr && "policies are checked before a world is made");
+    assert(mistake == nullptr && "policies are checked before a world is told");
   }
-  const BudgetDef& budget = def.budget;
+}
+
+bool isLimited(const BudgetDef& budget) {
+  return !budget.recorded.empty() || budget.units > 0.0 || budget.milliseconds > 0.0;
+}
+
+void applyBudget(btHybridDynamicsWorld& world, const BudgetDef& budget) {
+  assert(isFinite(static_cast<float>(budget.milliseconds)) && budget.milliseconds >= 0.0);
+  assert(isFinite(static_cast<float>(budget.units)) && budget.units >= 0.0);
   if (!budget.recorded.empty()) {
     world.replayBudget(budget.recorded.data(), static_cast<int>(budget.recorded.size()));
   } else if (budget.units > 0.0) {
     world.setBudgetUnits(budget.units);
   } else if (budget.milliseconds > 0.0) {
     world.setBudgetMilliseconds(budget.milliseconds);
+  } else {
+    world.removeBudget();
   }
+}
+
+void setUpPairSwitching(btHybridDynamicsWorld& world, const SwitchingDef& def) {
+  btHybridPairSwitchingInfo& info = world.getPairSwitchingInfo();
+  info.m_credit = def.credit;
+  info.m_creditLevel = def.creditLevel;
+  info.m_retryInterval = def.retryInterval;
+  info.m_safetyConditions = def.safetyConditions;
+  addPolicies(world, policyNames(def.policy, def.policies));
+  if (isLimited(def.budget)) applyBudget(world, def.budget);
 }
 
 btHybridSwitchingInfo switchingInfo(const SwitchingDef& def) {
@@ -65,7 +88,7 @@ btHybridCollisionInfo collisionInfo(const CollisionDef& def) {
 BulletEngine::BulletEngine(const PhysicsDef& def) : dispatcher_(&configuration_), solver_(timer_) {
   broadphase_.getOverlappingPairCache()->setOverlapFilterCallback(&filter_);
   if (def.world == WorldKind::kHybrid) {
-    const bool byPair = def.switching.switching == Switching::kPair;
+    const bool byPair = switchesByPair(def.switching);
     auto hybrid =
         std::make_unique<btHybridDynamicsWorld>(&dispatcher_, &broadphase_, &solver_, &configuration_,
                                                 byPair ? BT_HYBRID_PAIR_SWITCHING : BT_HYBRID_BODY_SWITCHING);
@@ -80,6 +103,52 @@ BulletEngine::BulletEngine(const PhysicsDef& def) : dispatcher_(&configuration_)
   }
   world_->setGravity(toBullet(def.gravity));
   world_->getSolverInfo().m_numIterations = def.solverIterations;
+}
+
+void BulletEngine::setBudget(const BudgetDef& budget) {
+  applyBudget(*switching_, budget);
+}
+
+Result<void> BulletEngine::setPolicies(Policy policy, const std::vector<std::string>& names) {
+  if (switching_->getSwitchingMode() == BT_HYBRID_BODY_SWITCHING) {
+    if (!names.empty()) return fail("policy \"" + names[0] + "\" needs pair switching; bodies switch here");
+    switching_->getSwitchingInfo().m_proximity = policy == Policy::kProximity;
+    return {};
+  }
+  const std::vector<std::string> policies = policyNames(policy, names);
+  for (const std::string& name : policies) {
+    if (const char* mistake = switching_->checkPolicy(name.c_str())) return fail(mistake);
+  }
+  switching_->removePolicies();
+  addPolicies(*switching_, policies);
+  return {};
+}
+
+Result<void> BulletEngine::setSwitching(const SwitchingDef& def) {
+  const bool byPair = switchesByPair(def);
+  const int deep = switching_->setSwitchingMode(byPair ? BT_HYBRID_PAIR_SWITCHING : BT_HYBRID_BODY_SWITCHING);
+  if (deep > 0) {
+    return fail(
+        "switching by bodies would push apart " + std::to_string(deep) +
+        " pair(s) on penetration credit, whose finest shapes overlap by more than 2 cm; wait until they are "
+        "apart, or start the scene again");
+  }
+  switching_->getSwitchingInfo() = switchingInfo(def);
+  if (byPair) setUpPairSwitching(*switching_, def);
+  return {};
+}
+
+void BulletEngine::forgetStillContacts(btCollisionObject& object) {
+  btOverlappingPairCache& pairs = *broadphase_.getOverlappingPairCache();
+  for (int i = 0; i < pairs.getNumOverlappingPairs(); ++i) {
+    btBroadphasePair& pair = pairs.getOverlappingPairArrayPtr()[i];
+    const auto* first = static_cast<const btCollisionObject*>(pair.m_pProxy0->m_clientObject);
+    const auto* second = static_cast<const btCollisionObject*>(pair.m_pProxy1->m_clientObject);
+    if (first != &object && second != &object) continue;
+    if ((first == &object ? second : first)->isStaticOrKinematicObject()) {
+      pairs.cleanOverlappingPair(pair, &dispatcher_);
+    }
+  }
 }
 
 void BulletEngine::forgetContacts(btCollisionObject& a, btCollisionObject& b) {

@@ -6,6 +6,8 @@
 #include <scatter/world/physics.h>
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "bullet/physics/dispatcher.h"
 #include "bullet/physics/pair_filter.h"
@@ -29,6 +31,20 @@ class BulletEngine {
   /// Null in a standard world.
   [[nodiscard]] btHybridDynamicsWorld* switching() { return switching_; }
   [[nodiscard]] const btHybridDynamicsWorld* switching() const { return switching_; }
+
+  /// Of pair switching, which must be on.
+  void setBudget(const BudgetDef& budget);
+
+  /// In a hybrid world. Fails, and changes nothing, on names that are not known, and on any with body
+  /// switching.
+  [[nodiscard]] Result<void> setPolicies(Policy policy, const std::vector<std::string>& names);
+
+  /// In a hybrid world, to what `def` says. Fails, and changes nothing, if it is not safe.
+  [[nodiscard]] Result<void> setSwitching(const SwitchingDef& def);
+
+  /// Drops what is known about how an object touches those that do not move: what nothing moves collides with
+  /// none of them.
+  void forgetStillContacts(btCollisionObject& object);
 
   /// Drops what is known about how the two objects touch.
   void forgetContacts(btCollisionObject& a, btCollisionObject& b);

@@ -6,9 +6,7 @@
 
 namespace scatter {
 
-namespace {
-
-Scope scopeOf(btHybridScope scope) {
+Scope fromBullet(btHybridScope scope) {
   switch (scope) {
     case BT_HYBRID_GROUP:
       return Scope::kGroup;
@@ -20,10 +18,8 @@ Scope scopeOf(btHybridScope scope) {
   return Scope::kLocal;
 }
 
-}  // namespace
-
 void LevelListener::add(LevelEventKind kind, const btHybridRigidBody& body, const btHybridRequest& request) {
-  LevelEvent event{kind, scopeOf(request.m_scope), BulletBody::of(body).id(), body.getLevel(),
+  LevelEvent event{kind, fromBullet(request.m_scope), BulletBody::of(body).id(), body.getLevel(),
                    request.m_targetLevel};
   event.policy = request.m_byProximity ? "proximity" : "program";
   open_.push_back(event);
@@ -56,7 +52,7 @@ void LevelListener::pairEvent(const btHybridPairEvent& event) {
                                     LevelEventKind::kBlocked, LevelEventKind::kSwitched,
                                     LevelEventKind::kRetracted};
   open_.push_back({.kind = kKinds[event.m_kind],
-                   .scope = scopeOf(event.m_scope),
+                   .scope = fromBullet(event.m_scope),
                    .body = BulletBody::of(*event.m_objectA).id(),
                    .from = event.m_fromLevel,
                    .to = event.m_toLevel,

@@ -38,13 +38,13 @@ BulletVehicle::BulletVehicle(const VehicleDef& def, BulletBody& chassis, const b
     : chassis_(chassis),
       wheels_(def.wheels),
       raycaster_(world, chassis.rigid()),
-      vehicle_(tuningOf(def, chassis.rigid().getMass()), &chassis.rigid(), &raycaster_) {
+      vehicle_(tuningOf(def, chassis.mass()), &chassis.rigid(), &raycaster_) {
   // Bullet names the axes of the chassis by index; the frame of the centre of mass may be turned.
   const Quat turn = glm::conjugate(chassis.center().rotation);
   const int up = longestAxis(turn * wheels_[0].direction);
   const int right = longestAxis(turn * wheels_[0].axle);
   if (up != right) vehicle_.setCoordinateSystem(right, up, 3 - up - right);
-  const btRaycastVehicle::btVehicleTuning tuning = tuningOf(def, chassis.rigid().getMass());
+  const btRaycastVehicle::btVehicleTuning tuning = tuningOf(def, chassis.mass());
   for (const WheelDef& wheel : wheels_) addWheel(wheel, tuning);
 }
 

@@ -33,12 +33,21 @@ class BulletVehicle {
     const btCollisionObject& chassis_;
   };
 
+  /// Stands still while its chassis is frozen: Bullet's divides by what a body without mass has not.
+  class Raycast final : public btRaycastVehicle {
+   public:
+    using btRaycastVehicle::btRaycastVehicle;
+    void updateAction(btCollisionWorld* world, btScalar step) override {
+      if (!getRigidBody()->isStaticObject()) btRaycastVehicle::updateAction(world, step);
+    }
+  };
+
   void addWheel(const WheelDef& def, const btRaycastVehicle::btVehicleTuning& tuning);
 
   BulletBody& chassis_;
   std::vector<WheelDef> wheels_;
   Raycaster raycaster_;
-  btRaycastVehicle vehicle_;
+  Raycast vehicle_;
 };
 
 }  // namespace scatter
