@@ -1,13 +1,11 @@
 #include <scatter/io/file.h>
 #include <scatter/lab/comparison.h>
 #include <scatter/lab/figures.h>
-#include <scatter/lab/frame_csv.h>
 #include <scatter/lab/output_folder.h>
 
 #include "lab/report_html.h"
+#include "lab/run_files.h"
 #include "lab/summary_json.h"
-
-#include <system_error>
 
 namespace scatter {
 
@@ -65,32 +63,11 @@ lab::Json comparisonJson(const Comparison& comparison) {
           {"worlds", std::move(worlds)}};
 }
 
-Result<void> writeWorld(const ComparedWorld& world, const fs::path& folder) {
-  std::error_code error;
-  fs::create_directory(folder, error);
-  if (error) {
-    return fail("cannot make folder " + folder.string() + ": " + error.message() +
-                "; choose another output folder");
-  }
-  if (auto written = writeFrameCsv(folder / "frames.csv", world.run().table); !written) {
-    return written;
-  }
-  if (world.run().options.keepEvents) {
-    if (auto written = writeEventCsv(folder / "events.csv", world.run().events); !written) {
-      return written;
-    }
-  }
-  return writeSummary(folder / "summary.json", world.run().summary);
-}
-
 Result<void> writeFiguresAndReport(const Comparison& comparison, const fs::path& folder) {
   const RunOptions& first = comparison.options.runs.front();
   std::vector<FigureWorld> worlds;
   for (const ComparedWorld& world : comparison.worlds) {
-    const PhysicsDef& physics = world.run().options.physics;
-    worlds.push_back({.label = world.label(),
-                      .table = &world.median,
-                      .governedMs = isClockGoverned(physics) ? physics.switching.budget.milliseconds : 0.0});
+    worlds.push_back(lab::figureWorld(world.run().options, world.median));
   }
   const fs::path figureFolder = folder / "figures";
   const auto figures =
@@ -113,7 +90,10 @@ Result<void> writeComparison(const Comparison& comparison, const fs::path& folde
     return tl::unexpected(staged.error());
   }
   for (const ComparedWorld& world : comparison.worlds) {
-    if (auto written = writeWorld(world, staged->path() / world.label()); !written) {
+    const Run& run = world.run();
+    const auto written = lab::writeRunFiles(staged->path() / world.label(), run.table,
+                                            run.options.keepEvents ? &run.events : nullptr, run.summary);
+    if (!written) {
       return written;
     }
   }

@@ -1,0 +1,225 @@
+#include <scatter/lab/experiment.h>
+
+#include <scatter/io/file.h>
+#include <scatter/lab/output_folder.h>
+
+#include "lab/names.h"
+#include "lab/run_files.h"
+#include "lab/scene_run.h"
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+namespace scatter {
+
+namespace {
+
+Result<RunOptions> resolveExperiment(RunOptions options) {
+  options.frames = std::max(options.frames, options.makeScene ? 1 : 0);
+  options.out.reset();
+  options.inspect = nullptr;
+  options.keepEvents = true;
+  return resolveRun(std::move(options));
+}
+
+Result<void> writeFigures(const std::filesystem::path& folder, const RunOptions& options,
+                          const FrameTable& table) {
+  std::error_code error;
+  std::filesystem::create_directory(folder, error);
+  if (error) {
+    return fail("cannot make folder " + folder.string() + ": " + error.message() +
+                "; choose another output folder");
+  }
+  const auto figures = drawFigures({lab::figureWorld(options, table)},
+                                   {.scene = options.scene, .budgetMs = options.budgetMs, .folder = folder});
+  return figures ? Result<void>() : tl::unexpected(figures.error());
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Experiment>> Experiment::create(const ExperimentDef& def) {
+  const auto options = resolveExperiment(def.run);
+  if (!options) {
+    return tl::unexpected(options.error());
+  }
+  auto run = lab::SceneRun::create(*options);
+  if (!run) {
+    return tl::unexpected(run.error());
+  }
+  ExperimentDef resolved = def;
+  resolved.run = *options;
+  return std::unique_ptr<Experiment>(new Experiment(std::move(resolved), std::move(*run)));
+}
+
+Experiment::Experiment(ExperimentDef def, std::unique_ptr<lab::SceneRun> run)
+    : def_(std::move(def)), history_(def_.history) {
+  adopt(std::move(run), {});
+}
+
+Experiment::~Experiment() = default;
+
+void Experiment::adopt(std::unique_ptr<lab::SceneRun> run, HandScript script) {
+  hands_.reset();
+  run_ = std::move(run);
+  HandsDef hands = def_.hands;
+  hands.onRemove = [this](WorldObject& object) {
+    run_->forget(object);
+    if (def_.hands.onRemove) {
+      def_.hands.onRemove(object);
+    }
+  };
+  hands_ = std::make_unique<Hands>(run_->world(), hands);
+  switches_ = {};
+  played_ = std::move(script);
+  nextAction_ = 0;
+  scriptError_.clear();
+  history_.clear();
+  keepHistory();
+}
+
+Result<void> Experiment::restart(HandScript script) {
+  return restart(def_.run.physics, std::move(script));
+}
+
+Result<void> Experiment::restart(const PhysicsDef& physics, HandScript script) {
+  RunOptions options = def_.run;
+  if (options.label == lab::nameOf(options.physics.world)) {
+    options.label = lab::nameOf(physics.world);
+  }
+  options.physics = physics;
+  auto run = lab::SceneRun::create(options);
+  if (!run) {
+    return tl::unexpected(run.error());
+  }
+  def_.run = std::move(options);
+  adopt(std::move(*run), std::move(script));
+  ++restarts_;
+  return {};
+}
+
+Result<void> Experiment::step() {
+  if (!stopped().empty()) {
+    return fail(stopped());
+  }
+  playScript();
+  run_->step([this] { hands_->beforeStep(static_cast<float>(kStepSeconds)); });
+  const StepCounters& counters = world().physics().counters();
+  switches_.coarser += counters.switchesCoarser;
+  switches_.finer += counters.switchesFiner;
+  keepHistory();
+  return stopped().empty() ? Result<void>() : fail(stopped());
+}
+
+void Experiment::playScript() {
+  const auto& actions = played_.actions();
+  for (; nextAction_ < actions.size() && actions[nextAction_].frame <= world().frame(); ++nextAction_) {
+    const auto done = hands_->perform(actions[nextAction_].action);
+    if (!done && scriptError_.empty()) {
+      scriptError_ = "frame " + std::to_string(actions[nextAction_].frame) + ": " + done.error().message;
+    }
+  }
+}
+
+void Experiment::keepHistory() {
+  pairs_.clear();
+  if (history_.def().pairLevels) {
+    world().physics().observe({.bodies = false, .pairs = true, .contacts = false}, observation_);
+    for (const ObservedPair& pair : observation_.pairs) {
+      if (pair.level > 0) {
+        pairs_.push_back({pair.a, pair.b, static_cast<std::uint8_t>(std::min(pair.level, 255))});
+      }
+    }
+  }
+  history_.record(world(), pairs_);
+}
+
+bool Experiment::setBudget(const BudgetDef& budget) {
+  if (!world().physics().setBudget(budget)) {
+    return false;
+  }
+  def_.run.physics.switching.budget = budget;
+  run_->setPhysics(def_.run.physics);
+  return true;
+}
+
+Result<void> Experiment::setPolicies(Policy policy, const std::vector<std::string>& policies) {
+  auto changed = world().physics().setPolicies(policy, policies);
+  if (changed) {
+    def_.run.physics.switching.policy = policy;
+    def_.run.physics.switching.policies = policies;
+    run_->setPhysics(def_.run.physics);
+  }
+  return changed;
+}
+
+Result<void> Experiment::setSwitching(Switching switching) {
+  auto changed = world().physics().setSwitching(switching);
+  if (changed) {
+    def_.run.physics.switching.switching = switching;
+    run_->setPhysics(def_.run.physics);
+  }
+  return changed;
+}
+
+const std::string& Experiment::stopped() const {
+  return run_->stopped();
+}
+
+World& Experiment::world() {
+  return run_->world();
+}
+
+const World& Experiment::world() const {
+  return run_->world();
+}
+
+const RunOptions& Experiment::options() const {
+  return def_.run;
+}
+
+const FrameData& Experiment::data() const {
+  return run_->data();
+}
+
+const FrameTable& Experiment::table() const {
+  return run_->table();
+}
+
+const std::vector<FrameEvent>& Experiment::events() const {
+  return run_->events();
+}
+
+const LevelEventCounts& Experiment::levelEvents() const {
+  return run_->levelEvents();
+}
+
+Summary Experiment::summary() const {
+  return run_->summary();
+}
+
+Result<void> Experiment::write(const std::filesystem::path& folder, bool figures) const {
+  if (table().frames() == 0) {
+    return fail("scene '" + options().scene + "' has no frame yet; step it before its run is written");
+  }
+  auto staged = StagedFolder::create(folder);
+  if (!staged) {
+    return tl::unexpected(staged.error());
+  }
+  if (auto written = lab::writeRunFiles(staged->path(), table(), &events(), summary()); !written) {
+    return written;
+  }
+  if (!hands_->script().empty()) {
+    if (auto written = writeFile(staged->path() / "hands.txt", hands_->script().text()); !written) {
+      return written;
+    }
+  }
+  if (figures) {
+    if (auto drawn = writeFigures(staged->path() / "figures", options(), table()); !drawn) {
+      return drawn;
+    }
+  }
+  return staged->commit();
+}
+
+}  // namespace scatter
