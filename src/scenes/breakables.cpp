@@ -60,6 +60,10 @@ class Breakables final : public Scene {
     for (const Whole& whole : broken) breakIt(world, whole);
   }
 
+  void forget(const WorldObject& object) override {
+    std::erase_if(wholes_, [&object](const Whole& whole) { return whole.object == &object; });
+  }
+
  private:
   struct Whole {
     WorldObject* object = nullptr;

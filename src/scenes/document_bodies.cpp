@@ -42,6 +42,7 @@ class Maker {
   std::vector<ConvexPart> convexParts(const DocumentModel& model, bool meshes);
   void setMaterial(const DocumentModel& model, Material& material);
   void addStaticShapes(const DocumentModel& model, const BodyDef& common);
+  std::shared_ptr<const SurfaceMesh> drawn(const DocumentModel& model);
   [[nodiscard]] BodyDef common(const DocumentModel& model, const DocumentBody& body);
 
   const PhysicsDocument& document_;
@@ -50,6 +51,7 @@ class Maker {
 
   /// Level sets with a mass of their own, by model and mass: bodies of a kind share them.
   std::map<std::pair<const DocumentModel*, float>, std::shared_ptr<const LevelSet>> levels_;
+  std::map<const DocumentModel*, std::shared_ptr<const SurfaceMesh>> meshes_;
 };
 
 bool hasPlane(const DocumentModel& model) {
@@ -180,6 +182,14 @@ void Maker::addStaticShapes(const DocumentModel& model, const BodyDef& common) {
   }
 }
 
+/// One for all bodies of the model.
+std::shared_ptr<const SurfaceMesh> Maker::drawn(const DocumentModel& model) {
+  if (model.mesh.triangles.empty()) return nullptr;
+  std::shared_ptr<const SurfaceMesh>& mesh = meshes_[&model];
+  if (!mesh) mesh = std::make_shared<const SurfaceMesh>(model.mesh);
+  return mesh;
+}
+
 Result<void> Maker::add(const DocumentBody& body) {
   const DocumentModel& model = document_.models[body.model];
   const BodyDef common = this->common(model, body);
@@ -204,6 +214,7 @@ Result<void> Maker::add(const DocumentBody& body) {
     auto shape = solid(model, def.mass);
     if (!shape) return fail("body \"" + body.name + "\": " + shape.error().message);
     def.shape = std::move(*shape);
+    def.mesh = drawn(model);
     bodies_.defs.push_back(std::move(def));
   }
   if (bodies_.defs.size() == bodies_.first.back()) return fail("body \"" + body.name + "\": it has no shape");

@@ -59,12 +59,22 @@ class Builder {
   WorldObject* anchor_ = nullptr;
 };
 
+void warnOfUnusedModels(const PhysicsDocument& document, DocumentWarnings& warnings) {
+  std::vector<bool> isUsed(document.models.size(), false);
+  for (const DocumentBody& body : document.bodies) isUsed[body.model] = true;
+  for (std::size_t i = 0; i < isUsed.size(); ++i) {
+    if (!isUsed[i])
+      warnings.add("model \"" + document.models[i].name + "\": no body is of it; it is left out");
+  }
+}
+
 }  // namespace
 
 Result<DocumentPlan> planDocument(const PhysicsDocument& document, std::string file) {
   DocumentWarnings warnings(file);
   auto bodies = makeDocumentBodies(document, warnings);
   if (!bodies) return fail(file + ": " + bodies.error().message);
+  warnOfUnusedModels(document, warnings);
   DocumentPlan plan;
   plan.file = std::move(file);
   plan.bodies = std::move(*bodies);

@@ -75,6 +75,7 @@ Result<void> FileBodies::setShape(const SceneFileObject& object, Common& common)
   if (!model) return fail(model.error().message);
   const LevelSet& levels = *(*model)->levels;
   common.def.shape = (*model)->levels;
+  common.def.mesh = drawnMesh(*model);
   common.def.mass = (*model)->mass;
   common.def.material.friction = (*model)->friction;
   common.def.material.restitution = (*model)->restitution;

@@ -134,6 +134,11 @@ void FileScene::update(World& world) {
   }
 }
 
+void FileScene::forget(const WorldObject& object) {
+  const auto found = std::find(bodies_.begin(), bodies_.end(), &object);
+  if (found != bodies_.end()) *found = nullptr;
+}
+
 void FileScene::perform(World& world, const SceneFileEvent& event) {
   std::visit([&](const auto& deed) { perform(world, event, deed); }, event.deed);
 }

@@ -21,6 +21,7 @@ class FileScene final : public Scene {
   void configure(PhysicsDef& physics) const override;
   Result<void> build(World& world, const SceneOptions& options) override;
   void update(World& world) override;
+  void forget(const WorldObject& object) override;
 
  private:
   Result<void> addObjects(World& world, SceneModels& models, Random& random);

@@ -45,13 +45,13 @@ class Mugs final : public Scene {
     for (int quarter = 0; quarter < 4; ++quarter) {
       // The lamp goes round the quarters.
       const bool isLamp = quarter == poured_ % 4;
-      const Model& model = isLamp ? *lamp_ : *mug_;
-      const std::string name = model.name + "-" + std::to_string(isLamp ? ++lamps_ : ++mugs_);
+      const std::shared_ptr<const Model>& model = isLamp ? lamp_ : mug_;
+      const std::string name = model->name + "-" + std::to_string(isLamp ? ++lamps_ : ++mugs_);
       const Vec3 center((quarter & 1) != 0 ? kQuarter : -kQuarter,
                         kRelease + kReleaseRise * static_cast<float>(poured_),
                         (quarter & 2) != 0 ? kQuarter : -kQuarter);
       const Quat turn = random_.orientation();
-      BodyDef def = propBody(model, name, {center - turn * model.levels->mass().centerOfMass, turn});
+      BodyDef def = propBody(model, name, {center - turn * model->levels->mass().centerOfMass, turn});
       def.linearVelocity = Vec3(0.0F, -kSpeed, 0.0F);
       def.angularVelocity = kLargestSpin * random_.insideUnitBall();
       if (auto added = world.add(std::move(def)); !added) return fail(added.error().message);

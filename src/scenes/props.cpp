@@ -16,14 +16,15 @@ Result<std::vector<std::shared_ptr<const Model>>> loadProps(std::initializer_lis
   return models;
 }
 
-BodyDef propBody(const Model& model, std::string name, const Transform& pose) {
+BodyDef propBody(const std::shared_ptr<const Model>& model, std::string name, const Transform& pose) {
   BodyDef def;
   def.name = std::move(name);
-  def.shape = model.levels;
-  def.mass = model.mass;
+  def.shape = model->levels;
+  def.mesh = drawnMesh(model);
+  def.mass = model->mass;
   def.pose = pose;
-  def.material.friction = model.friction;
-  def.material.restitution = model.restitution;
+  def.material.friction = model->friction;
+  def.material.restitution = model->restitution;
   def.material.linearDamping = 0.1F;
   def.material.angularDamping = 0.6F;
   return def;

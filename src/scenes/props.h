@@ -15,7 +15,8 @@ namespace scatter {
 [[nodiscard]] Result<std::vector<std::shared_ptr<const Model>>> loadProps(
     std::initializer_list<const char*> names);
 
-/// A body with the model's shape, mass and material, which may fall asleep.
-[[nodiscard]] BodyDef propBody(const Model& model, std::string name, const Transform& pose);
+/// A body with the model's shape, mesh, mass and material, which may fall asleep.
+[[nodiscard]] BodyDef propBody(const std::shared_ptr<const Model>& model, std::string name,
+                               const Transform& pose);
 
 }  // namespace scatter

@@ -32,6 +32,7 @@ Result<Model> modelOf(const PhysicsDocument& document) {
   const DocumentModel& given = document.models.front();
   Model model;
   model.name = given.name;
+  model.mesh = given.mesh;
   auto levels = levelsOf(given);
   if (!levels) return tl::unexpected(levels.error());
   model.levels = std::move(*levels);

@@ -96,14 +96,23 @@ class Telekinesis final : public Scene {
     const Will::Deed deed = deedAt(world.frame());
     // A field leaves alone what sleeps.
     if (deed != will_->deed && deed != Will::Deed::kNothing) {
-      for (WorldObject* thing : things_) world.physics().activate(thing->body());
+      for (const Thing& thing : things_) world.physics().activate(thing.object->body());
     }
     will_->deed = deed;
     if (world.frame() != kLift) return;
-    for (std::size_t i = 0; i < things_.size(); ++i) things_[i]->setVelocity(Vec3(0.0F), spins_[i]);
+    for (const Thing& thing : things_) thing.object->setVelocity(Vec3(0.0F), thing.spin);
+  }
+
+  void forget(const WorldObject& object) override {
+    std::erase_if(things_, [&object](const Thing& thing) { return thing.object == &object; });
   }
 
  private:
+  struct Thing {
+    WorldObject* object = nullptr;
+    Vec3 spin{0.0F};  ///< Given when lifted, rad/s.
+  };
+
   Result<void> addProps(World& world, Random& random) {
     const auto models = loadProps({"table", "chair", "shelf", "lamp", "crate", "barrel"});
     if (!models) return fail(models.error().message);
@@ -113,21 +122,19 @@ class Telekinesis final : public Scene {
     }
     const Vec3 up(0.0F, 1.0F, 0.0F);
     for (std::size_t i = 0; i < places.size(); ++i) {
-      const Model& model = *(*models)[i % models->size()];
+      const std::shared_ptr<const Model>& model = (*models)[i % models->size()];
       const Quat turn = glm::angleAxis(random.uniform(-3.14F, 3.14F), up);
       BodyDef def =
-          propBody(model, model.name + "-" + std::to_string(i / models->size() + 1), {places[i], turn});
+          propBody(model, model->name + "-" + std::to_string(i / models->size() + 1), {places[i], turn});
       auto added = world.add(std::move(def));
       if (!added) return fail(added.error().message);
-      things_.push_back(*added);
-      spins_.push_back(kLargestSpin * random.insideUnitBall());
+      things_.push_back({*added, kLargestSpin * random.insideUnitBall()});
     }
     return {};
   }
 
   Will* will_ = nullptr;
-  std::vector<WorldObject*> things_;
-  std::vector<Vec3> spins_;
+  std::vector<Thing> things_;
 };
 
 const SceneRegistration kRegister({

@@ -188,6 +188,7 @@ TEST(DocumentScene, SaysWhatAWorldCannotDo) {
   const std::size_t ball = d.model({shape(Sphere{})}, DocumentMotion::kKinematic);
   d.document.bodies[d.body("moved", ball, {20, 0, 0})].linearVelocity = {1, 0, 0};
   d.joint(0, 1, Vec3(0.0F)).enabled = false;
+  d.document.models[d.model({shape(Sphere{})})].name = "spare";
   d.document.timeStep = 0.01F;
   d.document.warnings = {"d.dae:3: <light>: left out"};
   const DocumentWorld scene(d.document);
@@ -195,7 +196,8 @@ TEST(DocumentScene, SaysWhatAWorldCannotDo) {
               ElementsAre("d.dae:3: <light>: left out", HasSubstr("a body has one material; \"ice\""),
                           HasSubstr("material \"ice\": static friction"), HasSubstr("convex hull"),
                           HasSubstr("\"plane\": a plane can only be static"),
-                          HasSubstr("\"moved\": nothing moves a kinematic body"), HasSubstr("not enabled"),
+                          HasSubstr("\"moved\": nothing moves a kinematic body"),
+                          HasSubstr("model \"spare\": no body is of it"), HasSubstr("not enabled"),
                           HasSubstr("time step")))
       << "each once";
   EXPECT_EQ(scene["mesh"].def().material.friction, 0.1F);

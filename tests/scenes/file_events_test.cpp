@@ -131,5 +131,19 @@ event = [{ do = "remove", frame = 0, target = "a" }, { do = "remove", frame = 1,
   EXPECT_LT(distance(scene.state("b").linearVelocity, Vec3(0, 1, 0)), 1e-5F);
 }
 
+TEST(FileEvents, WhatSomebodyElseRemovesIsPassedOver) {
+  FileWorld scene(R"(
+object = [{ name = "a", model = "crate" }, { name = "b", sphere = 1, at = [9, 0, 0] }]
+event = [{ do = "throw", frame = 1, target = "b", toward = "a", speed = 1 }, { do = "remove", frame = 1, target = "a" },
+         { do = "knock", frame = 1, target = ["a", "b"], direction = [0, 1, 0], speed = 1 },
+         { do = "break", frame = 1, target = "a" }]
+)");
+  scene.step();
+  scene.remove("a");
+  scene.step(2);
+  EXPECT_EQ(scene.world.objects().size(), 1U);
+  EXPECT_LT(distance(scene.state("b").linearVelocity, Vec3(0, 1, 0)), 1e-5F);
+}
+
 }  // namespace
 }  // namespace scatter::test

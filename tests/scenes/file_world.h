@@ -29,6 +29,13 @@ class FileWorld {
     }
   }
 
+  /// Takes a body out as somebody else than the scene does.
+  void remove(const char* name) {
+    WorldObject& object = (*this)[name];
+    scene_.forget(object);
+    world.remove(object);
+  }
+
   /// A body that exists.
   [[nodiscard]] WorldObject& operator[](const char* name) const {
     WorldObject* object = world.find(name);

@@ -97,7 +97,7 @@ class Hanging {
     world_.physics().setGravity(Vec3(0.0F, -9.81F, 0.0F));
     const auto models = loadProps({"mug", "lamp"});
     EXPECT_TRUE(models) << models.error().message;
-    BodyDef lamp = propBody(*(*models)[1], "lamp", {});
+    BodyDef lamp = propBody((*models)[1], "lamp", {});
     lamp.motion = Motion::kStatic;
     EXPECT_TRUE(world_.add(std::move(lamp)));
     // The handle looks up, and its opening along the arm.
@@ -105,7 +105,7 @@ class Hanging {
     const Vec3 up = glm::normalize(glm::cross(Vec3(0.0F, 0.0F, 1.0F), along)) * -1.0F;
     const Quat turn = glm::quat_cast(Mat3(up, glm::cross(along, up), along));
     const Vec3 middle = 0.5F * (kTailStart + kTailEnd);
-    BodyDef mug = propBody(*(*models)[0], "mug", {middle - turn * kOpening, turn});
+    BodyDef mug = propBody((*models)[0], "mug", {middle - turn * kOpening, turn});
     auto added = world_.add(std::move(mug));
     EXPECT_TRUE(added);
     mug_ = *added;

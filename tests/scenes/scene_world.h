@@ -24,9 +24,18 @@ class SceneWorld {
     EXPECT_TRUE(built) << built.error().message;
   }
 
+  /// What the scene does before a step.
+  void update() { scene_->update(world); }
+
   void step() {
-    scene_->update(world);
+    update();
     world.step(1.0F / 60.0F);
+  }
+
+  /// Takes an object out as somebody else than the scene does.
+  void remove(WorldObject& object) {
+    scene_->forget(object);
+    world.remove(object);
   }
 
   [[nodiscard]] const StepCounters& counters() const { return world.physics().counters(); }

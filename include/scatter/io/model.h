@@ -1,6 +1,7 @@
 #pragma once
 
 #include <scatter/levels/level_set.h>
+#include <scatter/levels/surface_mesh.h>
 #include <scatter/math.h>
 
 #include <array>
@@ -11,11 +12,8 @@
 
 namespace scatter {
 
-/// What is drawn: triangles in the model's frame, counter-clockwise seen from outside.
-struct VisualMesh {
-  std::vector<Vec3> vertices;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-};
+/// What is drawn, in the model's frame.
+using VisualMesh = SurfaceMesh;
 
 /// What a model file holds: a rigid body with nested collision shapes and the mesh that shows it.
 struct Model {
@@ -26,5 +24,10 @@ struct Model {
   float friction = 0.5F;
   float restitution = 0.0F;  ///< 0 no bounce, 1 full bounce.
 };
+
+/// The model's mesh, which keeps the model; null if it has none.
+[[nodiscard]] inline std::shared_ptr<const VisualMesh> drawnMesh(const std::shared_ptr<const Model>& model) {
+  return model->mesh.triangles.empty() ? nullptr : std::shared_ptr<const VisualMesh>(model, &model->mesh);
+}
 
 }  // namespace scatter
