@@ -13,3 +13,42 @@ find_package(CLI11 REQUIRED CONFIG)
 if(SCATTER_BUILD_TESTS)
   find_package(GTest REQUIRED)
 endif()
+
+# The window. It is left out, unless asked for, where its packages are missing.
+pkg_check_modules(IMGUI QUIET imgui)
+find_package(OpenGL QUIET COMPONENTS OpenGL)
+find_package(X11 QUIET)
+find_package(PNG QUIET)
+find_path(IRRLICHT_INCLUDE_DIR irrlicht.h PATH_SUFFIXES irrlicht)
+find_library(IRRLICHT_LIBRARY Irrlicht)
+if(IMGUI_FOUND AND OpenGL_FOUND AND X11_FOUND AND PNG_FOUND AND IRRLICHT_INCLUDE_DIR AND IRRLICHT_LIBRARY)
+  set(SCATTER_VIEWER_FOUND ON)
+else()
+  set(SCATTER_VIEWER_FOUND OFF)
+endif()
+option(SCATTER_VIEWER "Build the window" ${SCATTER_VIEWER_FOUND})
+if(SCATTER_VIEWER AND NOT SCATTER_VIEWER_FOUND)
+  message(FATAL_ERROR "The window needs libirrlicht-dev, libimgui-dev, libgl-dev, libx11-dev and libpng-dev: "
+                      "install them, or configure with -DSCATTER_VIEWER=OFF")
+endif()
+if(SCATTER_VIEWER)
+  add_library(Irrlicht::Irrlicht UNKNOWN IMPORTED GLOBAL)
+  set_target_properties(Irrlicht::Irrlicht PROPERTIES IMPORTED_LOCATION ${IRRLICHT_LIBRARY}
+                        INTERFACE_INCLUDE_DIRECTORIES ${IRRLICHT_INCLUDE_DIR})
+  # The second renderer comes along where Ogre is installed.
+  pkg_check_modules(OGRE QUIET OGRE OGRE-Overlay)
+  pkg_get_variable(OGRE_plugindir OGRE plugindir)
+  option(SCATTER_VIEWER_OGRE "Build Ogre as a second renderer" ${OGRE_FOUND})
+  add_library(scatter_imgui INTERFACE)
+  if(SCATTER_VIEWER_OGRE)
+    if(NOT OGRE_FOUND)
+      message(FATAL_ERROR "The second renderer needs libogre-1.12-dev: install it, or configure with "
+                          "-DSCATTER_VIEWER_OGRE=OFF")
+    endif()
+    # Debian's libOgreOverlay holds and exports the whole of libimgui.a. Named first, it is the only Dear ImGui in the
+    # program, and libimgui.a gives just the OpenGL back end.
+    target_link_libraries(scatter_imgui INTERFACE ${OGRE_LINK_LIBRARIES})
+  endif()
+  target_include_directories(scatter_imgui SYSTEM INTERFACE ${IMGUI_INCLUDE_DIRS})
+  target_link_libraries(scatter_imgui INTERFACE ${IMGUI_LINK_LIBRARIES})
+endif()

@@ -26,6 +26,9 @@ Command addListCommand(CLI::App& program);
 Command addRunCommand(CLI::App& program);
 Command addConvertCommand(CLI::App& program);
 
+/// Only in builds with the window.
+Command addViewCommand(CLI::App& program);
+
 /// `commandLine` is for the report.
 Command addCompareCommand(CLI::App& program, std::string commandLine);
 

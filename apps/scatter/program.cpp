@@ -163,6 +163,9 @@ int runProgram(int argc, char** argv) {
   const std::vector<Command> commands{addListCommand(program),
                                       addRunCommand(program),
                                       addCompareCommand(program, commandLineOf(argc, argv)),
+#ifdef SCATTER_VIEWER
+                                      addViewCommand(program),
+#endif
                                       addLevelsCommand(program),
                                       addConvertCommand(program),
                                       addBenchCommand(program)};

@@ -1,0 +1,146 @@
+#include <scatter/io/file.h>
+#include <spdlog/fmt/fmt.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "command.h"
+#include "messages.h"
+#include "run_arguments.h"
+#include "viewer/renderers.h"
+#include "viewer/viewer.h"
+
+namespace scatter::app {
+
+namespace {
+
+struct Arguments {
+  RunArguments run;
+  std::vector<std::string> worlds{worldChoices().front().name};
+  std::string renderer = viewer::rendererNames().front();
+  std::string size = "1280x720";
+  std::uint64_t loops = 0;
+  std::optional<std::string> script;
+  std::optional<std::string> screenshot;
+  std::vector<std::string> views{"marks"};
+  std::string out = "out/view";
+  bool noPanels = false;
+};
+
+Result<glm::ivec2> parseSize(const std::string& text) {
+  glm::ivec2 size(0);
+  char end = 0;
+  const bool numbers = std::sscanf(text.c_str(), "%dx%d%c", &size.x, &size.y, &end) == 2;
+  constexpr int kLeast = 320;
+  constexpr int kMost = 8192;
+  if (!numbers || size.x < kLeast || size.y < kLeast / 2 || size.x > kMost || size.y > kMost) {
+    return fail("--size " + text + ": write WIDTHxHEIGHT in pixels, 320x160 to 8192x8192, such as 1280x720");
+  }
+  return size;
+}
+
+Result<std::optional<viewer::ViewScript>> readScript(const Arguments& arguments) {
+  viewer::ViewScript script;
+  if (arguments.script) {
+    const auto text = readFile(*arguments.script);
+    if (!text) return tl::unexpected(text.error());
+    auto parsed = viewer::ViewScript::parse(*text, *arguments.script);
+    if (!parsed) return tl::unexpected(parsed.error());
+    script = std::move(*parsed);
+  }
+  if (arguments.screenshot && arguments.loops == 0) {
+    return fail("--screenshot is taken in the last loop; say which with --loops N");
+  }
+  if (arguments.screenshot) script.add({arguments.loops - 1, viewer::TakeScreenshot{*arguments.screenshot}});
+  if (script.lines().empty()) return std::optional<viewer::ViewScript>();
+  return std::optional(std::move(script));
+}
+
+Result<viewer::ViewerDef> makeDef(const Arguments& arguments) {
+  viewer::ViewerDef def;
+  if (arguments.worlds.size() > 2) return fail("--worlds: one world, or two side by side");
+  auto worlds = makeRuns(arguments.run, arguments.worlds);
+  if (!worlds) return tl::unexpected(worlds.error());
+  def.worlds = std::move(*worlds);
+  auto script = readScript(arguments);
+  if (!script) return tl::unexpected(script.error());
+  def.script = std::move(*script);
+  def.out = arguments.out;
+  def.loops = arguments.loops;
+  def.views = arguments.views;
+  def.panels = !arguments.noPanels;
+  return def;
+}
+
+ExitStatus view(const Arguments& arguments) {
+  const auto size = parseSize(arguments.size);
+  if (!size) return refuse(size.error());
+  const auto def = makeDef(arguments);
+  if (!def) return refuse(def.error());
+  viewer::WindowDef window;
+  window.title = "Scatter: " + def->worlds.front().scene;
+  window.size = *size;
+  const auto renderer = viewer::makeRenderer(arguments.renderer, window);
+  if (!renderer) return refuse(renderer.error());
+  const auto seen = viewer::runViewer(**renderer, *def);
+  if (!seen) {
+    printError(seen.error().message);
+    return ExitStatus::kFailedCheck;
+  }
+  for (std::size_t i = 0; i < seen->frames.size(); ++i) {
+    fmt::print("{}: {} frames, state hash {:016x}\n", def->worlds[i].label, seen->frames[i],
+               seen->stateHashes[i]);
+  }
+  fmt::print(
+      "{} loops, median {:.1f} ms, of which {:.1f} ms draw; the last {} frames are kept in {:.1f} MB\n",
+      seen->loops, seen->medianLoopMs, seen->medianDrawMs, seen->historyFrames,
+      static_cast<double>(seen->historyBytes) / 1e6);
+  return ExitStatus::kOk;
+}
+
+}  // namespace
+
+Command addViewCommand(CLI::App& program) {
+  CLI::App* command = program.add_subcommand("view", "Open a scene in a window: watch it, pause it, poke it");
+  auto arguments = std::make_shared<Arguments>();
+  addRunArguments(*command, arguments->run);
+  command->add_option("--worlds", arguments->worlds, "One world, or two side by side; see `scatter list`")
+      ->delimiter(',')
+      ->type_name("NAME,NAME")
+      ->capture_default_str();
+  command
+      ->add_option("--renderer", arguments->renderer,
+                   "What draws: " + fmt::format("{}", fmt::join(viewer::rendererNames(), ", ")))
+      ->type_name("NAME")
+      ->capture_default_str();
+  command->add_option("--size", arguments->size, "Of the window, pixels")
+      ->type_name("WIDTHxHEIGHT")
+      ->capture_default_str();
+  command
+      ->add_option("--views", arguments->views,
+                   "Debug views that are on from the start, such as levels,contacts")
+      ->delimiter(',')
+      ->type_name("NAME,NAME…")
+      ->capture_default_str();
+  command->add_flag("--no-panels", arguments->noPanels, "Begin without panels");
+  command
+      ->add_option("--loops", arguments->loops,
+                   "Close after so many loops of one step each, as fast as they go")
+      ->type_name("N");
+  command
+      ->add_option("--script", arguments->script,
+                   "Keys, pointer and pictures at given loops; see docs/window.md")
+      ->type_name("FILE");
+  command->add_option("--screenshot", arguments->screenshot, "With --loops: write the last picture as PNG")
+      ->type_name("FILE");
+  command->add_option("--out", arguments->out, "The folder for pictures, recordings and runs")
+      ->type_name("DIR")
+      ->capture_default_str();
+  return {command, [arguments] { return view(*arguments); }};
+}
+
+}  // namespace scatter::app

@@ -1,0 +1,85 @@
+#include "viewer/body_looks.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "viewer/mesh_occlusion.h"
+#include "viewer/shape_mesh.h"
+
+namespace scatter::viewer {
+namespace {
+
+using Levels = std::shared_ptr<const LevelSet>;
+using Triangles = std::shared_ptr<const TriangleMesh>;
+
+Item itemOf(MeshId mesh) {
+  Item item;
+  item.mesh = mesh;
+  return item;
+}
+
+float reachOf(const MeshData& mesh) {
+  float reach = 0.0F;
+  for (const Vec3& position : mesh.positions) reach = std::max(reach, glm::length(position));
+  return reach;
+}
+
+}  // namespace
+
+std::optional<MeshId> BodyLooks::find(const void* key, int variant) const {
+  const auto found = known_.find({key, variant});
+  if (found == known_.end()) return std::nullopt;
+  return found->second.mesh;
+}
+
+MeshId BodyLooks::shared(const void* key, int variant, const std::shared_ptr<const void>& owner,
+                         const MeshData& mesh) {
+  const MeshId id = renderer_.addMesh(mesh);
+  known_.emplace(std::pair(key, variant), Known{id, owner});
+  return id;
+}
+
+Item BodyLooks::drawn(BodyId body, const BodyDef& def) {
+  if (!def.mesh) return shape(body, def);
+  if (const auto known = find(def.mesh.get(), 0)) return itemOf(*known);
+  MeshData mesh = meshOf(*def.mesh);
+  mesh.occlusion = bakeOcclusion(mesh);
+  return itemOf(shared(def.mesh.get(), 0, def.mesh, mesh));
+}
+
+Item BodyLooks::level(const Levels& levels, int level) {
+  if (const auto known = find(levels.get(), level)) return itemOf(*known);
+  return itemOf(shared(levels.get(), level, levels, meshOf(levels->level(level))));
+}
+
+Item BodyLooks::shape(BodyId body, const BodyDef& def) {
+  if (const auto* levels = std::get_if<Levels>(&def.shape)) return level(*levels, (*levels)->count());
+  if (const auto* box = std::get_if<Box>(&def.shape)) {
+    if (!box_) box_ = renderer_.addMesh(unitBox());
+    Item item = itemOf(*box_);
+    item.scale = box->halfExtents;
+    return item;
+  }
+  if (const auto* sphere = std::get_if<Sphere>(&def.shape)) {
+    if (!sphere_) sphere_ = renderer_.addMesh(unitSphere());
+    Item item = itemOf(*sphere_);
+    item.scale = Vec3(sphere->radius);
+    return item;
+  }
+  if (const auto* triangles = std::get_if<Triangles>(&def.shape)) {
+    if (const auto known = find(triangles->get(), 0)) return itemOf(*known);
+    return itemOf(shared(triangles->get(), 0, *triangles, meshOf(def.shape)));
+  }
+  const auto known = own_.find(body);
+  if (known != own_.end()) return itemOf(known->second);
+  return itemOf(own_.emplace(body, renderer_.addMesh(meshOf(def.shape))).first->second);
+}
+
+float BodyLooks::radius(BodyId body, const BodyDef& def) {
+  const auto known = radius_.find(body);
+  if (known != radius_.end()) return known->second;
+  return radius_.emplace(body, reachOf(meshOf(def.shape))).first->second;
+}
+
+}  // namespace scatter::viewer

@@ -1,0 +1,132 @@
+#include "viewer/debug_views.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
+
+#include "viewer/palette.h"
+
+namespace scatter::viewer {
+namespace {
+
+constexpr float kVelocitySeconds = 0.25F;
+constexpr float kNormalLength = 0.35F;
+constexpr float kCross = 0.06F;
+
+void addBox(const Vec3& low, const Vec3& high, const Color& color, std::vector<Line>& lines) {
+  const auto corner = [&](int bits) {
+    return Vec3((bits & 1) != 0 ? high.x : low.x, (bits & 2) != 0 ? high.y : low.y,
+                (bits & 4) != 0 ? high.z : low.z);
+  };
+  for (int from = 0; from < 8; ++from) {
+    for (const int axis : {1, 2, 4}) {
+      if ((from & axis) == 0) lines.push_back({corner(from), corner(from | axis), color});
+    }
+  }
+}
+
+void addCross(const Vec3& at, const Color& color, std::vector<Line>& lines) {
+  for (int axis = 0; axis < 3; ++axis) {
+    Vec3 arm(0.0F);
+    arm[axis] = kCross;
+    lines.push_back({at - arm, at + arm, color});
+  }
+}
+
+void addBounds(const Observation& observed, std::vector<Line>& lines) {
+  for (const ObservedBody& body : observed.bodies) {
+    const bool finite = glm::length(body.boundsMax - body.boundsMin) < 1e6F;
+    if (finite) addBox(body.boundsMin, body.boundsMax, body.request ? kRequestColor : kBoundsColor, lines);
+  }
+}
+
+void addVelocities(const World& world, std::vector<Line>& lines) {
+  for (const auto& object : world.objects()) {
+    const BodyState state = object->state();
+    const Vec3 way = kVelocitySeconds * state.linearVelocity;
+    if (glm::length(way) > 1e-3F)
+      lines.push_back({state.centerOfMass, state.centerOfMass + way, kVelocityColor});
+  }
+}
+
+/// A contact's points at A and B, and its normal.
+void addContact(const ObservedContact& contact, const Color& color, std::vector<Line>& lines) {
+  addCross(contact.pointB, color, lines);
+  lines.push_back({contact.pointB, contact.pointB + kNormalLength * contact.normal, color});
+}
+
+class PairLines {
+ public:
+  PairLines(const DebugViewSet& views, const World& world) : views_(views) {
+    for (const auto& object : world.objects()) centers_[object->body()] = object->state().centerOfMass;
+  }
+
+  void add(const ObservedPair& pair, std::vector<Line>& lines) const {
+    const auto a = centers_.find(pair.a);
+    const auto b = centers_.find(pair.b);
+    if (a == centers_.end() || b == centers_.end()) return;
+    if (const auto color = colorOf(pair)) lines.push_back({a->second, b->second, *color});
+  }
+
+ private:
+  [[nodiscard]] std::optional<Color> colorOf(const ObservedPair& pair) const {
+    if (views_.has(DebugView::kCredit) && pair.credited) return kCreditColor;
+    if (views_.has(DebugView::kPairLevels) && pair.level > 0 && pair.nearness != Nearness::kApart) {
+      return levelColor(pair.level, pair.levelCount);
+    }
+    if (views_.has(DebugView::kPairs)) return kPairColor;
+    return std::nullopt;
+  }
+
+  const DebugViewSet& views_;
+  std::map<BodyId, Vec3> centers_;
+};
+
+}  // namespace
+
+const std::array<DebugViewInfo, kDebugViewCount>& debugViews() {
+  static constexpr std::array<DebugViewInfo, kDebugViewCount> kViews{{
+      {DebugView::kBounds, "bounds", "bounding boxes", "boxes of the broadphase; orange: waits for a level"},
+      {DebugView::kShapes, "shapes", "collision shapes", "finest collision shapes as wireframes"},
+      {DebugView::kLevels, "levels", "levels", "level in use by colour; of the picked object all levels"},
+      {DebugView::kPairLevels, "pair-levels", "level per pair",
+       "lines in the colour of the level that two bodies meet with"},
+      {DebugView::kContacts, "contacts", "contacts", "contact points and normals"},
+      {DebugView::kCredit, "credit", "credited pairs", "pairs and contacts on penetration credit, violet"},
+      {DebugView::kIslands, "islands", "islands", "bodies that are solved together have one colour"},
+      {DebugView::kSleeping, "sleeping", "sleeping", "what sleeps is dark, what is frozen pale blue"},
+      {DebugView::kPairs, "pairs", "broadphase pairs", "lines between bodies whose bounds overlap"},
+      {DebugView::kVelocities, "velocities", "velocities", "the way of the next quarter of a second"},
+      {DebugView::kMarks, "marks", "requests, switches", "requests flash, switches pulse, retractions fade"},
+  }};
+  return kViews;
+}
+
+ObservationParts DebugViewSet::parts() const {
+  ObservationParts parts;
+  parts.bodies = has(DebugView::kBounds) || has(DebugView::kLevels) || has(DebugView::kIslands) ||
+                 has(DebugView::kSleeping) || has(DebugView::kMarks);
+  parts.pairs = has(DebugView::kPairLevels) || has(DebugView::kPairs) || has(DebugView::kCredit);
+  parts.contacts = has(DebugView::kContacts) || has(DebugView::kCredit);
+  return parts;
+}
+
+void addDebugLines(const DebugViewSet& views, const World& world, const Observation& observed, View& view) {
+  if (views.has(DebugView::kBounds)) addBounds(observed, view.lines);
+  if (views.has(DebugView::kVelocities)) addVelocities(world, view.linesOnTop);
+  if (views.has(DebugView::kPairs) || views.has(DebugView::kPairLevels) || views.has(DebugView::kCredit)) {
+    const PairLines pairs(views, world);
+    for (const ObservedPair& pair : observed.pairs) pairs.add(pair, view.linesOnTop);
+  }
+  for (const ObservedContact& contact : observed.contacts) {
+    const bool credited = contact.credit > 0.0F;
+    if (credited && views.has(DebugView::kCredit)) {
+      addContact(contact, kCreditColor, view.linesOnTop);
+    } else if (views.has(DebugView::kContacts)) {
+      addContact(contact, kContactColor, view.linesOnTop);
+    }
+  }
+}
+
+}  // namespace scatter::viewer

@@ -1,0 +1,22 @@
+#include "viewer/display.h"
+
+#include <X11/Xlib.h>
+
+#include <cstdlib>
+#include <string>
+
+namespace scatter::viewer {
+
+void DisplayClose::operator()(Display* display) const {
+  XCloseDisplay(display);
+}
+
+Result<DisplayConnection> openDisplay() {
+  if (DisplayConnection display{XOpenDisplay(nullptr)}) return display;
+  const char* name = std::getenv("DISPLAY");
+  if (name == nullptr || *name == '\0') return fail("no display: set DISPLAY, or use --renderer null");
+  return fail(std::string("no display: DISPLAY is ") + name +
+              ", which does not answer; set it to one that does, or use --renderer null");
+}
+
+}  // namespace scatter::viewer

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "viewer/renderer.h"
+
+namespace scatter::viewer {
+
+/// The light of a view, in the camera's axes.
+struct LightInView {
+  Vec3 toLight{0.0F, 0.0F, 1.0F};  ///< A unit vector.
+  Vec3 up{0.0F, 1.0F, 0.0F};       ///< The world's.
+};
+
+[[nodiscard]] LightInView lightOf(const View& view);
+
+/// How the shader sees an item.
+struct ItemLook {
+  Color color{1.0F};
+  float glow = 0.0F;
+  float flat = 0.0F;      ///< 1: `color` alone, for shadows.
+  float twoSided = 0.0F;  ///< 1: light the side that is seen.
+};
+
+/// Light is worked out at the vertices: a key light, and an ambient one that is brighter and colder from
+/// above, which reaches no vertex that the mesh itself hides. GLSL 1.10, in the camera's axes. gl_Color is
+/// the mesh's colour with 1 - occlusion as alpha. Uniforms: toLight, worldUp, itemColor, itemLook (glow,
+/// flat, twoSided). A renderer puts before it what toClip and toCamera (matrices) and turnNormal (a macro, to
+/// the camera's axes) are.
+extern const char* const kItemVertexShader;
+
+/// The colour of the vertices, for lines and scenery. Only toClip is needed.
+extern const char* const kPaintedVertexShader;
+
+/// For both.
+extern const char* const kPixelShader;
+
+}  // namespace scatter::viewer

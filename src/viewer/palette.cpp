@@ -1,0 +1,30 @@
+#include "viewer/palette.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scatter::viewer {
+namespace {
+
+Color ofHue(float hue, float saturation, float value) {
+  const auto channel = [&](float shift) {
+    const float wave = std::abs(std::fmod(hue + shift, 1.0F) * 6.0F - 3.0F) - 1.0F;
+    return value * (1.0F - saturation * (1.0F - std::clamp(wave, 0.0F, 1.0F)));
+  };
+  return {channel(0.0F), channel(2.0F / 3.0F), channel(1.0F / 3.0F), 1.0F};
+}
+
+}  // namespace
+
+Color levelColor(int level, int levelCount) {
+  const float share =
+      levelCount > 1 ? static_cast<float>(level - 1) / static_cast<float>(levelCount - 1) : 1.0F;
+  return ofHue(0.36F * std::clamp(share, 0.0F, 1.0F), 0.75F, 0.95F);
+}
+
+Color distinctColor(std::uint64_t number) {
+  const float hue = std::fmod(0.58F + 0.61803399F * static_cast<float>(number % 4096), 1.0F);
+  return ofHue(hue, 0.45F, number % 2 == 0 ? 0.85F : 0.70F);
+}
+
+}  // namespace scatter::viewer

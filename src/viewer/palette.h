@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+
+#include "viewer/renderer.h"
+
+namespace scatter::viewer {
+
+/// Of a level: the coarsest red, the finest green, those between from orange to yellow.
+[[nodiscard]] Color levelColor(int level, int levelCount);
+
+/// Of the number-th thing: neighbours are far apart.
+[[nodiscard]] Color distinctColor(std::uint64_t number);
+
+inline constexpr Color kContactColor{1.0F, 0.85F, 0.2F, 1.0F};
+inline constexpr Color kCreditColor{0.95F, 0.35F, 0.9F, 1.0F};
+inline constexpr Color kBoundsColor{0.45F, 0.55F, 0.65F, 1.0F};
+inline constexpr Color kVelocityColor{0.4F, 0.85F, 1.0F, 1.0F};
+inline constexpr Color kPairColor{0.35F, 0.4F, 0.5F, 1.0F};
+inline constexpr Color kRequestColor{1.0F, 0.65F, 0.1F, 1.0F};
+inline constexpr Color kRetractedColor{0.55F, 0.6F, 0.9F, 1.0F};
+inline constexpr Color kPickedColor{1.0F, 1.0F, 1.0F, 1.0F};
+inline constexpr Color kHandColor{0.3F, 1.0F, 0.9F, 1.0F};
+
+}  // namespace scatter::viewer

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "viewer/layout.h"
+#include "viewer/viewer_state.h"
+
+namespace scatter::viewer {
+
+/// All panels of a window; called inside a frame of Dear ImGui.
+void showPanels(ViewerState& state, const Layout& layout);
+
+/// The single panels, in the order of the screen. Each is a part of showPanels().
+/// @{
+void showTimePanel(ViewerState& state, const Layout& layout);
+void showControlPanel(ViewerState& state, const Layout& layout);
+void showNumbersPanel(ViewerState& state, const Layout& layout);
+void showInspectorPanel(ViewerState& state, const Layout& layout);
+void showHelpPanel(ViewerState& state, const Layout& layout);
+/// @}
+
+/// The next panel of Dear ImGui is there, whatever the user did to it.
+void placePanel(const glm::vec2& corner, const glm::vec2& size);
+
+/// A command as a button with its key, lit if it is on; its help is the tip.
+void commandButton(const Commands& commands, std::string_view name);
+
+/// All of a group, in as many lines as it takes.
+void commandButtons(const Commands& commands, std::string_view group);
+
+}  // namespace scatter::viewer

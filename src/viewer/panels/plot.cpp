@@ -1,0 +1,152 @@
+#include "viewer/panels/plot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace scatter::viewer {
+namespace {
+
+constexpr ImU32 kBackground = IM_COL32(20, 24, 32, 200);
+constexpr ImU32 kLimit = IM_COL32(255, 80, 80, 200);
+constexpr ImU32 kPeak = IM_COL32(255, 255, 255, 230);
+
+std::string withUnit(float value, const std::string& unit) {
+  char text[48];
+  if (unit.empty()) {
+    std::snprintf(text, sizeof text, "%.0f", static_cast<double>(value));
+  } else {
+    std::snprintf(text, sizeof text, "%.2f %s", static_cast<double>(value), unit.c_str());
+  }
+  return text;
+}
+
+std::size_t framesOf(const PlotDef& plot) {
+  std::size_t frames = 0;
+  for (const PlotLine& line : plot.lines) frames = std::max(frames, line.values.size());
+  return frames;
+}
+
+float valueAt(const PlotLine& line, std::size_t frame) {
+  return frame < line.values.size() ? line.values[frame] : 0.0F;
+}
+
+float topOf(const PlotDef& plot) {
+  float top = plot.limit;
+  for (std::size_t frame = 0; frame < framesOf(plot); ++frame) {
+    float sum = 0.0F;
+    for (const PlotLine& line : plot.lines) {
+      sum = plot.stacked ? sum + valueAt(line, frame) : valueAt(line, frame);
+      top = std::max(top, sum);
+    }
+  }
+  return top > 0.0F ? 1.15F * top : 1.0F;
+}
+
+/// From values to pixels.
+class Canvas {
+ public:
+  Canvas(const PlotDef& plot, const ImVec2& corner, const ImVec2& size)
+      : corner_(corner), size_(size), top_(topOf(plot)), frames_(framesOf(plot)) {}
+
+  [[nodiscard]] ImVec2 at(std::size_t frame, float value) const {
+    const float share = frames_ > 1 ? static_cast<float>(frame) / static_cast<float>(frames_ - 1) : 0.0F;
+    return {corner_.x + share * size_.x, corner_.y + size_.y * (1.0F - value / top_)};
+  }
+  [[nodiscard]] std::size_t frameAt(float x) const {
+    const float share = std::clamp((x - corner_.x) / size_.x, 0.0F, 1.0F);
+    return frames_ > 0 ? static_cast<std::size_t>(std::lround(share * static_cast<float>(frames_ - 1))) : 0;
+  }
+
+ private:
+  ImVec2 corner_;
+  ImVec2 size_;
+  float top_;
+  std::size_t frames_;
+};
+
+void drawLayers(const PlotDef& plot, const Canvas& canvas, ImDrawList& draw) {
+  std::vector<float> below(framesOf(plot), 0.0F);
+  for (const PlotLine& line : plot.lines) {
+    for (std::size_t frame = 0; frame + 1 < below.size(); ++frame) {
+      const float from = below[frame] + valueAt(line, frame);
+      const float to = below[frame + 1] + valueAt(line, frame + 1);
+      draw.AddQuadFilled(canvas.at(frame, below[frame]), canvas.at(frame, from), canvas.at(frame + 1, to),
+                         canvas.at(frame + 1, below[frame + 1]), line.color);
+    }
+    for (std::size_t frame = 0; frame < below.size(); ++frame) below[frame] += valueAt(line, frame);
+  }
+}
+
+void drawLines(const PlotDef& plot, const Canvas& canvas, ImDrawList& draw) {
+  std::vector<ImVec2> points;
+  for (const PlotLine& line : plot.lines) {
+    points.clear();
+    for (std::size_t frame = 0; frame < line.values.size(); ++frame)
+      points.push_back(canvas.at(frame, line.values[frame]));
+    draw.AddPolyline(points.data(), static_cast<int>(points.size()), line.color, ImDrawFlags_None, 1.5F);
+  }
+}
+
+/// A small triangle and the number.
+void markPeak(const PlotDef& plot, const Canvas& canvas, ImDrawList& draw) {
+  const auto& values = plot.lines.front().values;
+  const auto peak = std::max_element(values.begin(), values.end());
+  if (peak == values.end() || !(*peak > 0.0F)) return;
+  const ImVec2 at = canvas.at(static_cast<std::size_t>(peak - values.begin()), *peak);
+  draw.AddTriangleFilled({at.x - 4.0F, at.y - 6.0F}, {at.x + 4.0F, at.y - 6.0F}, at, kPeak);
+  const std::string text = withUnit(*peak, plot.unit);
+  const float width = ImGui::CalcTextSize(text.c_str()).x;
+  const ImVec2 low = ImGui::GetItemRectMin();
+  const ImVec2 high = ImGui::GetItemRectMax();
+  const float left = at.x + 8.0F + width < high.x ? at.x + 6.0F : at.x - 8.0F - width;
+  draw.AddText({std::max(low.x, left), std::max(low.y + 1.0F, at.y - 8.0F)}, kPeak, text.c_str());
+}
+
+void drawLegend(const PlotDef& plot) {
+  ImGui::TextUnformatted(plot.title.c_str());
+  for (const PlotLine& line : plot.lines) {
+    ImGui::SameLine();
+    const std::string text =
+        line.name + " " + (line.values.empty() ? "-" : withUnit(line.values.back(), plot.unit));
+    if (ImGui::GetContentRegionAvail().x < ImGui::CalcTextSize(text.c_str()).x) ImGui::NewLine();
+    ImGui::PushStyleColor(ImGuiCol_Text, line.color);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopStyleColor();
+  }
+}
+
+void showTip(const PlotDef& plot, const Canvas& canvas) {
+  const std::size_t frame = canvas.frameAt(ImGui::GetIO().MousePos.x);
+  ImGui::BeginTooltip();
+  ImGui::Text("%zu frames ago", framesOf(plot) - 1 - frame);
+  for (const PlotLine& line : plot.lines) {
+    ImGui::Text("%s: %s", line.name.c_str(), withUnit(valueAt(line, frame), plot.unit).c_str());
+  }
+  ImGui::EndTooltip();
+}
+
+}  // namespace
+
+void drawPlot(const PlotDef& plot) {
+  if (framesOf(plot) == 0) return;
+  drawLegend(plot);
+  const ImVec2 size(std::max(40.0F, ImGui::GetContentRegionAvail().x), plot.height);
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  ImGui::InvisibleButton(plot.title.c_str(), size);
+  const bool pointed = ImGui::IsItemHovered();
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const Canvas canvas(plot, corner, size);
+  draw.AddRectFilled(corner, {corner.x + size.x, corner.y + size.y}, kBackground, 3.0F);
+  draw.PushClipRect(corner, {corner.x + size.x, corner.y + size.y}, true);
+  plot.stacked ? drawLayers(plot, canvas, draw) : drawLines(plot, canvas, draw);
+  if (plot.limit > 0.0F) {
+    const float y = canvas.at(0, plot.limit).y;
+    draw.AddLine({corner.x, y}, {corner.x + size.x, y}, kLimit);
+  }
+  if (!plot.stacked) markPeak(plot, canvas, draw);
+  draw.PopClipRect();
+  if (pointed) showTip(plot, canvas);
+}
+
+}  // namespace scatter::viewer

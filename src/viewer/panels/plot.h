@@ -1,0 +1,30 @@
+#pragma once
+
+#include <imgui.h>
+
+#include <string>
+#include <vector>
+
+namespace scatter::viewer {
+
+/// A line of a plot.
+struct PlotLine {
+  std::string name{};
+  ImU32 color = 0;
+  std::vector<float> values{};  ///< One a frame, the oldest first.
+};
+
+struct PlotDef {
+  std::string title{};
+  std::string unit{};             ///< Such as "ms"; empty for a count.
+  std::vector<PlotLine> lines{};  ///< The first one's peak is marked.
+  bool stacked = false;           ///< Lines are layers, each on top of those before.
+  float limit = 0.0F;             ///< A horizontal line, such as a budget; 0: none.
+  float height = 70.0F;           ///< Pixels.
+};
+
+/// As wide as the window, from 0 to the largest value, with its peak marked and the newest values written
+/// beside the names. Says the values under the pointer.
+void drawPlot(const PlotDef& plot);
+
+}  // namespace scatter::viewer

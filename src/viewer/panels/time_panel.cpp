@@ -1,0 +1,67 @@
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "viewer/panels/panels.h"
+
+namespace scatter::viewer {
+namespace {
+
+constexpr float kLeastHeight = 92.0F;
+
+std::string stateOf(const ViewerState& state) {
+  for (const auto& pane : state.panes) {
+    if (!pane->experiment().stopped().empty()) return pane->label() + ": " + pane->experiment().stopped();
+  }
+  if (state.playback.past()) return state.playback.paused() ? "the past" : "the past, playing";
+  return state.playback.paused() ? "paused" : "running";
+}
+
+void showScrubber(ViewerState& state) {
+  Playback& time = state.playback;
+  const auto oldest = static_cast<int>(time.oldest());
+  const auto newest = static_cast<int>(time.newest());
+  int shown = static_cast<int>(time.shown());
+  ImGui::SetNextItemWidth(-1.0F);
+  char format[64];
+  std::snprintf(format, sizeof format, "frame %%d of %d, %.2f s", newest, shown / 60.0);
+  if (ImGui::SliderInt("##frame", &shown, oldest, std::max(newest, oldest + 1), format)) {
+    time.show(static_cast<std::uint64_t>(std::clamp(shown, oldest, newest)));
+  }
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("Drag to look at any frame since %d, in all worlds", oldest);
+}
+
+void showRate(Playback& time) {
+  auto rate = static_cast<float>(time.rate());
+  ImGui::SetNextItemWidth(150.0F);
+  if (ImGui::SliderFloat("rate of time", &rate, static_cast<float>(Loop::kMinRate),
+                         static_cast<float>(Loop::kMaxRate), "%.2f x", ImGuiSliderFlags_Logarithmic)) {
+    time.setRate(static_cast<double>(rate));
+  }
+}
+
+}  // namespace
+
+void showTimePanel(ViewerState& state, const Layout& layout) {
+  const float height = std::max(layout.bottomHeight(), kLeastHeight);
+  placePanel({0.0F, layout.window().y - height}, {layout.window().x, height});
+  if (ImGui::Begin("Time", nullptr,
+                   ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
+    showScrubber(state);
+    commandButtons(state.commands, "Time");
+    ImGui::SameLine();
+    showRate(state.playback);
+    ImGui::SameLine();
+    ImGui::TextUnformatted(stateOf(state).c_str());
+    const std::string& said = !state.hands.message().empty()     ? state.hands.message()
+                              : !state.control.message().empty() ? state.control.message()
+                                                                 : state.outputs.message();
+    ImGui::TextUnformatted(said.c_str());
+  }
+  ImGui::End();
+}
+
+}  // namespace scatter::viewer

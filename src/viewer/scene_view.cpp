@@ -1,0 +1,170 @@
+#include "viewer/scene_view.h"
+
+#include <scatter/lab/selection.h>
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <utility>
+#include <vector>
+
+#include "viewer/palette.h"
+
+namespace scatter::viewer {
+namespace {
+
+using Levels = std::shared_ptr<const LevelSet>;
+
+constexpr float kGhost = 0.16F;  // alpha
+constexpr float kLevelGround = 0.99F;
+
+const std::vector<Color>& kindColors() {
+  static const std::vector<Color> kColors{{0.55F, 0.66F, 0.80F, 1.0F}, {0.86F, 0.58F, 0.36F, 1.0F},
+                                          {0.58F, 0.55F, 0.52F, 1.0F}, {0.62F, 0.74F, 0.52F, 1.0F},
+                                          {0.78F, 0.70F, 0.45F, 1.0F}, {0.70F, 0.55F, 0.70F, 1.0F},
+                                          {0.50F, 0.70F, 0.70F, 1.0F}, {0.80F, 0.80F, 0.80F, 1.0F}};
+  return kColors;
+}
+
+bool isLevelGround(const BodyDef& def) {
+  const auto* plane = std::get_if<Plane>(&def.shape);
+  return plane != nullptr && plane->normal.y > kLevelGround * glm::length(plane->normal);
+}
+
+Transform between(const Transform& from, const Transform& to, float share) {
+  return {glm::mix(from.position, to.position, share), glm::slerp(from.rotation, to.rotation, share)};
+}
+
+Color mixed(const Color& color, const glm::vec3& other, float share) {
+  return {glm::mix(glm::vec3(color), other, share), color.a};
+}
+
+const ObservedBody* observedOf(const Observation* observed, BodyId body) {
+  if (observed == nullptr) return nullptr;
+  const auto found = std::lower_bound(observed->bodies.begin(), observed->bodies.end(), body,
+                                      [](const ObservedBody& one, BodyId id) { return one.body < id; });
+  return found != observed->bodies.end() && found->body == body ? &*found : nullptr;
+}
+
+}  // namespace
+
+struct SceneView::Shown {
+  BodyId body{};
+  const BodyDef& def;
+  Transform pose;
+  int level = 1;
+  bool asleep = false;
+  bool picked = false;
+  const ObservedBody* observed = nullptr;  ///< Null of a moment that is past.
+  LevelMark mark{};
+};
+
+Color SceneView::ownColor(const BodyDef& def) {
+  const auto [kind, isNew] = kinds_.emplace(nameStem(def.name), kinds_.size());
+  const Color color = kindColors()[kind->second % kindColors().size()];
+  return def.motion == Motion::kDynamic ? color : mixed(color, glm::vec3(0.4F), 0.6F);
+}
+
+Color SceneView::colorOf(const Shown& shown, const DebugViewSet& views) {
+  Color color = ownColor(shown.def);
+  const auto* levels = std::get_if<Levels>(&shown.def.shape);
+  if (views.has(DebugView::kIslands) && shown.observed != nullptr) {
+    const std::int64_t island = shown.observed->island;
+    color = island < 0 ? Color(0.3F, 0.3F, 0.32F, 1.0F) : distinctColor(static_cast<std::uint64_t>(island));
+  } else if (views.has(DebugView::kLevels) && levels != nullptr && (*levels)->count() > 1) {
+    color = levelColor(shown.observed != nullptr ? shown.observed->coarsestLevel : shown.level,
+                       (*levels)->count());
+  }
+  if (views.has(DebugView::kSleeping)) {
+    if (shown.asleep) color = mixed(color, glm::vec3(0.05F, 0.06F, 0.12F), 0.75F);
+    if (shown.observed != nullptr && shown.observed->frozen)
+      color = mixed(color, glm::vec3(0.7F, 0.85F, 1.0F), 0.7F);
+  }
+  const LevelMark& mark = shown.mark;
+  color = mixed(color, glm::vec3(kRetractedColor), 0.8F * mark.retracted);
+  color = mixed(color, glm::vec3(levelColor(1, 2)), 0.9F * mark.coarser);
+  color = mixed(color, glm::vec3(levelColor(2, 2)), 0.9F * mark.finer);
+  color = mixed(color, glm::vec3(kRequestColor), 0.7F * mark.requested);
+  return shown.picked ? mixed(color, glm::vec3(1.0F), 0.35F) : color;
+}
+
+/// All levels of a body: the coarser ones as ghosts around the finer ones.
+void SceneView::addLevels(const Shown& shown, View& view) {
+  const auto* levels = std::get_if<Levels>(&shown.def.shape);
+  if (levels == nullptr) return;
+  const int count = (*levels)->count();
+  const int inUse = shown.observed != nullptr ? shown.observed->coarsestLevel : shown.level;
+  for (int level = count; level >= 1; --level) {
+    Item item = looks_.level(*levels, level);
+    item.pose = shown.pose;
+    item.color = levelColor(level, count);
+    item.wireframe = true;
+    if (level != inUse) {
+      item.color.a = 2.0F * kGhost;
+    } else {
+      item.glow = 1.0F;
+    }
+    view.items.push_back(item);
+  }
+}
+
+void SceneView::addBody(const Shown& shown, const DebugViewSet& views, View& view) {
+  if (isLevelGround(shown.def)) {
+    view.scenery.ground = std::get<Plane>(shown.def.shape).offset;
+    return;
+  }
+  const bool shapes = views.has(DebugView::kShapes);
+  Item item = shapes ? looks_.shape(shown.body, shown.def) : looks_.drawn(shown.body, shown.def);
+  item.pose = shown.pose;
+  item.wireframe = shapes;
+  item.color = colorOf(shown, views);
+  item.glow = std::max({0.6F * shown.mark.coarser, 0.6F * shown.mark.finer, 0.4F * shown.mark.requested});
+  view.items.push_back(item);
+  if (shown.picked && views.has(DebugView::kLevels)) addLevels(shown, view);
+}
+
+void SceneView::add(const Moment& moment, const DebugViewSet& views, View& view) {
+  const RunHistory::Frame now = moment.history->frame(moment.frame);
+  const bool moving = moment.fraction < 1.0F && moment.history->has(moment.frame - 1);
+  const RunHistory::Frame before = moment.history->frame(moving ? moment.frame - 1 : moment.frame);
+  std::map<BodyId, LevelMark> marks;
+  if (views.has(DebugView::kMarks)) marks = levelMarks(*moment.history, moment.frame);
+  for (std::size_t i = 0; i < now.bodies().size(); ++i) {
+    const BodyId body = now.bodies()[i];
+    const BodyDef* def = moment.history->def(body);
+    if (def == nullptr) continue;
+    Shown shown{body, *def, now.pose(i)};
+    shown.level = now.level(i);
+    shown.asleep = now.asleep(i);
+    shown.picked = moment.picked == body;
+    shown.observed = observedOf(moment.observed, body);
+    if (const auto mark = marks.find(body); mark != marks.end()) shown.mark = mark->second;
+    if (const auto earlier = moving ? before.find(body) : std::nullopt) {
+      shown.pose = between(before.pose(*earlier), shown.pose, moment.fraction);
+    }
+    addBody(shown, views, view);
+  }
+}
+
+SceneView::Extent SceneView::extent(const Moment& moment) {
+  const RunHistory::Frame now = moment.history->frame(moment.frame);
+  std::vector<std::pair<Vec3, float>> balls;
+  Vec3 sum(0.0F);
+  for (std::size_t i = 0; i < now.bodies().size(); ++i) {
+    const BodyDef* def = moment.history->def(now.bodies()[i]);
+    if (def == nullptr || std::holds_alternative<Plane>(def->shape)) continue;
+    balls.emplace_back(now.pose(i).position, looks_.radius(now.bodies()[i], *def));
+    sum += now.pose(i).position;
+  }
+  if (balls.empty()) return {};
+  Extent extent;
+  extent.center = sum / static_cast<float>(balls.size());
+  std::vector<float> reach;
+  for (const auto& [position, radius] : balls)
+    reach.push_back(glm::length(position - extent.center) + radius);
+  std::sort(reach.begin(), reach.end());
+  extent.radius = reach[(reach.size() - 1) * 9 / 10];
+  return extent;
+}
+
+}  // namespace scatter::viewer

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <scatter/lab/run_history.h>
+#include <scatter/world/observation.h>
+#include <scatter/world/world.h>
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "viewer/body_looks.h"
+#include "viewer/debug_views.h"
+#include "viewer/level_marks.h"
+
+namespace scatter::viewer {
+
+/// A moment of a run, to be drawn.
+struct Moment {
+  const RunHistory* history = nullptr;
+  std::uint64_t frame = 0;  ///< One that the history has.
+
+  /// How far the bodies are on their way from the frame before to this one.
+  float fraction = 1.0F;
+
+  /// What the physics says of it; null of a moment that is past.
+  const Observation* observed = nullptr;
+
+  std::optional<BodyId> picked{};
+};
+
+/// The bodies of a run as items of a picture.
+class SceneView {
+ public:
+  /// The looks must outlive it.
+  explicit SceneView(BodyLooks& looks) : looks_(looks) {}
+
+  /// Adds items, and lines around what is picked; a level ground becomes part of the scenery.
+  void add(const Moment& moment, const DebugViewSet& views, View& view);
+
+  /// Of all bodies but static planes: a ball around them at that moment, without the tenth that is furthest
+  /// out.
+  struct Extent {
+    Vec3 center{0.0F};
+    float radius = 10.0F;
+  };
+  [[nodiscard]] Extent extent(const Moment& moment);
+
+ private:
+  struct Shown;
+
+  void addBody(const Shown& shown, const DebugViewSet& views, View& view);
+  void addLevels(const Shown& shown, View& view);
+  [[nodiscard]] Color colorOf(const Shown& shown, const DebugViewSet& views);
+  [[nodiscard]] Color ownColor(const BodyDef& def);
+
+  BodyLooks& looks_;
+  std::map<std::string, std::size_t> kinds_;  ///< Names without their numbers, in order of appearance.
+};
+
+}  // namespace scatter::viewer

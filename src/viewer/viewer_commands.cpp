@@ -1,0 +1,212 @@
+#include "viewer/viewer_commands.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+
+namespace scatter::viewer {
+namespace {
+
+constexpr double kRateStep = 1.4142135;
+
+void addTime(ViewerState& state) {
+  Commands& commands = state.commands;
+  Playback& time = state.playback;
+  commands.add({"pause", "Time", "pause", "Stop the physics, or let it run on", Key::kSpace,
+                [&time] { time.setPaused(!time.paused()); }, [&time] { return time.paused(); }});
+  commands.add({"step",
+                "Time",
+                "step",
+                "One step of 1/60 s, then pause",
+                Key::kPeriod,
+                [&time] { time.stepForward(); },
+                {}});
+  commands.add({"back",
+                "Time",
+                "back",
+                "Show the frame before, and pause",
+                Key::kComma,
+                [&time] { time.stepBack(); },
+                {}});
+  commands.add({"first",
+                "Time",
+                "first",
+                "Show the oldest frame that is kept",
+                Key::kHome,
+                [&time] { time.show(time.oldest()); },
+                {}});
+  commands.add({"now",
+                "Time",
+                "now",
+                "Leave the past: show the newest frame",
+                Key::kEnd,
+                [&time] { time.showNewest(); },
+                {}});
+  commands.add({"slower",
+                "Time",
+                "slower",
+                "Lower the rate of the physics, to 0.05 at least",
+                Key::kMinus,
+                [&time] { time.setRate(time.rate() / kRateStep); },
+                {}});
+  commands.add({"faster",
+                "Time",
+                "faster",
+                "Raise the rate of the physics, to 4 at most",
+                Key::kPlus,
+                [&time] { time.setRate(time.rate() * kRateStep); },
+                {}});
+  commands.add({"normal-rate",
+                "Time",
+                "rate 1",
+                "As fast as in life",
+                Key::kBackspace,
+                [&time] { time.setRate(1.0); },
+                {}});
+  commands.add({"restart",
+                "Time",
+                "restart",
+                "Start the scene again",
+                Key::kR,
+                [&state] {
+                  state.hands.reset();
+                  if (const auto started = state.playback.restart(); !started)
+                    state.hands.say(started.error().message);
+                },
+                {}});
+}
+
+void addViews(ViewerState& state) {
+  static constexpr std::array<Key, kDebugViewCount> kKeys{
+      Key::k1, Key::k2, Key::k3, Key::k4, Key::k5, Key::k6, Key::k7, Key::k8, Key::k9, Key::k0, Key::kM};
+  for (std::size_t i = 0; i < kDebugViewCount; ++i) {
+    const DebugViewInfo& info = debugViews()[i];
+    state.commands.add({std::string(info.name), "Views", std::string(info.label), std::string(info.shows),
+                        kKeys[i], [&state, view = info.view] { state.views.toggle(view); },
+                        [&state, view = info.view] { return state.views.has(view); }});
+  }
+}
+
+void addCamera(ViewerState& state) {
+  const auto addMode = [&state](const char* name, CameraMode mode, Key key, const char* help) {
+    state.commands.add({name, "Camera", name, help, key, [&state, mode] { state.camera.setMode(mode); },
+                        [&state, mode] { return state.camera.mode() == mode; }});
+  };
+  addMode("orbit", CameraMode::kOrbit, Key::kO,
+          "Right drag turns around the middle, middle drag moves it, wheel zooms");
+  addMode("fly", CameraMode::kFly, Key::kF, "Right drag looks around, W A S D and Q E move");
+  addMode("follow", CameraMode::kFollow, Key::kC, "Turn around the picked object, and go with it");
+  state.commands.add({"frame",
+                      "Camera",
+                      "see all",
+                      "Go where everything is in the picture",
+                      Key::kB,
+                      [&state] {
+                        const SceneView::Extent extent = state.panes.front()->extent();
+                        state.camera.frame(extent.center, extent.radius);
+                      },
+                      {}});
+}
+
+void addHands(ViewerState& state) {
+  static constexpr std::array<std::pair<Key, const char*>, kToolCount> kTools{
+      {{Key::kG, "Pick an object, and drag it with a spring"},
+       {Key::kP, "Push what is under the pointer away"},
+       {Key::kT, "Throw a copy of the picked object at what is under the pointer"},
+       {Key::kH, "Draw everything to the point under the pointer, and let go"},
+       {Key::kInsert, "Put a copy of the picked object before what is under the pointer"}}};
+  for (std::size_t i = 0; i < kToolCount; ++i) {
+    const auto tool = static_cast<Tool>(i);
+    const std::string name(toolName(tool));
+    state.commands.add({name, "Hands (left button)", name, kTools[i].second, kTools[i].first,
+                        [&state, tool] { state.hands.tool = tool; },
+                        [&state, tool] { return state.hands.tool == tool; }});
+  }
+  state.commands.add({"delete",
+                      "Hands (left button)",
+                      "delete",
+                      "Take the picked object out of the world",
+                      Key::kDelete,
+                      [&state] { state.hands.removePicked(); },
+                      {}});
+  state.commands.add({"freeze",
+                      "Hands (left button)",
+                      "freeze",
+                      "Hold the picked object where it is, or let it go",
+                      Key::kZ,
+                      [&state] { state.hands.toggleFrozen(); },
+                      {}});
+}
+
+void addLevels(ViewerState& state) {
+  const auto addReach = [&state](const char* name, RequestReach reach, Key key, const char* help) {
+    state.commands.add({name, "Levels", name, help, key, [&state, reach] { state.hands.reach = reach; },
+                        [&state, reach] { return state.hands.reach == reach; }});
+  };
+  addReach("object", RequestReach::kObject, Key::kJ, "Ask the picked object for a level");
+  addReach("group", RequestReach::kGroup, Key::kK, "Ask all objects of its kind");
+  addReach("everything", RequestReach::kAll, Key::kL, "Ask everything");
+  state.commands.add({"coarser",
+                      "Levels",
+                      "coarser",
+                      "Ask for the next coarser level",
+                      Key::kPageDown,
+                      [&state] { state.hands.requestBy(-1); },
+                      {}});
+  state.commands.add({"finer",
+                      "Levels",
+                      "finer",
+                      "Ask for the next finer level",
+                      Key::kPageUp,
+                      [&state] { state.hands.requestBy(1); },
+                      {}});
+  state.commands.add({"retract",
+                      "Levels",
+                      "retract",
+                      "Take the request back",
+                      Key::kU,
+                      [&state] { state.hands.request(0); },
+                      {}});
+}
+
+void addOutput(ViewerState& state) {
+  state.commands.add({"help", "Window", "help", "This panel", Key::kF1,
+                      [&state] { state.helpShown = !state.helpShown; },
+                      [&state] { return state.helpShown; }});
+  state.commands.add({"panels", "Window", "panels", "Show or hide all panels", Key::kTab,
+                      [&state] { state.panelsShown = !state.panelsShown; },
+                      [&state] { return state.panelsShown; }});
+  state.commands.add({"screenshot",
+                      "Window",
+                      "screenshot",
+                      "Write the window's picture as PNG",
+                      Key::kF12,
+                      [&state] { state.outputs.askForScreenshot(); },
+                      {}});
+  state.commands.add({"record", "Window", "record", "Write every picture, for a video", Key::kF9,
+                      [&state] { state.outputs.setRecording(!state.outputs.recording()); },
+                      [&state] { return state.outputs.recording(); }});
+  state.commands.add({"write",
+                      "Window",
+                      "write run",
+                      "Write frames.csv, events.csv, summary.json and figures",
+                      Key::kF10,
+                      [&state] { state.outputs.writeRuns(state.panes); },
+                      {}});
+  state.commands.add(
+      {"close", "Window", "close", "Close the window", Key::kEscape, [&state] { state.closing = true; }, {}});
+}
+
+}  // namespace
+
+void addCommands(ViewerState& state) {
+  addTime(state);
+  addViews(state);
+  addCamera(state);
+  addHands(state);
+  addLevels(state);
+  addOutput(state);
+}
+
+}  // namespace scatter::viewer

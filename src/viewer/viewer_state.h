@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viewer/camera_rig.h"
+#include "viewer/commands.h"
+#include "viewer/debug_views.h"
+#include "viewer/hand_tools.h"
+#include "viewer/outputs.h"
+#include "viewer/pane.h"
+#include "viewer/playback.h"
+#include "viewer/renderer.h"
+#include "viewer/world_control.h"
+
+namespace scatter::viewer {
+
+/// Everything that a window shows and that its panels change. What is referred to outlives it.
+struct ViewerState {
+  std::vector<std::unique_ptr<Pane>>& panes;
+  Playback& playback;
+  HandTools& hands;
+  WorldControl& control;
+  Outputs& outputs;
+  CameraRig& camera;
+  DebugViewSet& views;
+  Commands& commands;
+
+  bool panelsShown = true;
+  bool helpShown = false;
+  bool closing = false;
+
+  double drawMilliseconds = 0.0;  ///< Of the last pictures, smoothed.
+  DrawStatistics statistics{};
+};
+
+}  // namespace scatter::viewer

@@ -1,0 +1,311 @@
+#include "viewer/window.h"
+
+#include <scatter/lab/summary.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "viewer/panels/panels.h"
+#include "viewer/viewer_commands.h"
+
+namespace scatter::viewer {
+namespace {
+
+constexpr float kTurnPerHeight = 3.2F;  // radians for a drag over the window's height
+constexpr float kZoomPerNotch = 1.15F;
+constexpr float kFlySpeed = 0.02F;  // of the distance to what is looked at, a loop
+
+class Stopwatch {
+ public:
+  [[nodiscard]] double milliseconds() const {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+std::unique_ptr<Clock> clockFor(const ViewerDef& def) {
+  if (def.script || def.loops > 0) return std::make_unique<ManualClock>();
+  return std::make_unique<SystemClock>();
+}
+
+std::string viewNames() {
+  std::string names;
+  for (const DebugViewInfo& info : debugViews())
+    names += (names.empty() ? "" : ", ") + std::string(info.name);
+  return names;
+}
+
+std::string commandNames(const Commands& commands) {
+  std::string names;
+  for (const Command& command : commands.all()) names += (names.empty() ? "" : ", ") + command.name;
+  return names;
+}
+
+}  // namespace
+
+Window::Window(Renderer& renderer, const ViewerDef& def)
+    : renderer_(renderer),
+      def_(def),
+      clock_(clockFor(def)),
+      loop_(*clock_),
+      looks_(renderer),
+      playback_(loop_, panes_),
+      hands_(panes_),
+      outputs_(def.out) {}
+
+Result<std::unique_ptr<Window>> Window::create(Renderer& renderer, const ViewerDef& def) {
+  std::unique_ptr<Window> window(new Window(renderer, def));
+  return window->openWorlds().and_then([&] { return window->checkScript(); }).map([&] {
+    window->addTasks();
+    return std::move(window);
+  });
+}
+
+Result<void> Window::openWorlds() {
+  for (const RunOptions& options : def_.worlds) {
+    auto pane = Pane::create(options, looks_);
+    if (!pane) return tl::unexpected(pane.error());
+    panes_.push_back(std::move(*pane));
+  }
+  control_.emplace(panes_);
+  state_.emplace(ViewerState{panes_, playback_, hands_, *control_, outputs_, camera_, views_, commands_});
+  state_->panelsShown = def_.panels;
+  addCommands(*state_);
+  for (const std::string& name : def_.views) {
+    const Command* command = commands_.find(name);
+    if (command == nullptr || command->group != "Views")
+      return fail("no view is called \"" + name + "\"; known: " + viewNames());
+    command->run();
+  }
+  commands_.find("frame")->run();
+  return {};
+}
+
+Result<void> Window::checkScript() const {
+  if (!def_.script) return {};
+  for (const ScriptLine& line : def_.script->lines()) {
+    const std::string* name = nullptr;
+    if (const auto* run = std::get_if<DoCommand>(&line.action)) name = &run->name;
+    if (const auto* set = std::get_if<SetCommand>(&line.action)) name = &set->name;
+    if (name == nullptr) continue;
+    const Command* command = commands_.find(*name);
+    if (command == nullptr)
+      return fail("no command is called \"" + *name + "\"; known: " + commandNames(commands_));
+    const bool isSwitch = static_cast<bool>(command->isOn);
+    if (std::holds_alternative<SetCommand>(line.action) && !isSwitch)
+      return fail("\"" + *name + "\" is no switch; write \"do " + *name + "\"");
+  }
+  return {};
+}
+
+void Window::addTasks() {
+  loop_.add(LoopTask::kInput, [this] {
+    if (auto done = doScript(); !done) {
+      error_ = done.error().message;
+      state_->closing = true;
+    }
+    readInput();
+    fly();
+  });
+  loop_.add(LoopTask::kPhysics, [this] { playback_.step(); });
+  loop_.add(LoopTask::kRenderer, [this] { draw(); });
+}
+
+Result<ViewerReport> Window::run() {
+  while (!state_->closing && (def_.loops == 0 || loop_.report().loops < def_.loops)) {
+    const Stopwatch watch;
+    loop_.runOnce();
+    loopMs_.push_back(watch.milliseconds());
+  }
+  if (!error_.empty()) return fail(error_);
+  if (outputs_.failed()) return fail(outputs_.message());
+  return report();
+}
+
+Result<void> Window::doScript() {
+  if (!def_.script) return {};
+  const auto& lines = def_.script->lines();
+  for (; nextLine_ < lines.size() && lines[nextLine_].loop <= loop_.report().loops; ++nextLine_) {
+    if (auto done = perform(lines[nextLine_].action); !done) return done;
+  }
+  return {};
+}
+
+void Window::inject(InputEvent event) {
+  using Kind = InputEvent::Kind;
+  const bool pointed =
+      event.kind == Kind::kMouseDown || event.kind == Kind::kMouseUp || event.kind == Kind::kWheel;
+  if (event.kind == Kind::kMouseMove) pointer_ = event.position;
+  if (pointed) event.position = pointer_;
+  renderer_.inject(event);
+  if (event.kind != Kind::kKeyDown) return;
+  event.kind = Kind::kKeyUp;
+  renderer_.inject(event);
+}
+
+Result<void> Window::perform(const ScriptAction& action) {
+  if (const auto* run = std::get_if<DoCommand>(&action)) commands_.find(run->name)->run();
+  if (const auto* set = std::get_if<SetCommand>(&action)) {
+    const Command& command = *commands_.find(set->name);
+    if (command.isOn() != set->on) command.run();
+  }
+  if (const auto* input = std::get_if<DoInput>(&action)) inject(input->event);
+  if (const auto* shot = std::get_if<TakeScreenshot>(&action)) outputs_.askForScreenshot(shot->file);
+  if (const auto* look = std::get_if<LookFrom>(&action))
+    camera_.look(look->at, look->right, look->up, look->distance);
+  if (const auto* point = std::get_if<PointAt>(&action)) {
+    const auto position = positionOf(point->object);
+    if (!position) return fail("\"" + point->object + "\" is no object of the scene, or behind the camera");
+    InputEvent move;
+    move.position = *position;
+    inject(move);
+  }
+  return {};
+}
+
+void Window::readInput() {
+  for (const InputEvent& event : renderer_.pollInput()) take(event);
+}
+
+void Window::take(const InputEvent& event) {
+  switch (event.kind) {
+    case InputEvent::Kind::kClose:
+      state_->closing = true;
+      break;
+    case InputEvent::Kind::kKeyDown:
+      keys_[static_cast<std::size_t>(event.key)] = !event.takenByPanels;
+      if (event.takenByPanels || event.control || event.alt) break;
+      if (const Command* command = commands_.find(event.key)) command->run();
+      break;
+    case InputEvent::Kind::kKeyUp:
+      keys_[static_cast<std::size_t>(event.key)] = false;
+      break;
+    case InputEvent::Kind::kMouseMove:
+    case InputEvent::Kind::kMouseDown:
+    case InputEvent::Kind::kMouseUp:
+    case InputEvent::Kind::kWheel:
+      takePointer(event);
+      break;
+    case InputEvent::Kind::kText:
+    case InputEvent::Kind::kResize:
+      break;
+  }
+}
+
+void Window::press(const InputEvent& event) {
+  buttons_[static_cast<std::size_t>(event.button)] = true;
+  if (event.button != MouseButton::kLeft) return;
+  playback_.showNewest();
+  const Pointed pointed = pointedAt(event.position);
+  hands_.press(pointed.pane, pointed.ray);
+}
+
+void Window::takePointer(const InputEvent& event) {
+  const glm::vec2 moved = (event.position - pointer_) / static_cast<float>(std::max(1, renderer_.size().y));
+  pointer_ = event.position;
+  if (event.kind == InputEvent::Kind::kMouseUp) {
+    buttons_[static_cast<std::size_t>(event.button)] = false;
+    if (event.button == MouseButton::kLeft) hands_.release();
+  }
+  if (event.kind == InputEvent::Kind::kMouseMove) {
+    if (buttons_[0]) hands_.move(pointedAt(event.position).ray);
+    if (buttons_[1]) camera_.turn(-kTurnPerHeight * moved.x, -kTurnPerHeight * moved.y);
+    if (buttons_[2]) camera_.pan(-moved.x, moved.y);
+  }
+  if (event.takenByPanels) return;
+  if (event.kind == InputEvent::Kind::kMouseDown) press(event);
+  if (event.kind == InputEvent::Kind::kWheel) camera_.zoom(std::pow(kZoomPerNotch, event.wheel));
+}
+
+void Window::fly() {
+  if (camera_.mode() != CameraMode::kFly) return;
+  const auto axis = [&](Key plus, Key minus) {
+    const auto down = [&](Key key) { return keys_[static_cast<std::size_t>(key)] ? 1.0F : 0.0F; };
+    return down(plus) - down(minus);
+  };
+  const Vec3 way(axis(Key::kD, Key::kA), axis(Key::kE, Key::kQ), axis(Key::kW, Key::kS));
+  camera_.move(kFlySpeed * camera_.distance() * way);
+}
+
+Layout Window::layout() const {
+  return {renderer_.size(), panes_.size(), state_->panelsShown};
+}
+
+Window::Pointed Window::pointedAt(const glm::vec2& position) const {
+  const Layout layout = this->layout();
+  const Layout::Place place = layout.place(position);
+  return {place.pane, camera_.ray(place.inside, layout.shape())};
+}
+
+std::optional<glm::vec2> Window::positionOf(const std::string& object) const {
+  const WorldObject* found = panes_.front()->experiment().world().find(std::string_view(object));
+  if (found == nullptr) return std::nullopt;
+  const Layout layout = this->layout();
+  const auto inside = camera_.project(found->state().centerOfMass, layout.shape());
+  return inside ? std::optional(layout.corner(0) + *inside * layout.size()) : std::nullopt;
+}
+
+Picture Window::picture() {
+  Picture picture;
+  const Layout layout = this->layout();
+  const ObservationParts parts = playback_.past() ? ObservationParts{false, false, false} : views_.parts();
+  for (std::size_t i = 0; i < panes_.size(); ++i) {
+    Pane& pane = *panes_[i];
+    pane.observe(parts);
+    const Moment moment = pane.moment(playback_.past(), playback_.fraction(), hands_.picked());
+    View view;
+    view.area = layout.area(i);
+    if (i == 0) camera_.follow(Pane::positionOf(moment).value_or(camera_.pivot()));
+    view.camera = camera_.camera();
+    pane.fill(moment, views_, view);
+    view.scenery.stars = !view.scenery.ground.has_value();
+    view.scenery.fadeRadius = std::max(40.0F, 4.0F * camera_.distance());
+    picture.views.push_back(std::move(view));
+  }
+  return picture;
+}
+
+void Window::draw() {
+  if (state_->closing) return;
+  const Camera camera = camera_.camera();
+  control_->setFocus({camera.eye, camera.target, camera.fieldOfView});
+  const Picture shown = picture();
+  const Stopwatch watch;
+  Image image;
+  renderer_.draw(
+      shown, [this] { showPanels(*state_, layout()); }, outputs_.wantsPicture() ? &image : nullptr);
+  drawMs_.push_back(watch.milliseconds());
+  state_->drawMilliseconds += 0.1 * (drawMs_.back() - state_->drawMilliseconds);
+  state_->statistics = renderer_.statistics();
+  if (outputs_.wantsPicture()) outputs_.take(image);
+}
+
+ViewerReport Window::report() const {
+  ViewerReport report;
+  report.loops = loop_.report().loops;
+  report.medianDrawMs = medianOf(drawMs_);
+  report.medianLoopMs = medianOf(loopMs_);
+  for (const auto& pane : panes_) {
+    const Experiment& experiment = pane->experiment();
+    report.frames.push_back(experiment.world().frame());
+    report.stateHashes.push_back(experiment.world().physics().stateHash());
+    report.objects.push_back(experiment.world().objects().size());
+    report.levelEvents.push_back(experiment.levelEvents());
+    if (experiment.history().bytes() < report.historyBytes) continue;
+    report.historyBytes = experiment.history().bytes();
+    report.historyFrames = experiment.history().size();
+  }
+  return report;
+}
+
+Result<ViewerReport> runViewer(Renderer& renderer, const ViewerDef& def) {
+  return Window::create(renderer, def).and_then([](const std::unique_ptr<Window>& window) {
+    return window->run();
+  });
+}
+
+}  // namespace scatter::viewer

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <scatter/lab/clock.h>
+#include <scatter/lab/loop.h>
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viewer/body_looks.h"
+#include "viewer/layout.h"
+#include "viewer/viewer.h"
+#include "viewer/viewer_state.h"
+
+namespace scatter::viewer {
+
+/// A lab window while it is open.
+class Window {
+ public:
+  [[nodiscard]] static Result<std::unique_ptr<Window>> create(Renderer& renderer, const ViewerDef& def);
+
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+  ~Window() = default;
+
+  [[nodiscard]] Result<ViewerReport> run();
+
+ private:
+  Window(Renderer& renderer, const ViewerDef& def);
+
+  [[nodiscard]] Result<void> openWorlds();
+  [[nodiscard]] Result<void> checkScript() const;
+  void addTasks();
+
+  [[nodiscard]] Result<void> doScript();
+  [[nodiscard]] Result<void> perform(const ScriptAction& action);
+  void inject(InputEvent event);
+
+  void readInput();
+  void take(const InputEvent& event);
+  void takePointer(const InputEvent& event);
+  void press(const InputEvent& event);
+  void fly();
+  void draw();
+
+  /// The pane under a point of the window, and the ray through the point.
+  struct Pointed {
+    std::size_t pane = 0;
+    ViewRay ray;
+  };
+  [[nodiscard]] Pointed pointedAt(const glm::vec2& position) const;
+  [[nodiscard]] std::optional<glm::vec2> positionOf(const std::string& object) const;
+  [[nodiscard]] Layout layout() const;
+  [[nodiscard]] Picture picture();
+  [[nodiscard]] ViewerReport report() const;
+
+  Renderer& renderer_;
+  ViewerDef def_;
+  std::unique_ptr<Clock> clock_;  ///< That of the loops, or the system's.
+  Loop loop_;
+  BodyLooks looks_;
+  std::vector<std::unique_ptr<Pane>> panes_;
+  Playback playback_;
+  HandTools hands_;
+  std::optional<WorldControl> control_;
+  Outputs outputs_;
+  CameraRig camera_;
+  DebugViewSet views_;
+  Commands commands_;
+  std::optional<ViewerState> state_;
+
+  std::size_t nextLine_ = 0;
+  std::string error_;
+  glm::vec2 pointer_{0.0F};
+  std::array<bool, static_cast<std::size_t>(Key::kCount)> keys_{};
+  std::array<bool, 3> buttons_{};
+  std::vector<double> drawMs_;
+  std::vector<double> loopMs_;
+};
+
+}  // namespace scatter::viewer

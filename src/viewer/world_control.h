@@ -1,0 +1,42 @@
+#pragma once
+
+#include <scatter/world/physics.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "viewer/pane.h"
+
+namespace scatter::viewer {
+
+/// Budget, policies and switching of the hybrid worlds of a window, changed while they run, and for every
+/// restart.
+class WorldControl {
+ public:
+  /// The panes must outlive it. Begins with what the first hybrid world was made with.
+  explicit WorldControl(std::vector<std::unique_ptr<Pane>>& panes);
+
+  /// Whether there is a hybrid world at all.
+  [[nodiscard]] bool exists() const { return exists_; }
+
+  [[nodiscard]] const SwitchingDef& now() const { return now_; }
+
+  void setBudgetMilliseconds(double milliseconds);  ///< 0: no budget.
+  void setPolicies(Policy policy, const std::vector<std::string>& policies);
+  void setSwitching(Switching switching);
+
+  /// Where the user looks, for the policy "focus".
+  void setFocus(const ViewFocus& focus);
+
+  /// What was refused last; empty if nothing was.
+  [[nodiscard]] const std::string& message() const { return message_; }
+
+ private:
+  std::vector<std::unique_ptr<Pane>>& panes_;
+  SwitchingDef now_;
+  bool exists_ = false;
+  std::string message_;
+};
+
+}  // namespace scatter::viewer

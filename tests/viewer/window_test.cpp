@@ -1,0 +1,287 @@
+#include <gmock/gmock.h>
+#include <png.h>
+#include <scatter/bullet/bullet_physics.h>
+#include <scatter/lab/run.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viewer/renderers.h"
+#include "viewer/viewer.h"
+#include "viewer/xvfb.h"
+
+namespace scatter::viewer {
+namespace {
+
+namespace fs = std::filesystem;
+
+using testing::HasSubstr;
+
+Image readPng(const fs::path& file) {
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  Image image;
+  if (png_image_begin_read_from_file(&png, file.c_str()) == 0) return image;
+  png.format = PNG_FORMAT_RGB;
+  image.width = static_cast<int>(png.width);
+  image.height = static_cast<int>(png.height);
+  image.rgb.resize(PNG_IMAGE_SIZE(png));
+  png_image_finish_read(&png, nullptr, image.rgb.data(), 0, nullptr);
+  return image;
+}
+
+/// Pixels that differ by more than what rounding does.
+int differentPixels(const Image& a, const Image& b) {
+  if (a.width != b.width || a.height != b.height) return a.width * a.height + b.width * b.height;
+  int count = 0;
+  for (std::size_t i = 0; i < a.rgb.size(); i += 3) {
+    int most = 0;
+    for (std::size_t c = i; c < i + 3; ++c) most = std::max(most, std::abs(int{a.rgb[c]} - int{b.rgb[c]}));
+    count += most > 8 ? 1 : 0;
+  }
+  return count;
+}
+
+RunOptions world(const std::string& scene, WorldKind kind = WorldKind::kHybrid) {
+  RunOptions options;
+  options.scene = scene;
+  options.engine = [](const PhysicsDef& def) -> Result<std::unique_ptr<Physics>> {
+    return makeBulletPhysics(def);
+  };
+  options.physics.world = kind;
+  options.label = kind == WorldKind::kHybrid ? "hybrid" : "standard";
+  return options;
+}
+
+/// A window on an X server of its own, of 640 by 400 pixels, driven by scripts.
+class WindowTest : public testing::TestWithParam<std::string> {
+ protected:
+  WindowTest() {
+    if (GetParam() != "null") server_.emplace();
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  ~WindowTest() override { fs::remove_all(folder_); }
+
+  [[nodiscard]] Result<ViewerReport> play(ViewerDef def, const std::string& script) const {
+    auto parsed = ViewScript::parse(script, "test");
+    if (!parsed) return tl::unexpected(parsed.error());
+    def.script = std::move(*parsed);
+    def.out = folder_ / "out";
+    WindowDef window;
+    window.size = {640, 400};
+    auto renderer = makeRenderer(GetParam(), window);
+    if (!renderer) return tl::unexpected(renderer.error());
+    return runViewer(**renderer, def);
+  }
+
+  [[nodiscard]] ViewerReport played(const std::string& scene, std::uint64_t loops,
+                                    const std::string& script) const {
+    ViewerDef def;
+    def.worlds = {world(scene)};
+    def.loops = loops;
+    def.panels = false;
+    const auto report = play(def, script);
+    EXPECT_TRUE(report.has_value()) << report.error().message;
+    return report.value_or(ViewerReport{});
+  }
+
+  /// "LOOP screenshot FILE\n".
+  [[nodiscard]] std::string shot(int loop, const std::string& name) const {
+    return std::to_string(loop) + " screenshot " + (folder_ / name).string() + "\n";
+  }
+  [[nodiscard]] Image picture(const std::string& name) const { return readPng(folder_ / name); }
+
+  /// Without a display there is nothing to be seen.
+  [[nodiscard]] static bool shows() { return GetParam() != "null"; }
+
+  std::optional<test::Xvfb> server_;
+  fs::path folder_ = fs::temp_directory_path() / ("scatter-window-" + std::to_string(getpid()));
+};
+
+TEST_P(WindowTest, EverySceneOpens) {
+  for (const auto& scene : SceneRegistry::instance().all()) {
+    const ViewerReport report = played(scene->name, 3, "");
+    ASSERT_EQ(report.frames.size(), 1U) << scene->name;
+    EXPECT_EQ(report.frames.front(), 2U) << scene->name;
+  }
+}
+
+TEST_P(WindowTest, CostsThePhysicsNothing) {
+  RunOptions alone = world("duel");
+  alone.frames = 249;
+  const auto run = runScene(alone);
+  ASSERT_TRUE(run.has_value());
+  std::string everything;
+  for (const char* view :
+       {"bounds", "shapes", "levels", "contacts", "islands", "pairs", "credit", "velocities"}) {
+    everything += std::string("1 set ") + view + " on\n";
+  }
+  const ViewerReport report = played("duel", 250, everything);
+  ASSERT_EQ(report.frames.front(), 249U);
+  EXPECT_EQ(report.stateHashes.front(), run->summary.stateHash);
+}
+
+TEST_P(WindowTest, EveryViewShowsSomethingElse) {
+  if (!shows()) GTEST_SKIP() << "needs pictures";
+  // Resting stacks: contacts, islands, pairs; pushed a little, so that there are velocities; a request that
+  // waits.
+  std::string script =
+      "1 look 0 2 0 30 20 14\n2 set marks off\n39 do pause\n40 do everything\n" + shot(41, "plain.png");
+  int loop = 42;
+  const std::vector<std::string> views{"bounds",   "shapes",  "levels", "pair-levels",
+                                       "contacts", "islands", "pairs"};
+  for (const std::string& view : views) {
+    script += std::to_string(loop) + " set " + view + " on\n" + shot(loop + 1, view + ".png") +
+              std::to_string(loop + 2) + " set " + view + " off\n";
+    loop += 3;
+  }
+  script += shot(loop, "after.png");
+  (void)played("quiet_hybrids", static_cast<std::uint64_t>(loop) + 1, script);
+  const Image plain = picture("plain.png");
+  ASSERT_EQ(plain.width, 640);
+  for (const std::string& view : views) {
+    EXPECT_GT(differentPixels(plain, picture(view + ".png")), 100) << view;
+  }
+  EXPECT_EQ(differentPixels(plain, picture("after.png")), 0);
+}
+
+TEST_P(WindowTest, PausesStepsAndGoesOn) {
+  EXPECT_EQ(played("duel", 100, "20 key Space\n").frames.front(), 20U);
+  EXPECT_EQ(played("duel", 100, "20 key Space\n30 key .\n40 key .\n50 do step\n").frames.front(), 23U);
+  EXPECT_EQ(played("duel", 100, "20 key Space\n60 key Space\n").frames.front(), 59U);
+}
+
+TEST_P(WindowTest, RateOfTimeIsThatOfThePhysics) {
+  const ViewerReport report = played("duel", 101, "1 do faster\n1 do faster\n");
+  EXPECT_NEAR(static_cast<double>(report.frames.front()), 200.0, 4.0);
+}
+
+TEST_P(WindowTest, RestartBeginsAgain) {
+  EXPECT_EQ(played("duel", 100, "60 key R\n").stateHashes.front(),
+            played("duel", 41, "").stateHashes.front());
+}
+
+TEST_P(WindowTest, ThePastLooksAsItDid) {
+  if (!shows()) GTEST_SKIP() << "needs pictures";
+  const std::string script = "1 look 0 0 0 30 10 30\n" + shot(100, "then.png") + shot(250, "later.png") +
+                             "251 do back\n" +
+                             [] {
+                               std::string steps;
+                               for (int i = 0; i < 150; ++i) steps += "252 do back\n";
+                               return steps;
+                             }() +
+                             shot(253, "past.png") + "254 do now\n" + shot(255, "now.png");
+  const ViewerReport report = played("duel", 256, script);
+  EXPECT_GT(differentPixels(picture("then.png"), picture("later.png")), 200);
+  EXPECT_LT(differentPixels(picture("then.png"), picture("past.png")), 200);
+  EXPECT_EQ(differentPixels(picture("later.png"), picture("now.png")), 0);
+  EXPECT_EQ(report.frames.front(), 250U);
+}
+
+TEST_P(WindowTest, DraggingChangesThePath) {
+  const std::string drag = "1 look 0 0 0 30 10 30\n10 point hunter\n11 down left\n";
+  const ViewerReport alone = played("duel", 100, "1 look 0 0 0 30 10 30\n");
+  const ViewerReport dragged = played("duel", 100, drag + "12 move 320 60\n60 up left\n");
+  EXPECT_EQ(dragged.frames, alone.frames);
+  EXPECT_NE(dragged.stateHashes, alone.stateHashes);
+  EXPECT_EQ(dragged.stateHashes, played("duel", 100, drag + "12 move 320 60\n60 up left\n").stateHashes);
+}
+
+TEST_P(WindowTest, HandsSpawnThrowFreezeAndDelete) {
+  const std::string pick = "1 look 0 0 0 30 10 30\n10 point hunter\n11 down left\n12 up left\n";
+  EXPECT_EQ(played("duel", 40, pick).objects.front(), 2U);
+  EXPECT_EQ(
+      played("duel", 40, pick + "20 key T\n21 move 100 100\n22 down left\n23 up left\n").objects.front(), 3U);
+  EXPECT_EQ(
+      played("duel", 40, pick + "20 key Ins\n21 move 100 100\n22 down left\n23 up left\n").objects.front(),
+      3U);
+  EXPECT_EQ(played("duel", 40, pick + "20 key Del\n").objects.front(), 1U);
+  EXPECT_NE(played("duel", 40, pick + "20 key Z\n").stateHashes, played("duel", 40, pick).stateHashes);
+}
+
+TEST_P(WindowTest, GatheringPullsEverything) {
+  const std::string gather = "5 key H\n6 move 320 200\n7 down left\n";
+  EXPECT_NE(played("duel", 60, gather + "50 up left\n").stateHashes, played("duel", 60, "").stateHashes);
+}
+
+TEST_P(WindowTest, LevelsAreAskedForAndTakenBack) {
+  ViewerDef def;
+  def.worlds = {world("quiet_hybrids")};
+  def.worlds.front().physics.switching.credit = false;  // what rests cannot go coarser, and the request waits
+  def.loops = 60;
+  const auto count = [&](const std::string& script, LevelEventKind kind) {
+    const auto report = play(def, script);
+    EXPECT_TRUE(report.has_value()) << report.error().message;
+    return report ? report->levelEvents.front()[static_cast<std::size_t>(kind)] : 0;
+  };
+  EXPECT_EQ(count("", LevelEventKind::kRequested), 0U);
+  EXPECT_GT(count("20 key L\n21 key PgDn\n", LevelEventKind::kRequested), 1U);
+  EXPECT_EQ(count("20 key L\n21 key PgDn\n", LevelEventKind::kRetracted), 0U);
+  EXPECT_GT(count("20 key L\n21 key PgDn\n30 key U\n", LevelEventKind::kRetracted), 1U);
+}
+
+TEST_P(WindowTest, TwoWorldsHaveOneClock) {
+  ViewerDef def;
+  def.worlds = {world("duel", WorldKind::kStandard), world("duel")};
+  def.loops = 50;
+  const auto report = play(def, "30 key Space\n" + shot(49, "both.png"));
+  ASSERT_TRUE(report.has_value()) << report.error().message;
+  EXPECT_THAT(report->frames, testing::ElementsAre(30U, 30U));
+}
+
+TEST_P(WindowTest, ResizesAndCloses) {
+  const ViewerReport report =
+      played("duel", 200, "5 resize 900 500\n" + shot(60, "large.png") + "80 key Esc\n");
+  EXPECT_LT(report.loops, 90U);
+  if (shows()) {
+    EXPECT_EQ(picture("large.png").width, 900);
+    EXPECT_EQ(picture("large.png").height, 500);
+  }
+  EXPECT_LT(played("duel", 200, "30 close\n").loops, 40U);
+}
+
+TEST_P(WindowTest, PanelsHideAndHelpNamesEveryCommand) {
+  if (!shows()) GTEST_SKIP() << "needs pictures";
+  (void)played("duel", 40,
+               "1 do pause\n" + shot(10, "without.png") + "11 key Tab\n" + shot(15, "with.png") +
+                   "16 key Tab\n17 key F1\n" + shot(20, "help.png"));
+  EXPECT_GT(differentPixels(picture("without.png"), picture("with.png")), 5000);
+  EXPECT_GT(differentPixels(picture("without.png"), picture("help.png")), 5000);
+}
+
+TEST_P(WindowTest, RecordsPicturesAndWritesTheRun) {
+  (void)played("duel", 40, "10 key F9\n15 key F9\n20 do write\n");
+  EXPECT_TRUE(fs::exists(folder_ / "out" / "frames-1" / "000000.png"));
+  EXPECT_TRUE(fs::exists(folder_ / "out" / "frames-1" / "000004.png"));
+  EXPECT_TRUE(fs::exists(folder_ / "out" / "frames.csv"));
+  EXPECT_TRUE(fs::exists(folder_ / "out" / "summary.json"));
+}
+
+TEST_P(WindowTest, RefusesWhatDoesNotExist) {
+  ViewerDef def;
+  def.worlds = {world("duel")};
+  def.loops = 10;
+  const auto mistake = [&](const std::string& script) {
+    const auto report = play(def, script);
+    return report ? "" : report.error().message;
+  };
+  EXPECT_THAT(mistake("1 do dance\n"), HasSubstr("no command is called \"dance\"; known: pause, "));
+  EXPECT_THAT(mistake("1 point nobody\n"), HasSubstr("\"nobody\" is no object"));
+  EXPECT_THAT(mistake("1 set step on\n"), HasSubstr("is no switch"));
+  EXPECT_THAT(mistake("1 screenshot /dev/null/all.png\n"), HasSubstr("/dev/null"));
+  def.views = {"xray"};
+  EXPECT_THAT(mistake(""), HasSubstr("no view is called \"xray\"; known: bounds, "));
+}
+
+INSTANTIATE_TEST_SUITE_P(Renderers, WindowTest, testing::ValuesIn(rendererNames()),
+                         [](const auto& test) { return test.param; });
+
+}  // namespace
+}  // namespace scatter::viewer
