@@ -163,12 +163,13 @@ int runProgram(int argc, char** argv) {
   const std::vector<Command> commands{addListCommand(program),
                                       addRunCommand(program),
                                       addCompareCommand(program, commandLineOf(argc, argv)),
-#ifdef SCATTER_VIEWER
-                                      addViewCommand(program),
-#endif
                                       addLevelsCommand(program),
                                       addConvertCommand(program),
-                                      addBenchCommand(program)};
+                                      addBenchCommand(program),
+#ifdef SCATTER_VIEWER
+                                      addViewCommand(program)
+#endif
+  };
   const std::optional<ExitStatus> parsed = parse(program, argc, argv);
   return static_cast<int>(checkStandardOutput(parsed ? *parsed : execute(commands)));
 }

@@ -77,9 +77,10 @@ Item BodyLooks::shape(BodyId body, const BodyDef& def) {
 }
 
 float BodyLooks::radius(BodyId body, const BodyDef& def) {
-  const auto known = radius_.find(body);
-  if (known != radius_.end()) return known->second;
-  return radius_.emplace(body, reachOf(meshOf(def.shape))).first->second;
+  const auto* levels = std::get_if<Levels>(&def.shape);
+  float& radius = levels != nullptr ? modelRadius_[levels->get()] : radius_[body];
+  if (radius == 0.0F) radius = reachOf(meshOf(def.shape));
+  return radius;
 }
 
 }  // namespace scatter::viewer

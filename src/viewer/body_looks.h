@@ -44,6 +44,7 @@ class BodyLooks {
   std::map<std::pair<const void*, int>, Known> known_;
   std::map<BodyId, MeshId> own_;  ///< Of bodies whose shape nobody shares.
   std::map<BodyId, float> radius_;
+  std::map<const void*, float> modelRadius_;  ///< By level set.
   std::optional<MeshId> box_;
   std::optional<MeshId> sphere_;
 };
