@@ -33,6 +33,7 @@ struct ViewerState {
   bool helpShown = false;
   bool closing = false;
 
+  float draggedBudget = 0.0F;     ///< Of the slider, milliseconds, until it is let go.
   double drawMilliseconds = 0.0;  ///< Of the last pictures, smoothed.
   DrawStatistics statistics{};
 };

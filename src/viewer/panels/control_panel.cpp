@@ -11,11 +11,16 @@
 namespace scatter::viewer {
 namespace {
 
-void showBudget(WorldControl& control) {
-  auto budget = static_cast<float>(control.now().budget.milliseconds);
+constexpr float kColumn = 118.0F;  // pixels, of the second of two in a line
+
+void showBudget(ViewerState& state) {
+  float& budget = state.draggedBudget;
+  if (!ImGui::IsAnyItemActive()) budget = static_cast<float>(state.control.now().budget.milliseconds);
   ImGui::SetNextItemWidth(140.0F);
-  if (ImGui::SliderFloat("budget, ms", &budget, 0.0F, 33.0F, budget > 0.0F ? "%.1f ms" : "none")) {
-    control.setBudgetMilliseconds(budget < 0.1F ? 0.0 : static_cast<double>(budget));
+  ImGui::SliderFloat("budget, ms", &budget, 0.0F, 33.0F, budget > 0.0F ? "%.1f ms" : "none");
+  // A budget learns what its milliseconds are worth: not anew for every pixel that the slider is dragged.
+  if (ImGui::IsItemDeactivatedAfterEdit()) {
+    state.control.setBudgetMilliseconds(budget < 0.1F ? 0.0 : static_cast<double>(budget));
   }
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("Processor milliseconds that a physics step may cost");
 }
@@ -29,7 +34,7 @@ void showPolicies(WorldControl& control) {
       return one == name || one.rfind(name + ":", 0) == 0;
     });
     bool on = at != chosen.end();
-    if (i % 2 == 1) ImGui::SameLine(150.0F);
+    if (i % 2 == 1) ImGui::SameLine(kColumn);
     const bool clicked = ImGui::Checkbox(name.c_str(), &on);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(policy.summary).c_str());
     if (!clicked) continue;
@@ -49,17 +54,19 @@ void showEverything(WorldControl& control) {
                                                                         {Policy::kFinest, "all finest"},
                                                                         {Policy::kCoarsest, "all coarsest"}}};
   for (const auto& [policy, name] : kBase) {
-    if (policy != Policy::kNone) ImGui::SameLine();
+    const bool firstOfLine = policy == Policy::kNone || policy == Policy::kFinest;
+    if (!firstOfLine) ImGui::SameLine(kColumn);
     if (ImGui::RadioButton(name, control.now().policy == policy))
       control.setPolicies(policy, control.now().policies);
   }
 }
 
-void showHybridWorld(WorldControl& control) {
-  showBudget(control);
+void showHybridWorld(ViewerState& state) {
+  WorldControl& control = state.control;
+  showBudget(state);
   const bool pairs = control.now().switching == Switching::kPair;
   if (ImGui::RadioButton("switch pairs", pairs)) control.setSwitching(Switching::kPair);
-  ImGui::SameLine();
+  ImGui::SameLine(kColumn);
   if (ImGui::RadioButton("switch bodies", !pairs)) control.setSwitching(Switching::kBody);
   ImGui::TextUnformatted("policies");
   showEverything(control);
@@ -85,7 +92,7 @@ void showControlPanel(ViewerState& state, const Layout& layout) {
       if (std::string_view(group) == "Hands (left button)") showStrengths(state.hands);
     }
     if (state.control.exists() && ImGui::CollapsingHeader("Hybrid world", ImGuiTreeNodeFlags_DefaultOpen)) {
-      showHybridWorld(state.control);
+      showHybridWorld(state);
     }
   }
   ImGui::End();

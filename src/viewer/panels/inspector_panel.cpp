@@ -101,10 +101,11 @@ void showWorld(const Pane& pane, BodyId body) {
 void showInspectorPanel(ViewerState& state, const Layout& layout) {
   const auto picked = state.hands.picked();
   if (!picked) return;
-  ImGui::SetNextWindowPos({layout.leftWidth() + 8.0F, layout.sideHeight() - 298.0F}, ImGuiCond_FirstUseEver);
-  ImGui::SetNextWindowSize({330.0F, 290.0F}, ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowPos({layout.leftWidth() + 8.0F, layout.sideHeight() - 8.0F}, ImGuiCond_Always,
+                          {0.0F, 1.0F});
+  ImGui::SetNextWindowSizeConstraints({330.0F, 60.0F}, {330.0F, 0.6F * layout.sideHeight()});
   const std::string title = nameOf(state.panes.front()->experiment().world(), *picked) + "###picked";
-  if (ImGui::Begin(title.c_str())) {
+  if (ImGui::Begin(title.c_str(), nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
     for (const auto& pane : state.panes) {
       if (state.panes.size() > 1 &&
           !ImGui::CollapsingHeader(pane->label().c_str(), ImGuiTreeNodeFlags_DefaultOpen))

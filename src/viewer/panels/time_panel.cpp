@@ -54,11 +54,11 @@ void showTimePanel(ViewerState& state, const Layout& layout) {
     commandButtons(state.commands, "Time");
     ImGui::SameLine();
     showRate(state.playback);
-    ImGui::SameLine();
-    ImGui::TextUnformatted(stateOf(state).c_str());
+    ImGui::TextColored({0.5F, 0.85F, 0.75F, 1.0F}, "%s", stateOf(state).c_str());
     const std::string& said = !state.hands.message().empty()     ? state.hands.message()
                               : !state.control.message().empty() ? state.control.message()
                                                                  : state.outputs.message();
+    if (!said.empty()) ImGui::SameLine();
     ImGui::TextUnformatted(said.c_str());
   }
   ImGui::End();
