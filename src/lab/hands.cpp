@@ -34,7 +34,7 @@ Result<void> discardValue(const Result<WorldObject*>& result) {
 
 }  // namespace
 
-Hands::Hands(World& world, const HandsDef& def) : world_(world), def_(def) {}
+Hands::Hands(World& world, HandsDef def) : world_(world), def_(std::move(def)) {}
 
 Hands::~Hands() = default;
 

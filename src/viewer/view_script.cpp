@@ -60,7 +60,7 @@ Result<ScriptAction> readSet(std::istringstream& words) {
   SetCommand set;
   std::string state;
   words >> set.name >> state;
-  if (state != "on" && state != "off") return fail("write \"set NAME on\" or \"set NAME off\"");
+  if (state != "on" && state != "off") return fail(R"(write "set NAME on" or "set NAME off")");
   set.on = state == "on";
   return set;
 }

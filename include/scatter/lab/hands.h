@@ -53,7 +53,7 @@ struct Pick {
 class Hands {
  public:
   /// The world must outlive them.
-  explicit Hands(World& world, const HandsDef& def = {});
+  explicit Hands(World& world, HandsDef def = {});
   Hands(const Hands&) = delete;
   Hands& operator=(const Hands&) = delete;
   ~Hands();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 namespace scatter::io {
 namespace {
@@ -23,8 +24,8 @@ Result<pugi::xml_node> findScene(const ColladaFrame& frame) {
 
 }  // namespace
 
-Result<ColladaNodes> ColladaNodes::read(const ColladaFrame& frame, const std::set<std::size_t>& moved) {
-  ColladaNodes nodes(frame, moved);
+Result<ColladaNodes> ColladaNodes::read(const ColladaFrame& frame, std::set<std::size_t> moved) {
+  ColladaNodes nodes(frame, std::move(moved));
   const auto scene = findScene(frame);
   if (!scene) {
     return tl::unexpected(scene.error());

@@ -6,6 +6,7 @@
 #include <map>
 #include <pugixml.hpp>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace scatter::io {
@@ -14,16 +15,15 @@ namespace scatter::io {
 class ColladaNodes {
  public:
   /// `moved` are the hash values of the nodes that bodies move: meshes outside of them are noted.
-  [[nodiscard]] static Result<ColladaNodes> read(const ColladaFrame& frame,
-                                                 const std::set<std::size_t>& moved);
+  [[nodiscard]] static Result<ColladaNodes> read(const ColladaFrame& frame, std::set<std::size_t> moved);
 
   /// Of a `<node>` in the world. A node that stands in the scene several times is placed where it stands
   /// first; one that does not stand in it, by its own library.
   [[nodiscard]] Result<Placement> placement(const pugi::xml_node& node);
 
  private:
-  ColladaNodes(const ColladaFrame& frame, const std::set<std::size_t>& moved)
-      : frame_(&frame), moved_(moved) {}
+  ColladaNodes(const ColladaFrame& frame, std::set<std::size_t> moved)
+      : frame_(&frame), moved_(std::move(moved)) {}
 
   [[nodiscard]] Result<void> walk(const pugi::xml_node& scene);
   void noteMesh(const pugi::xml_node& element, const pugi::xml_node& parent) const;
