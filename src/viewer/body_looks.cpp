@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "viewer/drawing/surface_shading.h"
 #include "viewer/mesh_occlusion.h"
 #include "viewer/shape_mesh.h"
 
@@ -43,7 +44,7 @@ MeshId BodyLooks::shared(const void* key, int variant, const std::shared_ptr<con
 Item BodyLooks::drawn(BodyId body, const BodyDef& def) {
   if (!def.mesh) return shape(body, def);
   if (const auto known = find(def.mesh.get(), 0)) return itemOf(*known);
-  MeshData mesh = meshOf(*def.mesh);
+  MeshData mesh = shadeSurface(*def.mesh);
   mesh.occlusion = bakeOcclusion(mesh);
   return itemOf(shared(def.mesh.get(), 0, def.mesh, mesh));
 }

@@ -80,22 +80,4 @@ Camera CameraRig::camera() const {
   return camera;
 }
 
-ViewRay CameraRig::ray(const glm::vec2& point, float widthByHeight) const {
-  const float slope = std::tan(0.5F * kFieldOfView);
-  const float x = (2.0F * point.x - 1.0F) * slope * widthByHeight;
-  const float y = (1.0F - 2.0F * point.y) * slope;
-  const Vec3 up = glm::cross(right(), forward());
-  return {eye(), glm::normalize(forward() + x * right() + y * up)};
-}
-
-std::optional<glm::vec2> CameraRig::project(const Vec3& point, float widthByHeight) const {
-  const Vec3 seen = point - eye();
-  const float depth = glm::dot(seen, forward());
-  if (depth <= 0.0F) return std::nullopt;
-  const float slope = std::tan(0.5F * kFieldOfView) * depth;
-  const float x = glm::dot(seen, right()) / (slope * widthByHeight);
-  const float y = glm::dot(seen, glm::cross(right(), forward())) / slope;
-  return glm::vec2(0.5F * (1.0F + x), 0.5F * (1.0F - y));
-}
-
 }  // namespace scatter::viewer

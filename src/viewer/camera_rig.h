@@ -3,8 +3,6 @@
 #include <scatter/math.h>
 
 #include <cstdint>
-#include <glm/vec2.hpp>
-#include <optional>
 
 #include "viewer/renderer.h"
 
@@ -14,12 +12,6 @@ enum class CameraMode : std::uint8_t {
   kOrbit,   ///< Turns around a point.
   kFly,     ///< Moves freely.
   kFollow,  ///< Turns around a point that moves.
-};
-
-/// A ray through a point of a picture.
-struct ViewRay {
-  Vec3 origin{0.0F};
-  Vec3 direction{0.0F, 0.0F, -1.0F};  ///< Of length 1.
 };
 
 /// A camera that the user steers. Up is +y.
@@ -54,12 +46,6 @@ class CameraRig {
   [[nodiscard]] float distance() const { return distance_; }
   [[nodiscard]] Vec3 eye() const;
   [[nodiscard]] Camera camera() const;
-
-  /// Through a point of a picture of this shape: 0 to 1 from the top left.
-  [[nodiscard]] ViewRay ray(const glm::vec2& point, float widthByHeight) const;
-
-  /// Where a world point is in such a picture; nothing if it is behind the camera.
-  [[nodiscard]] std::optional<glm::vec2> project(const Vec3& point, float widthByHeight) const;
 
  private:
   [[nodiscard]] Vec3 forward() const;

@@ -32,14 +32,14 @@ WorldObject* HandTools::pickedObject() const {
   return picked_ ? panes_.front()->experiment().world().find(*picked_) : nullptr;
 }
 
-void HandTools::press(std::size_t pane, const ViewRay& ray) {
+void HandTools::press(std::size_t pane, const Ray& ray) {
   const Hands& hands = panes_[pane]->experiment().hands();
   const auto hit = hands.pick(ray.origin, ray.origin + kReach * ray.direction);
   depth_ = hit ? glm::length(hit->point - ray.origin) : kEmptyDepth;
   act(hit, ray);
 }
 
-void HandTools::act(const std::optional<Pick>& hit, const ViewRay& ray) {
+void HandTools::act(const std::optional<Pick>& hit, const Ray& ray) {
   const Vec3 point = ray.origin + depth_ * ray.direction;
   const auto model = picked_ ? picked_ : hit ? std::optional(hit->object->body()) : std::nullopt;
   switch (tool) {
@@ -69,7 +69,7 @@ void HandTools::act(const std::optional<Pick>& hit, const ViewRay& ray) {
   }
 }
 
-void HandTools::move(const ViewRay& ray) {
+void HandTools::move(const Ray& ray) {
   const Vec3 point = ray.origin + depth_ * ray.direction;
   if (dragging_) perform(DragToAction{point});
   if (gathering_) perform(GatherAction{point, {}});

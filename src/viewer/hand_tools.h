@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "viewer/camera_rig.h"
+#include "viewer/drawing/projection.h"
 #include "viewer/pane.h"
 
 namespace scatter::viewer {
@@ -42,8 +42,8 @@ class HandTools {
   float throwSpeed = 20.0F;  ///< Metres a second.
 
   /// The left button went down, moved or went up at this point of a pane, with these rays through it.
-  void press(std::size_t pane, const ViewRay& ray);
-  void move(const ViewRay& ray);
+  void press(std::size_t pane, const Ray& ray);
+  void move(const Ray& ray);
   void release();
 
   void pick(std::optional<BodyId> body) { picked_ = body; }
@@ -70,7 +70,7 @@ class HandTools {
   [[nodiscard]] WorldObject* pickedObject() const;
   [[nodiscard]] std::vector<BodyId> reached() const;
   void perform(const HandAction& action);
-  void act(const std::optional<Pick>& hit, const ViewRay& ray);
+  void act(const std::optional<Pick>& hit, const Ray& ray);
 
   std::vector<std::unique_ptr<Pane>>& panes_;
   std::optional<BodyId> picked_;

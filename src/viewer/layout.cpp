@@ -36,10 +36,9 @@ Area Layout::area(std::size_t pane) const {
   return {at.x, at.y, share.x, share.y};
 }
 
-Layout::Place Layout::place(const glm::vec2& point) const {
+std::size_t Layout::paneAt(const glm::vec2& point) const {
   const float column = (point.x - left_) / size().x;
-  const auto pane = static_cast<std::size_t>(std::clamp(column, 0.0F, static_cast<float>(panes_) - 0.5F));
-  return {pane, (point - corner(pane)) / size()};
+  return static_cast<std::size_t>(std::clamp(column, 0.0F, static_cast<float>(panes_) - 0.5F));
 }
 
 }  // namespace scatter::viewer

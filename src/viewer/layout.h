@@ -24,16 +24,8 @@ class Layout {
   [[nodiscard]] glm::vec2 size() const;
   [[nodiscard]] Area area(std::size_t pane) const;
 
-  /// Width by height of one world's picture.
-  [[nodiscard]] float shape() const { return size().x / size().y; }
-
-  /// The world at a point of the window, and where in its picture the point is, 0 to 1 from the top left.
-  /// Beside the pictures, the nearest world, and a place outside of it.
-  struct Place {
-    std::size_t pane = 0;
-    glm::vec2 inside{0.0F};
-  };
-  [[nodiscard]] Place place(const glm::vec2& point) const;
+  /// The world at a point of the window; beside the pictures, the nearest.
+  [[nodiscard]] std::size_t paneAt(const glm::vec2& point) const;
 
  private:
   glm::vec2 window_;

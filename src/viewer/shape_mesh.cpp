@@ -2,18 +2,16 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <map>
-#include <tuple>
 #include <utility>
 
 #include "levels/part_geometry.h"
 #include "levels/polytope.h"
+#include "viewer/drawing/surface_shading.h"
 
 namespace scatter::viewer {
 namespace {
 
 constexpr float kPi = 3.14159265F;
-constexpr float kCrease = 0.766F;  // cosine of 40 degrees
 constexpr float kPlaneSize = 200.0F;
 constexpr int kSides = 28;
 constexpr int kArcs = 8;  // of a quarter of a circle
@@ -114,35 +112,6 @@ MeshData planeMesh(const Plane& plane) {
 
 }  // namespace
 
-MeshData meshOf(const SurfaceMesh& surface) {
-  using Place = std::tuple<float, float, float>;
-  const auto placeOf = [&](std::uint32_t vertex) {
-    const Vec3& at = surface.vertices[vertex];
-    return Place(at.x, at.y, at.z);
-  };
-  std::vector<Vec3> across;  // twice the area long
-  std::map<Place, std::vector<std::size_t>> around;
-  for (const auto& [a, b, c] : surface.triangles) {
-    for (const std::uint32_t corner : {a, b, c}) around[placeOf(corner)].push_back(across.size());
-    const Vec3& origin = surface.vertices[a];
-    across.push_back(glm::cross(surface.vertices[b] - origin, surface.vertices[c] - origin));
-  }
-  MeshData mesh;
-  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
-    const float area = glm::length(across[i]);
-    if (!(area > 0.0F)) continue;
-    for (const std::uint32_t corner : surface.triangles[i]) {
-      Vec3 normal(0.0F);
-      for (const std::size_t other : around[placeOf(corner)]) {
-        const float cosine = glm::dot(across[other], across[i]);
-        if (cosine > kCrease * area * glm::length(across[other])) normal += across[other];
-      }
-      mesh.indices.push_back(addVertex(mesh, surface.vertices[corner], glm::normalize(normal)));
-    }
-  }
-  return mesh;
-}
-
 MeshData meshOf(const Level& level) {
   MeshData mesh;
   for (const ConvexPart& part : level.parts) addPart(mesh, part);
@@ -155,7 +124,7 @@ MeshData meshOf(const Shape& shape) {
   if (const auto* compound = std::get_if<Compound>(&shape)) return meshOf(Level{compound->parts});
   if (const auto* plane = std::get_if<Plane>(&shape)) return planeMesh(*plane);
   if (const auto* triangles = std::get_if<std::shared_ptr<const TriangleMesh>>(&shape)) {
-    MeshData mesh = meshOf(SurfaceMesh{(*triangles)->vertices, (*triangles)->triangles});
+    MeshData mesh = shadeSurface({(*triangles)->vertices, (*triangles)->triangles});
     mesh.twoSided = true;
     return mesh;
   }

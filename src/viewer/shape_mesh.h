@@ -1,15 +1,11 @@
 #pragma once
 
 #include <scatter/levels/level_set.h>
-#include <scatter/levels/surface_mesh.h>
 #include <scatter/world/shape.h>
 
 #include "viewer/renderer.h"
 
 namespace scatter::viewer {
-
-/// With normals that are smooth where the surface is: faces that meet at less than 40 degrees share them.
-[[nodiscard]] MeshData meshOf(const SurfaceMesh& mesh);
 
 /// Convex parts with flat sides, round ones as smooth surfaces; hull margins are left out.
 [[nodiscard]] MeshData meshOf(const Level& level);

@@ -235,32 +235,33 @@ Layout Window::layout() const {
   return {renderer_.size(), panes_.size(), state_->panelsShown};
 }
 
+View Window::emptyView(std::size_t pane) const {
+  View view;
+  view.area = layout().area(pane);
+  view.camera = camera_.camera();
+  return view;
+}
+
 Window::Pointed Window::pointedAt(const glm::vec2& position) const {
-  const Layout layout = this->layout();
-  const Layout::Place place = layout.place(position);
-  return {place.pane, camera_.ray(place.inside, layout.shape())};
+  const std::size_t pane = layout().paneAt(position);
+  return {pane, rayThrough(emptyView(pane), renderer_.size(), position)};
 }
 
 std::optional<glm::vec2> Window::positionOf(const std::string& object) const {
   const WorldObject* found = panes_.front()->experiment().world().find(std::string_view(object));
   if (found == nullptr) return std::nullopt;
-  const Layout layout = this->layout();
-  const auto inside = camera_.project(found->state().centerOfMass, layout.shape());
-  return inside ? std::optional(layout.corner(0) + *inside * layout.size()) : std::nullopt;
+  return pixelOf(emptyView(0), renderer_.size(), found->state().centerOfMass);
 }
 
 Picture Window::picture() {
   Picture picture;
-  const Layout layout = this->layout();
   const ObservationParts parts = playback_.past() ? ObservationParts{false, false, false} : views_.parts();
   for (std::size_t i = 0; i < panes_.size(); ++i) {
     Pane& pane = *panes_[i];
     pane.observe(parts);
     const Moment moment = pane.moment(playback_.past(), playback_.fraction(), hands_.picked());
-    View view;
-    view.area = layout.area(i);
     if (i == 0) camera_.follow(Pane::positionOf(moment).value_or(camera_.pivot()));
-    view.camera = camera_.camera();
+    View view = emptyView(i);
     pane.fill(moment, views_, view);
     view.scenery.stars = !view.scenery.ground.has_value();
     view.scenery.fadeRadius = std::max(40.0F, 4.0F * camera_.distance());

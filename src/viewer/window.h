@@ -48,11 +48,12 @@ class Window {
   /// The pane under a point of the window, and the ray through the point.
   struct Pointed {
     std::size_t pane = 0;
-    ViewRay ray;
+    Ray ray;
   };
   [[nodiscard]] Pointed pointedAt(const glm::vec2& position) const;
   [[nodiscard]] std::optional<glm::vec2> positionOf(const std::string& object) const;
   [[nodiscard]] Layout layout() const;
+  [[nodiscard]] View emptyView(std::size_t pane) const;
   [[nodiscard]] Picture picture();
   [[nodiscard]] ViewerReport report() const;
 

@@ -22,12 +22,16 @@ WorldControl::WorldControl(std::vector<std::unique_ptr<Pane>>& panes) : panes_(p
 }
 
 void WorldControl::setBudgetMilliseconds(double milliseconds) {
-  now_.budget = BudgetDef{.milliseconds = milliseconds};
+  const BudgetDef budget{.milliseconds = milliseconds};
   message_.clear();
   for (const auto& pane : panes_) {
-    if (isHybrid(pane) && !pane->experiment().setBudget(now_.budget))
+    if (!isHybrid(pane)) continue;
+    if (!pane->experiment().setBudget(budget)) {
       message_ = "a budget needs switching by pairs";
+      return;
+    }
   }
+  now_.budget = budget;
 }
 
 void WorldControl::setPolicies(Policy policy, const std::vector<std::string>& policies) {
