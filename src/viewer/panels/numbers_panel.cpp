@@ -141,7 +141,7 @@ void showNumbersPanel(ViewerState& state, const Layout& layout) {
     placePanel({layout.window().x - layout.rightWidth(), 0.0F}, {layout.rightWidth(), layout.sideHeight()});
   }
   if (ImGui::Begin("Numbers")) {
-    ImGui::Text("picture %.1f ms, %zu bodies, %zu k triangles", state.drawMilliseconds,
+    ImGui::Text("picture %.1f ms, %zu bodies, %zu k faces", state.drawMilliseconds,
                 state.statistics.items, state.statistics.triangles / 1000);
     showPlots(state);
     if (ImGui::CollapsingHeader("Stages, last 600 frames, ms", ImGuiTreeNodeFlags_DefaultOpen)) {
