@@ -34,12 +34,12 @@ function(scatter_library name)
   set_property(GLOBAL APPEND PROPERTY SCATTER_TARGETS scatter_${name})
 endfunction()
 
-# scatter_test(NAME SOURCES... LINK deps...): a GoogleTest program whose cases CTest lists one by one.
+# scatter_test(NAME SOURCES... LINK deps... [ENVIRONMENT name=value...]): a GoogleTest program whose cases CTest lists one by one.
 function(scatter_test name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK;ENVIRONMENT" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(${name} PRIVATE SCATTER_TEST_MODEL_DIR="${PROJECT_SOURCE_DIR}/models")
   target_link_libraries(${name} PRIVATE ${ARG_LINK} GTest::gmock GTest::gtest_main scatter_options)
-  gtest_discover_tests(${name} NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
+  gtest_discover_tests(${name} NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600 ENVIRONMENT "${ARG_ENVIRONMENT}")
 endfunction()
