@@ -110,8 +110,7 @@ void stageRow(const char* name, const StageFigures& figures) {
 
 void showStageTable(const Pane& pane) {
   if (!ImGui::BeginTable(("stages of " + pane.label()).c_str(), 4, ImGuiTableFlags_SizingStretchProp)) return;
-  for (const char* title : {pane.label().c_str(), "now, ms", "average", "worst"})
-    ImGui::TableSetupColumn(title);
+  for (const char* title : {pane.label().c_str(), "now", "mean", "worst"}) ImGui::TableSetupColumn(title);
   ImGui::TableHeadersRow();
   const FrameData& data = pane.experiment().data();
   stageRow("physics, CPU", figuresOf(data, "physics_cpu_ms"));
@@ -141,8 +140,8 @@ void showNumbersPanel(ViewerState& state, const Layout& layout) {
     placePanel({layout.window().x - layout.rightWidth(), 0.0F}, {layout.rightWidth(), layout.sideHeight()});
   }
   if (ImGui::Begin("Numbers")) {
-    ImGui::Text("picture %.1f ms, %zu bodies, %zu k faces", state.drawMilliseconds,
-                state.statistics.items, state.statistics.triangles / 1000);
+    ImGui::Text("picture %.1f ms, %zu bodies, %zu k faces", state.drawMilliseconds, state.statistics.items,
+                state.statistics.triangles / 1000);
     showPlots(state);
     if (ImGui::CollapsingHeader("Stages, last 600 frames, ms", ImGuiTreeNodeFlags_DefaultOpen)) {
       for (const auto& pane : state.panes) showStageTable(*pane);
