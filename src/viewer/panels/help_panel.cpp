@@ -39,6 +39,20 @@ void showMouse() {
   row("W A S D Q E", "fly", "Move the flying camera: forward, left, back, right, down, up");
 }
 
+/// What has no key: sliders and boxes of the panels.
+void showSliders() {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::TableNextColumn();
+  ImGui::TextColored({0.5F, 0.85F, 0.75F, 1.0F}, "Sliders and boxes");
+  row("", "frame", "The bar at the bottom: any frame that is kept");
+  row("", "rate of time", "Of the physics, 0.05 to 4; Ctrl and click to type");
+  row("", "push, throw", "Change of speed of a push, speed of a throw, m/s");
+  row("", "budget, ms", "Processor time of a physics step, for hybrid worlds");
+  row("", "switch", "Levels of pairs, or of bodies");
+  row("", "policies", "What asks for levels; see `scatter list`");
+}
+
 }  // namespace
 
 void showHelpPanel(ViewerState& state, const Layout& layout) {
@@ -49,6 +63,7 @@ void showHelpPanel(ViewerState& state, const Layout& layout) {
     if (ImGui::BeginTable("keys", 3, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_RowBg)) {
       showMouse();
       showCommands(state.commands);
+      showSliders();
       ImGui::EndTable();
     }
   }
