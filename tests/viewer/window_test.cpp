@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "viewer/debug_views.h"
 #include "viewer/renderers.h"
 #include "viewer/viewer.h"
 #include "viewer/xvfb.h"
@@ -127,9 +128,8 @@ TEST_P(WindowTest, CostsThePhysicsNothing) {
   const auto run = runScene(alone);
   ASSERT_TRUE(run.has_value());
   std::string everything;
-  for (const char* view :
-       {"bounds", "shapes", "levels", "contacts", "islands", "pairs", "credit", "velocities"}) {
-    everything += std::string("1 set ") + view + " on\n";
+  for (const DebugViewInfo& view : debugViews()) {
+    everything += "1 set " + std::string(view.name) + " on\n";
   }
   const ViewerReport report = played("duel", 250, everything);
   ASSERT_EQ(report.frames.front(), 249U);
