@@ -19,7 +19,5 @@ inline constexpr Color kVelocityColor{0.4F, 0.85F, 1.0F, 1.0F};
 inline constexpr Color kPairColor{0.35F, 0.4F, 0.5F, 1.0F};
 inline constexpr Color kRequestColor{1.0F, 0.65F, 0.1F, 1.0F};
 inline constexpr Color kRetractedColor{0.55F, 0.6F, 0.9F, 1.0F};
-inline constexpr Color kPickedColor{1.0F, 1.0F, 1.0F, 1.0F};
-inline constexpr Color kHandColor{0.3F, 1.0F, 0.9F, 1.0F};
 
 }  // namespace scatter::viewer

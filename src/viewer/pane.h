@@ -22,7 +22,7 @@ class Pane {
   [[nodiscard]] Experiment& experiment() { return *experiment_; }
   [[nodiscard]] const Experiment& experiment() const { return *experiment_; }
 
-  /// Looks at the physics as it is now, if the views need it.
+  /// Looks at the physics as it is now, once for all views and panels of a frame.
   void observe(const ObservationParts& parts);
   [[nodiscard]] const Observation& observed() const { return observed_; }
 

@@ -253,9 +253,18 @@ std::optional<glm::vec2> Window::positionOf(const std::string& object) const {
   return pixelOf(emptyView(0), renderer_.size(), found->state().centerOfMass);
 }
 
+ObservationParts Window::parts() const {
+  ObservationParts parts = playback_.past() ? ObservationParts{false, false, false} : views_.parts();
+  // The inspector tells of the present, whatever is shown.
+  const bool inspected = state_->panelsShown && hands_.picked().has_value();
+  parts.bodies = parts.bodies || inspected;
+  parts.pairs = parts.pairs || inspected;
+  return parts;
+}
+
 Picture Window::picture() {
   Picture picture;
-  const ObservationParts parts = playback_.past() ? ObservationParts{false, false, false} : views_.parts();
+  const ObservationParts parts = this->parts();
   for (std::size_t i = 0; i < panes_.size(); ++i) {
     Pane& pane = *panes_[i];
     pane.observe(parts);

@@ -54,6 +54,8 @@ class Window {
   [[nodiscard]] std::optional<glm::vec2> positionOf(const std::string& object) const;
   [[nodiscard]] Layout layout() const;
   [[nodiscard]] View emptyView(std::size_t pane) const;
+  /// What this frame's views and panels need to know of the physics.
+  [[nodiscard]] ObservationParts parts() const;
   [[nodiscard]] Picture picture();
   [[nodiscard]] ViewerReport report() const;
 

@@ -84,8 +84,7 @@ void showWorld(const Pane& pane, BodyId body) {
     return;
   }
   showBody(*object);
-  Observation observed;
-  world.physics().observe({.bodies = true, .pairs = true, .contacts = false}, observed);
+  const Observation& observed = pane.observed();
   for (const ObservedBody& one : observed.bodies) {
     if (one.body != body) continue;
     const int levels = world.physics().levelCount(body);
