@@ -6,6 +6,7 @@ namespace scatter::viewer {
 
 void Playback::step() {
   if (past_) {
+    if (held_) return;
     if (++*past_ >= newest()) past_.reset();
     return;
   }
@@ -17,6 +18,7 @@ void Playback::step() {
 }
 
 void Playback::setPaused(bool paused) {
+  held_ = false;
   if (paused) {
     loop_.pausePhysics();
   } else {
@@ -25,6 +27,7 @@ void Playback::setPaused(bool paused) {
 }
 
 void Playback::stepForward() {
+  held_ = false;
   loop_.singleStep();
 }
 
@@ -34,6 +37,7 @@ void Playback::stepBack() {
 
 void Playback::show(std::uint64_t frame) {
   setPaused(true);
+  held_ = true;
   past_ = std::clamp(frame, oldest(), newest());
   if (*past_ == newest()) past_.reset();
 }

@@ -49,6 +49,7 @@ class Playback {
   Loop& loop_;
   std::vector<std::unique_ptr<Pane>>& panes_;
   std::optional<std::uint64_t> past_;
+  bool held_ = false;  ///< What is shown stays, though a step was due when it was asked for.
 };
 
 }  // namespace scatter::viewer
