@@ -1,3 +1,7 @@
+option(SCATTER_UNITY_BUILD
+  "Compile sources in batches and with precompiled headers; OFF compiles each alone, as editors and checks of includes want it" ON)
+set(SCATTER_BATCH 10 CACHE STRING "How many sources a batch has at most")
+
 # Compile options that every target of this project shares.
 add_library(scatter_options INTERFACE)
 target_compile_features(scatter_options INTERFACE cxx_std_20)
@@ -6,6 +10,11 @@ target_compile_options(scatter_options INTERFACE
   -Wall -Wextra -Wpedantic $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual
   # The same bits at every optimisation level: no fused multiply-add, no reassociation.
   -ffp-contract=off)
+if(SCATTER_UNITY_BUILD)
+  # GCC 12 reports false ones in variants and in "literal" + std::string, when it sees more of the code.
+  target_compile_options(scatter_options INTERFACE
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized;-Wno-stringop-overflow;-Wno-array-bounds>)
+endif()
 if(SCATTER_WARNINGS_AS_ERRORS)
   target_compile_options(scatter_options INTERFACE -Werror)
 endif()
@@ -17,7 +26,69 @@ if(SCATTER_SANITIZE)
   target_link_options(scatter_options INTERFACE -fsanitize=${SCATTER_SANITIZE})
 endif()
 
+# scatter_optimise_lightly(TARGET...): for code that does not run in every step, or waits for a disk: it is compiled in two thirds of the time.
+function(scatter_optimise_lightly)
+  foreach(target IN LISTS ARGN)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+  endforeach()
+endfunction()
+
 set(SCATTER_INCLUDE_DIR ${PROJECT_SOURCE_DIR}/include)
+
+# scatter_compile_in_batches(TARGET [MOST number] [HEADERS target]): sources of one folder are compiled together, so many at
+# most (1: each alone), and with the headers that the other target has precompiled.
+function(scatter_compile_in_batches target)
+  cmake_parse_arguments(ARG "" "MOST;HEADERS" "" ${ARGN})
+  if(NOT SCATTER_UNITY_BUILD)
+    return()
+  endif()
+  if(NOT ARG_MOST)
+    set(ARG_MOST ${SCATTER_BATCH})
+  endif()
+  if(ARG_HEADERS)
+    target_precompile_headers(${target} REUSE_FROM ${ARG_HEADERS})
+  endif()
+  if(ARG_MOST EQUAL 1)
+    return()
+  endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP
+    UNITY_BUILD_CODE_BEFORE_INCLUDE "// NOLINTNEXTLINE(bugprone-suspicious-include)")
+  get_target_property(sources ${target} SOURCES)
+  list(FILTER sources INCLUDE REGEX "\\.cpp$")
+  set(folders)
+  foreach(source IN LISTS sources)
+    cmake_path(GET source PARENT_PATH folder)
+    string(MAKE_C_IDENTIFIER "in_${folder}" folder)
+    list(APPEND folders ${folder})
+    list(APPEND ${folder} ${source})
+  endforeach()
+  list(REMOVE_DUPLICATES folders)
+  foreach(folder IN LISTS folders)
+    list(LENGTH ${folder} count)
+    math(EXPR batches "(${count} + ${ARG_MOST} - 1) / ${ARG_MOST}")
+    set(index 0)
+    foreach(source IN LISTS ${folder})
+      math(EXPR batch "${index} * ${batches} / ${count}")
+      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder}_${batch})
+      math(EXPR index "${index} + 1")
+    endforeach()
+  endforeach()
+endfunction()
+
+# scatter_precompile(TARGET HEADERS... [LINK deps...] [LIBRARIES]): headers that other targets' batches are compiled with;
+# with LIBRARIES for targets with position-independent code.
+function(scatter_precompile target)
+  cmake_parse_arguments(ARG "LIBRARIES" "" "HEADERS;LINK" ${ARGN})
+  if(NOT SCATTER_UNITY_BUILD)
+    return()
+  endif()
+  set(source ${PROJECT_BINARY_DIR}/${target}.cpp)
+  file(CONFIGURE OUTPUT ${source} CONTENT "// Holds nothing: its precompiled headers are used elsewhere.\n")
+  add_library(${target} OBJECT ${source})
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ${ARG_LIBRARIES})
+  target_link_libraries(${target} PRIVATE ${ARG_LINK} scatter_options)
+  target_precompile_headers(${target} PRIVATE ${ARG_HEADERS})
+endfunction()
 
 # scatter_library(NAME SOURCES... [PUBLIC deps...] [PRIVATE deps...]): the static library scatter_NAME,
 # alias scatter::NAME, installed and exported.
@@ -32,14 +103,33 @@ function(scatter_library name)
     PRIVATE ${PROJECT_SOURCE_DIR}/src)
   target_link_libraries(scatter_${name} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE} $<BUILD_INTERFACE:scatter_options>)
   set_property(GLOBAL APPEND PROPERTY SCATTER_TARGETS scatter_${name})
+  scatter_compile_in_batches(scatter_${name} HEADERS scatter_headers)
 endfunction()
 
-# scatter_test(NAME SOURCES... LINK deps... [ENVIRONMENT name=value...]): a GoogleTest program whose cases CTest lists one by one.
+# scatter_test(NAME SOURCES... LINK deps... [ENVIRONMENT name=value...] [SHARDS number] [APART]): a GoogleTest program. CTest lists
+# its cases one by one, with the label "case", and, in the configuration "shards", as so many processes that run all of them.
+# APART: its sources are compiled one by one.
 function(scatter_test name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINK;ENVIRONMENT" ${ARGN})
+  cmake_parse_arguments(ARG "APART" "SHARDS" "SOURCES;LINK;ENVIRONMENT" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(${name} PRIVATE SCATTER_TEST_MODEL_DIR="${PROJECT_SOURCE_DIR}/models")
   target_link_libraries(${name} PRIVATE ${ARG_LINK} GTest::gmock GTest::gtest_main scatter_options)
-  gtest_discover_tests(${name} NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600 ENVIRONMENT "${ARG_ENVIRONMENT}")
+  set(most 6)
+  if(ARG_APART)
+    set(most 1)
+  endif()
+  scatter_compile_in_batches(${name} MOST ${most} HEADERS scatter_test_headers)
+  scatter_optimise_lightly(${name})
+  gtest_discover_tests(${name} NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60
+                       PROPERTIES TIMEOUT 600 LABELS case ENVIRONMENT "${ARG_ENVIRONMENT}")
+  if(NOT ARG_SHARDS)
+    set(ARG_SHARDS 2)
+  endif()
+  math(EXPR last "${ARG_SHARDS} - 1")
+  foreach(shard RANGE ${last})
+    add_test(NAME ${name}.${shard} CONFIGURATIONS shards COMMAND ${name})
+    set_tests_properties(${name}.${shard} PROPERTIES TIMEOUT 1800 LABELS shard
+      ENVIRONMENT "GTEST_TOTAL_SHARDS=${ARG_SHARDS};GTEST_SHARD_INDEX=${shard};${ARG_ENVIRONMENT}")
+  endforeach()
 endfunction()

@@ -28,7 +28,8 @@ configure() {
   fi
   local options=(-DCMAKE_EXPORT_COMPILE_COMMANDS=ON)
   if command -v ccache > /dev/null; then
-    options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+    # What ccache must know to remember what was compiled with a precompiled header.
+    options+=("-DCMAKE_CXX_COMPILER_LAUNCHER=env;CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime;ccache")
   fi
   # With the compiler that the project is checked with, warnings are errors; another one has other warnings.
   if [[ $(c++ -dumpversion 2> /dev/null) != 12* ]]; then
@@ -60,8 +61,12 @@ show_progress() {
   [[ $shown == no ]] || echo >&2
 }
 
-if [[ ! -f $folder/build.ninja || ! -f $folder/compile_commands.json || $root/CMakePresets.json -nt $folder/build.ninja ]]; then
+# Anew also when packages came: they may be those of parts that were left out.
+configured=$folder/configured
+if [[ ! -f $folder/build.ninja || ! -f $folder/compile_commands.json || $root/CMakePresets.json -nt $configured ||
+  /var/lib/dpkg/status -nt $configured ]]; then
   configure
+  touch "$configured"
 fi
 : > "$log"
 jobs=${SCATTER_JOBS:-$(nproc)}

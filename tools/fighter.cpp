@@ -93,7 +93,7 @@ Loft stabiliser() {
   return loft;
 }
 
-Loft fin() {
+Loft fighterFin() {
   Loft loft;
   loft.origin = {-1.45, 0.22, 0.0};
   loft.direction = {-0.62, 1.0, 0.0};
@@ -103,7 +103,7 @@ Loft fin() {
                    {0.50, 0.30, 0.041, 0.041},
                    {0.75, 0.22, 0.034, 0.034},
                    {1.0, 0.14, 0.025, 0.025}};
-  loft.cuts = {{2, "fin"}, {2, "fin"}};
+  loft.cuts = {{2, "fighterFin"}, {2, "fighterFin"}};
   return loft;
 }
 
@@ -119,7 +119,7 @@ Ship makeFighter() {
   ship.addPair(wing());
   ship.addPair(pod());
   ship.addPair(stabiliser());
-  ship.add(fin());
+  ship.add(fighterFin());
   return ship;
 }
 

@@ -95,7 +95,7 @@ Loft thruster() {
   return loft;
 }
 
-Loft fin() {
+Loft hunterFin() {
   Loft loft;
   loft.origin = {-1.62, 0.34, 0.0};
   loft.direction = {-0.75, 0.80, 0.0};
@@ -113,7 +113,7 @@ Ship makeHunter() {
   ship.add(keel());
   ship.add(bridge());
   ship.add(cockpit());
-  ship.add(fin());
+  ship.add(hunterFin());
   ship.add(thruster());
   ship.addPair(shoulder());
   ship.addPair(prong());

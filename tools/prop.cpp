@@ -12,7 +12,7 @@ namespace scatter::tools {
 namespace {
 
 /// Things this thin need a smaller one than ships do.
-constexpr float kHullMargin = 0.01F;
+constexpr float kPropMargin = 0.01F;
 
 std::vector<Vec3> snappedRing(const Ring& ring) {
   std::vector<Vec3> points;
@@ -87,7 +87,7 @@ void Prop::addFrustum(const Ring& from, const Ring& to) {
   for (const Vec3& vertex : vertices) {
     for (int axis = 0; axis < 3; ++axis) {
       Vec3 margin(0.0F);
-      margin[axis] = kHullMargin;
+      margin[axis] = kPropMargin;
       points.push_back(vertex - margin);
       points.push_back(vertex + margin);
     }
@@ -155,8 +155,8 @@ Result<Model> Prop::build() const {
   for (const ConvexPart& part : middle.parts) {
     if (const auto* hull = std::get_if<ConvexHull>(&part.shape)) {
       for (const Vec3& vertex : hull->vertices) {
-        corners.push_back(vertex - Vec3(kHullMargin));
-        corners.push_back(vertex + Vec3(kHullMargin));
+        corners.push_back(vertex - Vec3(kPropMargin));
+        corners.push_back(vertex + Vec3(kPropMargin));
       }
     } else {
       addCorners(part, corners);
@@ -166,7 +166,7 @@ Result<Model> Prop::build() const {
   LevelSetDef def;
   def.name = name_;
   def.levels = {std::move(coarsest), std::move(middle), finest_};
-  def.hullMargin = kHullMargin;
+  def.hullMargin = kPropMargin;
   return LevelSet::create(std::move(def)).map([&](std::shared_ptr<const LevelSet> levels) {
     return Model{name_, mesh_, std::move(levels), mass_, 0.6F, 0.1F};
   });

@@ -14,7 +14,7 @@ namespace scatter::tools {
 namespace {
 
 constexpr int kRingVertices = 16;
-constexpr float kHullMargin = 0.02F;
+constexpr float kShipMargin = 0.02F;
 
 /// From the first ring's centre to the last one's, but along the loft's axis if it hardly differs.
 glm::dvec3 pieceDirection(const glm::dvec3& chord, const glm::dvec3& axis) {
@@ -40,7 +40,7 @@ std::vector<glm::dvec3> ringPoints(const Section& section, double exponent) {
   return points;
 }
 
-glm::dvec3 centerOf(const std::vector<Vec3>& ring) {
+glm::dvec3 ringCenter(const std::vector<Vec3>& ring) {
   glm::dvec3 sum(0.0);
   for (const Vec3& point : ring) {
     sum += glm::dvec3(point);
@@ -108,7 +108,7 @@ void Ship::addRings(const Loft& loft, std::vector<Ring> rings, bool mirrored) {
   for (const Cut& cut : loft.cuts) {
     const auto end = begin + cut.segments;
     Piece piece{{begin, end + 1},
-                axesAlong(pieceDirection(centerOf(*end) - centerOf(*begin), loft.direction), loft.up),
+                axesAlong(pieceDirection(ringCenter(*end) - ringCenter(*begin), loft.direction), loft.up),
                 cut.group};
     pieces_.push_back(std::move(piece));
     if (std::find(groups_.begin(), groups_.end(), cut.group) == groups_.end()) {
@@ -178,7 +178,7 @@ Result<Model> Ship::build() const {
   LevelSetDef def;
   def.name = name_;
   def.levels = {std::move(coarsest), std::move(middle), finestLevel()};
-  def.hullMargin = kHullMargin;
+  def.hullMargin = kShipMargin;
   return LevelSet::create(std::move(def)).map([&](std::shared_ptr<const LevelSet> levels) {
     return Model{name_, mesh_, std::move(levels), mass_, 0.5F, 0.1F};
   });

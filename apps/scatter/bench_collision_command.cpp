@@ -9,13 +9,13 @@ namespace scatter::app {
 
 namespace {
 
-struct Arguments {
+struct BenchCollisionArguments {
   BenchArguments bench;
   std::string scene = "fleet";
   int repeat = 1;
 };
 
-ExitStatus measure(const Arguments& arguments) {
+ExitStatus measure(const BenchCollisionArguments& arguments) {
   const auto base = makeBenchRun(arguments.bench, arguments.scene, "standard");
   if (!base) {
     return refuse(base.error());
@@ -37,7 +37,7 @@ ExitStatus measure(const Arguments& arguments) {
 Command addBenchCollisionCommand(CLI::App& bench) {
   CLI::App* command = bench.add_subcommand(
       "collision", "What each step of the pair algorithm is worth, as ratios to the standard world");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<BenchCollisionArguments>();
   addSceneArgument(*command, arguments->scene);
   command
       ->add_option("--repeat", arguments->repeat,

@@ -1,9 +1,11 @@
+#include <scatter/bullet/contact_trials.h>
 #include <scatter/lab/contact_survey.h>
 #include <spdlog/fmt/fmt.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "bench_arguments.h"
@@ -13,14 +15,50 @@ namespace scatter::app {
 
 namespace {
 
-struct Arguments {
+struct BenchContactsArguments {
   BenchArguments bench;
   std::vector<std::string> scenes{"duel", "convergence", "fleet", "fleet_boxes", "pile", "quiet_hybrids"};
   std::string world = "finest";
   int verifyEvery = 10;
+  std::optional<int> random;
 };
 
-Result<std::vector<RunOptions>> makeSurvey(const Arguments& arguments) {
+constexpr const char* kRow = "{:<26} {:>7} {:>12} {:>10} {:>7} {:>6} {:>9} {:>12}\n";
+
+std::string rowOf(const ContactTrial& trial) {
+  return fmt::format(fmt::runtime(kRow), trial.shape, trial.worlds, trial.childPairs, trial.expected,
+                     trial.missed, trial.extra, trial.doubtful, trial.engineErrs);
+}
+
+std::string csvOf(const ContactTrial& trial) {
+  return fmt::format("{},{},{},{},{},{},{},{}\n", trial.shape, trial.worlds, trial.childPairs, trial.expected,
+                     trial.missed, trial.extra, trial.doubtful, trial.engineErrs);
+}
+
+/// Random worlds of every kind of convex shape, so many of each.
+ExitStatus tryShapes(const BenchContactsArguments& arguments) {
+  if (auto writable = prepareCsv(arguments.bench); !writable) {
+    return refuse(writable.error());
+  }
+  std::string table = fmt::format(fmt::runtime(kRow), "shape", "worlds", "child pairs", "expected", "missed",
+                                  "extra", "doubtful", "engine errs");
+  std::string csv = "shape,worlds,child_pairs,expected,missed,extra,doubtful,engine_errs\n";
+  ContactTrial all{.shape = "all"};
+  for (const std::string& shape : contactTrialShapes()) {
+    ContactTrial trials{.shape = shape};
+    for (int seed = 0; seed < *arguments.random; ++seed) {
+      trials += runContactTrial(shape, static_cast<std::uint64_t>(seed));
+    }
+    table += rowOf(trials);
+    csv += csvOf(trials);
+    all += trials;
+  }
+  const ExitStatus status = report(arguments.bench, table + rowOf(all), csv);
+  const bool differs = all.missed > 0 || all.extra > 0;
+  return status == ExitStatus::kOk && differs ? ExitStatus::kFailedCheck : status;
+}
+
+Result<std::vector<RunOptions>> makeSurvey(const BenchContactsArguments& arguments) {
   std::vector<RunOptions> runs;
   for (const std::string& scene : arguments.scenes) {
     auto run = makeBenchRun(arguments.bench, scene, arguments.world);
@@ -36,7 +74,7 @@ Result<std::vector<RunOptions>> makeSurvey(const Arguments& arguments) {
   return runs;
 }
 
-ExitStatus verify(const Arguments& arguments) {
+ExitStatus verify(const BenchContactsArguments& arguments) {
   const auto runs = makeSurvey(arguments);
   if (!runs) {
     return refuse(runs.error());
@@ -62,8 +100,8 @@ ExitStatus verify(const Arguments& arguments) {
 
 Command addBenchContactsCommand(CLI::App& bench) {
   CLI::App* command = bench.add_subcommand(
-      "contacts", "Compare the contacts of hybrid bodies with brute force; status 1 if any is missed");
-  auto arguments = std::make_shared<Arguments>();
+      "contacts", "Compare the contacts of hybrid bodies with the engine's own; status 1 if any is missed");
+  auto arguments = std::make_shared<BenchContactsArguments>();
   command->add_option("--scenes", arguments->scenes, "Where to look")
       ->type_name("NAME,NAME…")
       ->delimiter(',')
@@ -75,8 +113,14 @@ Command addBenchContactsCommand(CLI::App& bench) {
       ->check(wholeNumber<int>(1))
       ->type_name("N")
       ->capture_default_str();
+  command
+      ->add_option("--random", arguments->random,
+                   "In the place of scenes: so many random worlds of every convex shape; status 1 if any is "
+                   "extra, too")
+      ->check(wholeNumber<int>(1))
+      ->type_name("N");
   addBenchArguments(*command, arguments->bench);
-  return {command, [arguments] { return verify(*arguments); }};
+  return {command, [arguments] { return arguments->random ? tryShapes(*arguments) : verify(*arguments); }};
 }
 
 }  // namespace scatter::app

@@ -16,7 +16,7 @@ namespace scatter::app {
 
 namespace {
 
-struct Arguments {
+struct BenchFidelityArguments {
   BenchArguments bench;
   std::string scene;
   std::vector<std::string> budgets{"2", "3", "5", "8", "12"};
@@ -26,7 +26,7 @@ struct Arguments {
 };
 
 // Full detail first: what budgets are compared to.
-Result<CompareOptions> makeComparison(const Arguments& arguments) {
+Result<CompareOptions> makeComparison(const BenchFidelityArguments& arguments) {
   std::vector<std::string> worlds{"finest"};
   for (const std::string& budget : arguments.budgets) {
     worlds.push_back("hybrid@" + budget + "ms");
@@ -43,7 +43,7 @@ Result<CompareOptions> makeComparison(const Arguments& arguments) {
   return options;
 }
 
-Result<void> prepare(const Arguments& arguments, const std::string& out) {
+Result<void> prepare(const BenchFidelityArguments& arguments, const std::string& out) {
   return checkGnuplot().and_then([&] { return prepareOutputFolder(out); }).and_then([&] {
     return prepareCsv(arguments.bench);
   });
@@ -60,7 +60,7 @@ Result<void> write(const std::vector<WorldFigures>& worlds, const std::filesyste
   return writeFile(out / "fidelity.csv", worldFiguresCsv(worlds));
 }
 
-ExitStatus study(const Arguments& arguments) {
+ExitStatus study(const BenchFidelityArguments& arguments) {
   const auto options = makeComparison(arguments);
   if (!options) {
     return refuse(options.error());
@@ -94,7 +94,7 @@ Command addBenchFidelityCommand(CLI::App& bench) {
   CLI::App* command = bench.add_subcommand(
       "fidelity",
       "How true contacts are at several budgets, as numbers and a figure of fidelity against budget");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<BenchFidelityArguments>();
   command->add_option("SCENE", arguments->scene, "The scene's name, as `scatter list` shows it")->required();
   command->add_option("--budgets", arguments->budgets, "Milliseconds that a frame's physics is governed to")
       ->type_name("MS,MS…")

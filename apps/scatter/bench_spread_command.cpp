@@ -10,14 +10,14 @@ namespace scatter::app {
 
 namespace {
 
-struct Arguments {
+struct BenchSpreadArguments {
   BenchArguments bench;
   std::string scene = "fleet";
   std::vector<std::string> worlds{"standard", "finest"};
   int seeds = 10;
 };
 
-Result<SpreadOptions> makeStudy(const Arguments& arguments) {
+Result<SpreadOptions> makeStudy(const BenchSpreadArguments& arguments) {
   SpreadOptions options;
   for (const std::string& world : arguments.worlds) {
     auto run = makeBenchRun(arguments.bench, arguments.scene, world);
@@ -32,7 +32,7 @@ Result<SpreadOptions> makeStudy(const Arguments& arguments) {
   return options;
 }
 
-ExitStatus study(const Arguments& arguments) {
+ExitStatus study(const BenchSpreadArguments& arguments) {
   const auto options = makeStudy(arguments);
   if (!options) {
     return refuse(options.error());
@@ -53,7 +53,7 @@ Command addBenchSpreadCommand(CLI::App& bench) {
   CLI::App* command = bench.add_subcommand(
       "spread",
       "Depth, energy and size of the pile over many seeds: does another world differ by more than chance?");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<BenchSpreadArguments>();
   addSceneArgument(*command, arguments->scene);
   command
       ->add_option("--worlds", arguments->worlds, "What to compare; the first one's extremes are the measure")

@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* kAllScenes = "all";
 
-struct Arguments {
+struct BenchWorldsArguments {
   BenchArguments bench;
   std::vector<std::string> scenes{kAllScenes};
   std::vector<std::string> worlds{"standard", "finest"};
@@ -25,7 +25,7 @@ struct Arguments {
   std::optional<int> fidelityEvery;
 };
 
-std::vector<std::string> scenesOf(const Arguments& arguments) {
+std::vector<std::string> scenesOf(const BenchWorldsArguments& arguments) {
   if (arguments.scenes != std::vector<std::string>{kAllScenes}) {
     return arguments.scenes;
   }
@@ -36,7 +36,7 @@ std::vector<std::string> scenesOf(const Arguments& arguments) {
   return names;
 }
 
-Result<std::vector<CompareOptions>> makeComparisons(const Arguments& arguments) {
+Result<std::vector<CompareOptions>> makeComparisons(const BenchWorldsArguments& arguments) {
   std::vector<CompareOptions> comparisons;
   for (const std::string& scene : scenesOf(arguments)) {
     CompareOptions options{.repeat = arguments.repeat};
@@ -53,7 +53,7 @@ Result<std::vector<CompareOptions>> makeComparisons(const Arguments& arguments) 
   return comparisons;
 }
 
-ExitStatus measure(const Arguments& arguments) {
+ExitStatus measure(const BenchWorldsArguments& arguments) {
   const auto comparisons = makeComparisons(arguments);
   if (!comparisons) {
     return refuse(comparisons.error());
@@ -82,7 +82,7 @@ ExitStatus measure(const Arguments& arguments) {
 Command addBenchWorldsCommand(CLI::App& bench) {
   CLI::App* command =
       bench.add_subcommand("worlds", "What worlds take on many scenes, as ratios to the first world");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<BenchWorldsArguments>();
   command->add_option("--scenes", arguments->scenes, "Where to measure; all: every registered scene")
       ->type_name("NAME,NAME…")
       ->delimiter(',')

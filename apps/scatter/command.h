@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -20,13 +21,19 @@ enum class ExitStatus : int {
 struct Command {
   CLI::App* arguments = nullptr;  ///< Owned by the program's CLI::App.
   std::function<ExitStatus()> execute;
+
+  /// Its words are not understood here: execute() hands them to the program that understands them.
+  bool isAnotherProgram = false;
 };
 
 Command addListCommand(CLI::App& program);
 Command addRunCommand(CLI::App& program);
 Command addConvertCommand(CLI::App& program);
 
-/// Only in builds with the window.
+/// The window, which is the program scatter-view beside this one. `words` are those after "view".
+Command addViewLauncher(CLI::App& program, std::vector<std::string> words);
+
+/// The window itself, in scatter-view.
 Command addViewCommand(CLI::App& program);
 
 /// `commandLine` is for the report.

@@ -18,7 +18,7 @@ namespace scatter::app {
 
 namespace {
 
-struct Arguments {
+struct CompareArguments {
   RunArguments run;
   std::vector<std::string> worlds{"standard", "hybrid"};
   int repeat = 1;
@@ -57,7 +57,7 @@ ExitStatus reportContactChecks(const Comparison& comparison) {
   return status;
 }
 
-ExitStatus compare(const Arguments& arguments) {
+ExitStatus compare(const CompareArguments& arguments) {
   auto runs = makeRuns(arguments.run, arguments.worlds);
   if (!runs) {
     return refuse(runs.error());
@@ -93,7 +93,7 @@ ExitStatus compare(const Arguments& arguments) {
 Command addCompareCommand(CLI::App& program, std::string commandLine) {
   CLI::App* command = program.add_subcommand(
       "compare", "Run a scene in several worlds and show what differs, in a table and figures");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<CompareArguments>();
   arguments->commandLine = std::move(commandLine);
   addRunArguments(*command, arguments->run);
   command

@@ -28,7 +28,7 @@ constexpr std::array<Format, 3> kFormats{{{".dae", readColladaDocument, writeCol
                                           {".gltf", readGltfDocument, writeGltfDocument},
                                           {".glb", readGltfDocument, writeGltfDocument}}};
 
-struct Arguments {
+struct ConvertArguments {
   std::string from;
   std::string to;
 };
@@ -50,7 +50,7 @@ std::string counted(std::size_t count, const char* one, const char* many) {
   return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
-Result<PhysicsDocument> convertFile(const Arguments& arguments) {
+Result<PhysicsDocument> convertFile(const ConvertArguments& arguments) {
   const auto from = formatOf(arguments.from);
   const auto to = formatOf(arguments.to);
   if (!from || !to) {
@@ -73,7 +73,7 @@ Result<PhysicsDocument> convertFile(const Arguments& arguments) {
   return document;
 }
 
-ExitStatus convert(const Arguments& arguments) {
+ExitStatus convert(const ConvertArguments& arguments) {
   const auto document = convertFile(arguments);
   if (!document) {
     return refuse(document.error());
@@ -91,7 +91,7 @@ ExitStatus convert(const Arguments& arguments) {
 Command addConvertCommand(CLI::App& program) {
   auto* command = program.add_subcommand(
       "convert", "Convert a physics file between COLLADA (.dae) and glTF (.gltf, .glb)");
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<ConvertArguments>();
   command->add_option("FROM", arguments->from, "The file that is read; what is left out of it is named")
       ->required();
   command->add_option("TO", arguments->to, "The file that is written; its name says the format")->required();

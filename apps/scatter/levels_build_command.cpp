@@ -25,7 +25,7 @@ namespace scatter::app {
 
 namespace {
 
-struct Arguments {
+struct LevelsBuildArguments {
   std::string mesh;
   MeshArguments reading;
   std::string output;
@@ -47,7 +47,7 @@ Result<MeshInterior> parseInterior(const std::string& text) {
   return fail("--interior: \"" + text + "\" is unknown; give automatic, solid or surface");
 }
 
-Result<LevelBuildDef> definitionOf(const Arguments& arguments, const std::string& meshName) {
+Result<LevelBuildDef> definitionOf(const LevelsBuildArguments& arguments, const std::string& meshName) {
   LevelBuildDef def = arguments.build;
   def.name = arguments.name.empty() ? meshName : arguments.name;
   if (!arguments.parts.empty()) {
@@ -110,7 +110,7 @@ ExitStatus report(const std::string& file, const LevelModel& model, const LevelC
   return ExitStatus::kOk;
 }
 
-ExitStatus run(const Arguments& arguments) {
+ExitStatus run(const LevelsBuildArguments& arguments) {
   if (auto known = checkLevelFileName(arguments.output); !known) return refuse(known.error());
   // Wrong options are told before a large mesh is read.
   if (auto sound = definitionOf(arguments, ""); !sound) return refuse(sound.error());
@@ -134,7 +134,7 @@ ExitStatus run(const Arguments& arguments) {
   return report(arguments.output, {model.name, model.levels, std::move(file->mesh)}, *check);
 }
 
-void addLevelOptions(CLI::App& command, Arguments& arguments) {
+void addLevelOptions(CLI::App& command, LevelsBuildArguments& arguments) {
   LevelBuildDef& build = arguments.build;
   CLI::Option* levels = command
                             .add_option("--levels", build.levels,
@@ -163,7 +163,7 @@ void addLevelOptions(CLI::App& command, Arguments& arguments) {
                    "Make parts boxes, spheres or capsules where they fit as well [on]");
 }
 
-void addBodyOptions(CLI::App& command, Arguments& arguments) {
+void addBodyOptions(CLI::App& command, LevelsBuildArguments& arguments) {
   command.add_option("--name", arguments.name, "Name of the model [the file's]")->type_name("NAME");
   command.add_option("--mass", arguments.mass, "Mass in kilograms")
       ->check(numberAbove(0.0))
@@ -184,7 +184,7 @@ void addBodyOptions(CLI::App& command, Arguments& arguments) {
 Command addLevelsBuildCommand(CLI::App& levels) {
   CLI::App* command = levels.add_subcommand(
       "build", "Make nested levels around a mesh (obj, stl, ply, dae, gltf, glb), prove them and write them");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<LevelsBuildArguments>();
   command->add_option("MESH", arguments->mesh, "The mesh file")->required();
   command->add_option("-o,--output", arguments->output, "Physics file to write: .dae, .gltf or .glb")
       ->required()

@@ -17,7 +17,7 @@ namespace scatter::app {
 
 namespace {
 
-struct Arguments {
+struct LevelsCheckArguments {
   std::string file;
   std::string mesh;
   MeshArguments reading;
@@ -36,7 +36,7 @@ Result<bool> checkModel(const LevelModel& model, const SurfaceMesh& mesh, const 
   return check->passed();
 }
 
-ExitStatus run(const Arguments& arguments) {
+ExitStatus run(const LevelsCheckArguments& arguments) {
   const auto models = readLevelFile(arguments.file);
   if (!models) return refuse(models.error());
   std::optional<MeshFile> mesh;
@@ -68,7 +68,7 @@ Command addLevelsCheckCommand(CLI::App& levels) {
   CLI::App* command = levels.add_subcommand(
       "check",
       "Prove that the mesh lies in the finest level and each level in the coarser one, or say where not");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<LevelsCheckArguments>();
   command->add_option("FILE", arguments->file, "COLLADA or glTF physics file with levels")->required();
   command->add_option("--mesh", arguments->mesh, "Check this mesh instead of the one in FILE")
       ->type_name("MESH");

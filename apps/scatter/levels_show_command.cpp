@@ -19,7 +19,7 @@ namespace scatter::app {
 
 namespace {
 
-struct Arguments {
+struct LevelsShowArguments {
   std::string file;
   std::string mesh;
   MeshArguments reading;
@@ -28,7 +28,7 @@ struct Arguments {
 };
 
 /// Gives the only model another mesh, if the user did.
-Result<std::vector<LevelModel>> readModels(const Arguments& arguments) {
+Result<std::vector<LevelModel>> readModels(const LevelsShowArguments& arguments) {
   auto models = readLevelFile(arguments.file);
   if (!models || arguments.mesh.empty()) return models;
   if (models->size() > 1) {
@@ -42,7 +42,7 @@ Result<std::vector<LevelModel>> readModels(const Arguments& arguments) {
   return models;
 }
 
-Result<std::vector<LevelMeasures>> measure(const Arguments& arguments,
+Result<std::vector<LevelMeasures>> measure(const LevelsShowArguments& arguments,
                                            const std::vector<LevelModel>& models) {
   std::vector<LevelMeasures> all;
   for (const LevelModel& model : models) {
@@ -78,7 +78,7 @@ lab::LevelPicture pictureOf(const LevelModel& model, const LevelMeasures& measur
   return picture;
 }
 
-Result<void> drawPictures(const Arguments& arguments, const std::vector<LevelModel>& models,
+Result<void> drawPictures(const LevelsShowArguments& arguments, const std::vector<LevelModel>& models,
                           const std::vector<LevelMeasures>& measures) {
   for (std::size_t i = 0; i < models.size() && !arguments.picture.empty(); ++i) {
     const auto drawn = lab::drawLevels(pictureOf(models[i], measures[i]), pictureName(arguments.picture, i));
@@ -87,7 +87,7 @@ Result<void> drawPictures(const Arguments& arguments, const std::vector<LevelMod
   return {};
 }
 
-ExitStatus run(const Arguments& arguments) {
+ExitStatus run(const LevelsShowArguments& arguments) {
   const auto models = readModels(arguments);
   if (!models) return refuse(models.error());
   const auto measures = measure(arguments, *models);
@@ -110,7 +110,7 @@ ExitStatus run(const Arguments& arguments) {
 Command addLevelsShowCommand(CLI::App& levels) {
   CLI::App* command = levels.add_subcommand(
       "show", "Measure each level: parts, vertices, volume, distance to the mesh, predicted cost");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<LevelsShowArguments>();
   command->add_option("FILE", arguments->file, "COLLADA or glTF physics file with levels")->required();
   command->add_option("--mesh", arguments->mesh, "Measure against this mesh instead of the one in FILE")
       ->type_name("MESH");

@@ -9,7 +9,6 @@
 #include <exception>
 #include <optional>
 
-#include "command.h"
 #include "interrupt.h"
 #include "messages.h"
 #include "unknown_name.h"
@@ -80,7 +79,7 @@ std::string describeLeftover(const CLI::App& program) {
 }
 
 // Nothing if there is a command to execute.
-std::optional<ExitStatus> parse(CLI::App& program, int argc, char** argv) {
+std::optional<ExitStatus> parse(CLI::App& program, int argc, const char* const* argv) {
   const std::vector<std::string> commands = commandNames(program);
   if (argc < 2) {
     printError("a command is needed: " + fmt::format("{}", fmt::join(commands, ", ")) +
@@ -142,7 +141,7 @@ ExitStatus checkStandardOutput(ExitStatus status) {
 }
 
 // As a shell would take it again.
-std::string commandLineOf(int argc, char** argv) {
+std::string commandLineOf(int argc, const char* const* argv) {
   std::string line = "scatter";
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i];
@@ -155,21 +154,18 @@ std::string commandLineOf(int argc, char** argv) {
 
 }  // namespace
 
-int runProgram(int argc, char** argv) {
-  catchInterrupts();
+int runProgram(int argc, const char* const* argv, const AddCommands& addCommands) {
   CLI::App program{"Scatter: nested collision levels that switch safely at run time", "scatter"};
   program.footer(kFooter);
   program.set_version_flag("--version", version(), "Show the version, build and compiler");
-  const std::vector<Command> commands{addListCommand(program),
-                                      addRunCommand(program),
-                                      addCompareCommand(program, commandLineOf(argc, argv)),
-                                      addLevelsCommand(program),
-                                      addConvertCommand(program),
-                                      addBenchCommand(program),
-#ifdef SCATTER_VIEWER
-                                      addViewCommand(program)
-#endif
-  };
+  const std::vector<Command> commands = addCommands(program, commandLineOf(argc, argv));
+  const auto other = std::find_if(commands.begin(), commands.end(), [&](const Command& command) {
+    return command.isAnotherProgram && argc > 1 && command.arguments->get_name() == argv[1];
+  });
+  if (other != commands.end()) {
+    return static_cast<int>(other->execute());
+  }
+  catchInterrupts();
   const std::optional<ExitStatus> parsed = parse(program, argc, argv);
   return static_cast<int>(checkStandardOutput(parsed ? *parsed : execute(commands)));
 }

@@ -21,7 +21,7 @@ void addCollisionArguments(CLI::App& command, RunArguments& arguments) {
       ->type_name("NAME");
   command
       .add_option("--verify-contacts", arguments.verifyEvery,
-                  "Compare the contacts of hybrid bodies with brute force every N frames; slow, and part of "
+                  "Compare the contacts of hybrid bodies with the engine's every N frames; slow, and part of "
                   "those frames' times; status 1 if any is missed")
       ->check(wholeNumber<int>(1))
       ->type_name("N");

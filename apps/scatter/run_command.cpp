@@ -16,13 +16,13 @@ namespace scatter::app {
 
 namespace {
 
-struct Arguments {
+struct RunCommandArguments {
   RunArguments run;
   std::string world = worldChoices().front().name;
   std::optional<std::string> out;
 };
 
-ExitStatus run(const Arguments& arguments) {
+ExitStatus run(const RunCommandArguments& arguments) {
   auto runs = makeRuns(arguments.run, {arguments.world});
   if (!runs) {
     return refuse(runs.error());
@@ -66,7 +66,7 @@ ExitStatus run(const Arguments& arguments) {
 
 Command addRunCommand(CLI::App& program) {
   CLI::App* command = program.add_subcommand("run", "Run a scene in one world");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<RunCommandArguments>();
   addRunArguments(*command, arguments->run);
   command
       ->add_option("--world", arguments->world,

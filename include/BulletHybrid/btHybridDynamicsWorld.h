@@ -29,7 +29,8 @@ struct btHybridStepInfo
 	}
 };
 
-/// When and how bodies switch, in body switching.
+/// When and how bodies switch, in body switching. Read in every step, so that values may be changed at any time. Each has
+/// a meaning whatever it is set to.
 struct btHybridSwitchingInfo
 {
 	/// The world asks for level 1 when another moving body is near, and for the finest level when none is.
@@ -37,12 +38,16 @@ struct btHybridSwitchingInfo
 	bool m_proximity;
 
 	/// A request comes at least this many steps before the level-1 bounds of two bodies can touch at their
-	/// present velocities; more than 1.
+	/// present velocities; more than 1. Below 1 and what is not a number act as 1, above 1000 acts as 1000.
 	btScalar m_proximitySteps;
 
-	int m_retryInterval;      ///< steps between tries of a blocked request; at least 1
-	int m_quietSteps;         ///< steps without a neighbour before the finest level is asked for
-	btScalar m_safetyGap;     ///< distance that must separate shapes for a switch to be safe
+	int m_retryInterval;  ///< steps between tries of a blocked request; below 1 it acts as 1, above a million as that
+	int m_quietSteps;     ///< steps without a neighbour before the finest level is asked for; below 1 it acts as 1
+
+	/// Distance that must separate shapes for a switch to be safe, metres. What is negative or not a number acts as 0,
+	/// above 1000 it acts as 1000. In both kinds of switching the bounds of hybrids are wider by at least this much.
+	btScalar m_safetyGap;
+
 	bool m_safetyConditions;  ///< off only to show what they prevent
 
 	btHybridSwitchingInfo()
@@ -66,13 +71,17 @@ class btHybridDynamicsWorld : public btDiscreteDynamicsWorld
 {
 	btAlignedObjectArray<btHybridRigidBody*> m_hybrids;
 	btHybridSwitchingInfo m_switching;
+	btHybridPairSwitchingInfo m_pairSwitching;
+	btHybridSwitchingInfo m_effective;  ///< what m_switching acts as in the step under way
 	btHybridStepInfo m_stepInfo;
 	btHybridStepInfo m_counting;  ///< of the step under way, and of calls since the last one
 	btHybridListener* m_listener;
 	bool m_loadIsFine;
 	int m_step;
 	int m_standingRequests;
-	bool m_isIndexed;  ///< the neighbourhood knows which object is which hybrid
+	bool m_detects;         ///< inside performDiscreteCollisionDetection
+	const char* m_refusal;  ///< of the last call that adds or removes an object
+	bool m_isIndexed;       ///< the neighbourhood knows which object is which hybrid
 	btAlignedObjectArray<const btCollisionObject*> m_held;
 
 	btHybridNeighbourhood* m_neighbourhood;
@@ -95,8 +104,13 @@ class btHybridDynamicsWorld : public btDiscreteDynamicsWorld
 	void switchLevel(btHybridRigidBody* body, int level);
 	void makeRequest(btHybridRigidBody* body, int level, btHybridScope scope, bool byProximity);
 	void retract(btHybridRigidBody* body, btHybridRetraction reason);
+	bool owns(const btCollisionObject* object) const;
+	bool accepts(const btCollisionObject* object);
+	bool refuse(const char* reason);
+	const char* checkPairCall() const;
 	void registerHybrid(btRigidBody* body);
-	void forget(const btCollisionObject* object);
+	void unregisterHybrid(btHybridRigidBody* hybrid);
+	void forget(btCollisionObject* object);
 	void dropContactsOfHybrids();
 
 	btHybridDynamicsWorld(const btHybridDynamicsWorld&);
@@ -106,6 +120,9 @@ public:
 	BT_DECLARE_ALIGNED_ALLOCATOR();
 
 	btHybridDynamicsWorld(btDispatcher* dispatcher, btBroadphaseInterface* pairCache, btConstraintSolver* constraintSolver, btCollisionConfiguration* collisionConfiguration, btHybridSwitchingMode mode = BT_HYBRID_PAIR_SWITCHING);
+
+	/// Bodies may outlive the world: hybrids are in no world then, their requests are gone, and they can be added to another
+	/// one. The listener is not called any more.
 	virtual ~btHybridDynamicsWorld();
 
 	btHybridSwitchingMode getSwitchingMode() const
@@ -114,18 +131,23 @@ public:
 	}
 
 	/// Changes what has a level, between two steps. Bodies are brought to their finest level and woken, contacts with
-	/// hybrids are found anew, requests are retracted; policies, budget and btHybridPairSwitchingInfo start anew.
+	/// hybrids are found anew, requests are retracted. When pair switching ends, its policies, budget, focus and
+	/// btHybridPairSwitchingInfo start anew; what is written to the info from then on holds when it comes back.
 	/// Returns 0, or the number of pairs on penetration credit that speak against it, and then nothing happens: body
 	/// switching knows no credit, and their finest shapes, which overlap by more than 2 cm, would be pushed apart.
+	/// -1, and nothing happens, inside a step's collision detection, where listeners are called.
 	int setSwitchingMode(btHybridSwitchingMode mode);
 
 	/// Asks for a level, 1 the coarsest. The request stands until the body has switched or the request is
-	/// retracted; it replaces one that stands. False, and nothing happens, if the body is not in this world
-	/// or has no such level. A request for the level in use retracts the one that stands.
+	/// retracted; it replaces one that stands. False, and nothing happens, if the body is 0, not in this world,
+	/// or has no such level, and in pair switching if getNarrowphaseMistake() says that pairs cannot switch.
+	/// A request for the level in use retracts the one that stands.
 	/// In pair switching the body has switched when none of its pairs is finer; from then on they are held to
 	/// that level.
 	bool requestLevel(btHybridRigidBody* body, int level, btHybridScope scope = BT_HYBRID_LOCAL);
-	void retractRequest(btHybridRigidBody* body);
+
+	/// Whether a request stood. False, and nothing happens, if the body is 0 or not in this world.
+	bool retractRequest(btHybridRigidBody* body);
 	void retractAllRequests();
 
 	/// The global policy's word. While the load is fine the proximity policy asks for nothing, and its
@@ -139,7 +161,7 @@ public:
 		return m_loadIsFine;
 	}
 
-	/// 0 for none. Not owned.
+	/// 0 for none. Not owned. From inside a listener's call, too: what happens from then on is told to the new one.
 	void setListener(btHybridListener* listener);
 
 	btHybridSwitchingInfo& getSwitchingInfo()
@@ -153,46 +175,58 @@ public:
 		return m_stepInfo;
 	}
 
-	/// Pair switching; asserted.
-	btHybridPairSwitchingInfo& getPairSwitchingInfo();
+	/// Pair switching. While bodies switch it is kept for when pairs do.
+	btHybridPairSwitchingInfo& getPairSwitchingInfo()
+	{
+		return m_pairSwitching;
+	}
 
-	/// Pair switching: of the last step.
+	/// Pair switching: of the last step; all zero while bodies switch.
 	btHybridPairStepInfo getPairStepInfo() const;
 
-	/// Pair switching: adds one of the policies that come with the library, such as "speed" or "speed:from=5,to=20".
-	/// 0, or what is wrong with it, valid until the next call.
+	// The calls from here to removeFocus() are about pair switching. They return 0, or what is wrong and how to mend it,
+	// and then nothing has changed: that bodies switch in this world, that its pairs cannot (getNarrowphaseMistake()),
+	// that it is in a step's collision detection, where listeners are called, or that a value makes no sense. The message
+	// is valid until the next call.
+
+	/// Adds one of the policies that come with the library, such as "speed" or "speed:from=5,to=20". Refuses 0, and names
+	/// and parameters that are not known.
 	const char* addPolicy(const char* specification);
 
 	/// What addPolicy would return; nothing is added.
 	const char* checkPolicy(const char* specification);
-	void removePolicies();
+	const char* removePolicies();
 
-	/// Pair switching: what a step may cost. Detail is taken away where it is worth least, and given back when there
-	/// is room.
-	/// Milliseconds of processor time of the stepping thread: depends on the clock.
-	void setBudgetMilliseconds(double milliseconds);
+	/// What a step may cost. Detail is taken away where it is worth least, and given back when there is room. A new budget
+	/// replaces the one before it, and starts to learn.
+	/// Milliseconds of processor time of the stepping thread: depends on the clock. Refuses what is not finite and above 0.
+	const char* setBudgetMilliseconds(double milliseconds);
 
-	/// Units of predicted cost, about microseconds on a machine of 2020: the same run after run.
-	void setBudgetUnits(double units);
+	/// Units of predicted cost, about microseconds on a machine of 2020: the same run after run. Refuses what is not finite
+	/// and above 0.
+	const char* setBudgetUnits(double units);
 
 	/// The units of every step, as btHybridPairStepInfo::m_budgetUnits had them in an earlier run, which is repeated
-	/// exactly. After the last one it stays.
-	void replayBudget(const double* units, int count);
-	void removeBudget();
+	/// exactly; 0 is a step without a budget. After the last one it stays. Refuses 0 steps, and units that are negative or
+	/// not finite.
+	const char* replayBudget(const double* units, int count);
+	const char* removeBudget();
 
-	/// Where the viewer looks, for the policy "focus".
-	void setFocus(const btVector3& eye, const btVector3& target, btScalar fieldOfView);
-	void removeFocus();
+	/// Where the viewer looks, for the policy "focus". fieldOfView: vertical, radians. Refuses places that are not finite,
+	/// and angles that are not between 0 and pi.
+	const char* setFocus(const btVector3& eye, const btVector3& target, btScalar fieldOfView);
+	const char* removeFocus();
 
 	/// What the user holds is to be finest: pairs whatever policies, budget and requests ask for; bodies, in body
-	/// switching, as soon as that is safe. A hybrid is also told for the policy "held".
-	void setHeld(btCollisionObject* object, bool held);
+	/// switching, as soon as that is safe. A hybrid is also told for the policy "held". False, and nothing happens, if the
+	/// object is 0 or not in this world; what leaves the world is not held any more.
+	bool setHeld(btCollisionObject* object, bool held);
 
 	/// The pair algorithm of hybrid bodies. The constructor registers it with the dispatcher for pairs of a
 	/// compound with a compound or convex shape, in the place of create functions that were registered before;
-	/// pairs without a hybrid go on to those of the dispatcher's configuration. At most one hybrid world a
-	/// dispatcher. Not with a btCollisionDispatcherMt or a dispatcher of another kind: there Bullet's own
-	/// algorithms run.
+	/// pairs without a hybrid of this world go on to those of the dispatcher's configuration. At most one hybrid world a
+	/// dispatcher: a second one has Bullet's own algorithms as long as it lives. So does one with a
+	/// btCollisionDispatcherMt or a dispatcher of another kind. getNarrowphaseMistake() tells.
 	///
 	/// Levels must not change in place. Shapes of other bodies may: what Bullet counts, places, scaling, margins,
 	/// bounds and numbers of points are compared once a step; clean the pairs of a body after any other change,
@@ -200,25 +234,32 @@ public:
 	/// and Bullet's multipoint settings, are not asked.
 	const btHybridCollisionInfo& getCollisionInfo() const;
 
-	/// Drops the contacts of all pairs with a hybrid. Not inside a step.
-	void setCollisionInfo(const btHybridCollisionInfo& info);
+	/// Drops the contacts of all pairs with a hybrid. Returns 0; or, inside a step's collision detection, where listeners
+	/// are called, what is wrong, and then nothing has changed.
+	const char* setCollisionInfo(const btHybridCollisionInfo& info);
+
+	/// 0, or why hybrid pairs run in Bullet's own algorithms in this world, so that pairs do not switch, and how to mend
+	/// it: another hybrid world has the dispatcher, or it is of a kind that takes no pair algorithm. Never changes.
+	const char* getNarrowphaseMistake() const;
 
 	/// Of the last step.
 	const btHybridCollisionCounts& getCollisionCounts() const;
 	btHybridCollisionMemory getCollisionMemory() const;
 
-	/// A debug option: every n-th step, after the narrowphase, tests all child pairs of all overlapping pairs
-	/// with a hybrid, in pair switching of those at their finest level, by brute force and compares with the contacts there are. Slow: seconds a step in a big
-	/// pile. Does not change the simulation. 0: never. Clears the report.
+	/// A debug option: every n-th step, after the narrowphase, compares the contacts of all pairs with a hybrid, in pair
+	/// switching of those at their finest level, with those of a plain Bullet world beside this one; see
+	/// btHybridContactReport. That world makes every step, so all are slow. Does not change the simulation; asks filters
+	/// (broadphase, dispatcher, children of compounds) once more, but no contact callback. Does not know create functions
+	/// registered with the dispatcher, nor its near callback. 0 or less: never. Clears the report.
 	void verifyContacts(int everyNSteps);
 	const btHybridContactReport& getContactReport() const;
 
 	/// The level in use between two objects whose broadphase bounds overlap, 1 the coarsest; the pair has as many
-	/// levels as the body that has more. 0 if they do not overlap or neither is a hybrid.
+	/// levels as the body that has more. 0 if they do not overlap, neither is a hybrid, or one is 0 or not in this world.
 	int getPairLevel(const btCollisionObject* objectA, const btCollisionObject* objectB) const;
 
-	/// What a debugger shows of a pair of this world, and of the request for a body. For pairs without a hybrid all zero.
-	/// Changes nothing.
+	/// What a debugger shows of a pair of this world, and of the request for a body. For pairs without a hybrid, and for a
+	/// body that is 0 or not in this world, all zero. Changes nothing.
 	btHybridPairView viewPair(const btBroadphasePair& pair) const;
 	btHybridRequestView viewRequest(const btHybridRigidBody* body) const;
 
@@ -226,15 +267,27 @@ public:
 	{
 		return m_hybrids.size();
 	}
+	/// 0 if there are not so many.
 	btHybridRigidBody* getHybrid(int index) const
 	{
-		return m_hybrids[index];
+		return index >= 0 && index < m_hybrids.size() ? m_hybrids[index] : 0;
 	}
 
+	/// Nothing happens, and getRefusal() tells why, if an object that is to be added is 0 or already in a world, this one or
+	/// another, or if one that is to be removed is 0 or not in this world. Hybrids come and go as rigid bodies: one that is
+	/// added as a collision object is an ordinary one.
 	virtual void addRigidBody(btRigidBody* body);
 	virtual void addRigidBody(btRigidBody* body, int group, int mask);
 	virtual void removeRigidBody(btRigidBody* body);
+	virtual void addCollisionObject(btCollisionObject* collisionObject, int group = btBroadphaseProxy::StaticFilter, int mask = btBroadphaseProxy::AllFilter ^ btBroadphaseProxy::StaticFilter);
 	virtual void removeCollisionObject(btCollisionObject* collisionObject);
+
+	/// Why the last call that adds or removes an object did nothing; 0 if it did what it should. The debug drawer, if there
+	/// is one, is told as well.
+	const char* getRefusal() const
+	{
+		return m_refusal;
+	}
 
 	/// Hybrids get the bounds of their coarsest level.
 	virtual void updateAabbs();

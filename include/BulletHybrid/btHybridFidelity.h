@@ -35,6 +35,7 @@ public:
 	btScalar m_touchingDistance;  ///< metres; 0.01
 	btScalar m_visibleDepth;      ///< metres; 0.05
 
+	/// The world must outlive it; of 0 all samples are empty.
 	explicit btHybridFidelity(const btCollisionWorld* world);
 	virtual ~btHybridFidelity()
 	{

@@ -14,7 +14,8 @@ enum btHybridSwitchingMode
 	BT_HYBRID_BODY_SWITCHING
 };
 
-/// When and how pairs switch.
+/// When and how pairs switch. Read in every step, so that values may be changed at any time. Each has a meaning whatever
+/// it is set to.
 struct btHybridPairSwitchingInfo
 {
 	/// Pairs in contact can go coarser: the overlap of the coarser shapes becomes penetration credit, and nothing is
@@ -22,13 +23,15 @@ struct btHybridPairSwitchingInfo
 	bool m_credit;
 
 	/// The coarsest level that a pair in contact takes on credit, unless the budget cannot be kept without. Of four to
-	/// ten parts: at a single box contacts lose their direction, and stacks sag.
+	/// ten parts: at a single box contacts lose their direction, and stacks sag. Below 1 it acts as 1; for a pair that has
+	/// no more levels than this, it is the one before its finest.
 	int m_creditLevel;
 
-	int m_retryInterval;  ///< steps between tries of a switch to a finer level that was not safe; 1 to 255
+	/// Steps between tries of a switch to a finer level that was not safe. Below 1 it acts as 1, above 255 as 255.
+	int m_retryInterval;
 
 	/// How far the bodies of a pair on credit may move against each other before the credit is compared with their
-	/// finest shapes again, metres. 0: never.
+	/// finest shapes again, metres. 0, what is negative, and what is not a number: never. Above 1000 it acts as 1000.
 	btScalar m_auditDistance;
 
 	bool m_safetyConditions;  ///< off only to show what they prevent
@@ -56,8 +59,13 @@ struct btHybridPairStepInfo
 	int m_blockedTries;
 	int m_separationQueries;
 	int m_audits;
-	int m_unsafeSwitches;  ///< that made a penetration deeper; always 0
-	double m_units;        ///< what the step cost
+
+	/// Switches after which the pair's contacts press the bodies apart deeper, by more than 2 mm, than those of the level
+	/// before would where the bodies are now. A contact presses by its depth, and one without error reduction not at all.
+	/// 0 unless m_safetyConditions is off.
+	int m_unsafeSwitches;
+
+	double m_units;  ///< what the step cost
 	double m_plannedUnits;
 	double m_budgetUnits;  ///< 0 without a budget
 

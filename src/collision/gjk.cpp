@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kMaxIterations = 40;
 constexpr float kTolerance = 1e-4F;        // of the distance
-constexpr float kRounding = 1e-6F;         // of the coordinates
+constexpr float kSupportRounding = 1e-6F;  // of the coordinates
 constexpr float kContactRounding = 50.0F;  // below so many roundings the direction is not to be trusted
 
 /// A point of A minus a point of B.
@@ -195,7 +195,7 @@ class Gjk {
 
   // Coordinates in B's own frame are at most those in A's and the offset of the frames.
   [[nodiscard]] float roundingAt(const Difference& d) const {
-    return kRounding * (manhattan(d.a) + manhattan(d.b) + offset_);
+    return kSupportRounding * (manhattan(d.a) + manhattan(d.b) + offset_);
   }
 
   void iterate(float enough) {

@@ -12,9 +12,9 @@ using simd::load;
 using simd::stdx::abs;
 using simd::stdx::max;
 
-constexpr auto kStep = Lanes::size();
-constexpr float kNowhere = 1e18F;  // as a negative extent: no box is near
-constexpr float kRounding = 1e-6F;
+constexpr auto kLaneCount = Lanes::size();
+constexpr float kNoBox = 1e18F;  // as a negative extent: no box is near
+constexpr float kAxisRounding = 1e-6F;
 
 // The bounds, along the axes of the frame that `rows` lead to, of a box with these half extents.
 Vec3 halfIn(const Vec3 (&rows)[3], const Vec3& half) {
@@ -27,7 +27,7 @@ struct Spread {
   Vec3 toB[3]{};
 
   explicit Spread(const Frame& frameB) {
-    for (int i = 0; i < 3; ++i) toA[i] = glm::abs(frameB.row[i]) + kRounding;
+    for (int i = 0; i < 3; ++i) toA[i] = glm::abs(frameB.row[i]) + kAxisRounding;
     for (int i = 0; i < 3; ++i) toB[i] = Vec3(toA[0][i], toA[1][i], toA[2][i]);
   }
 };
@@ -68,7 +68,7 @@ void NeighbourSearch::Candidates::add(std::uint16_t index, const Vec3& centerA, 
 }
 
 void NeighbourSearch::Candidates::pad() {
-  while (part.size() % kStep != 0) add(0, Vec3(0.0F), Vec3(-kNowhere), Vec3(0.0F), Vec3(-kNowhere));
+  while (part.size() % kLaneCount != 0) add(0, Vec3(0.0F), Vec3(-kNoBox), Vec3(0.0F), Vec3(-kNoBox));
 }
 
 void NeighbourSearch::byPartBoxes(const PartList& a, const PartList& b, const Frame& frameB, float limit) {
@@ -95,7 +95,7 @@ void NeighbourSearch::collectNear(const PartList& list, const Box& other, float 
   near.clear();
   const PartList::Boxes& boxes = list.boxes();
   const Vec3 reach = other.half + limit;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(list.paddedCount()); i += kStep) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(list.paddedCount()); i += kLaneCount) {
     Lanes apart = gap(boxes.center[0], boxes.half[0], i, other.center.x, reach.x);
     apart = max(apart, gap(boxes.center[1], boxes.half[1], i, other.center.y, reach.y));
     apart = max(apart, gap(boxes.center[2], boxes.half[2], i, other.center.z, reach.z));
@@ -123,7 +123,7 @@ void NeighbourSearch::collectCandidates(const PartList& a, const PartList& b, co
 void NeighbourSearch::pairUp(std::uint16_t part, const Box& inA, const Box& inB, const Frame& frameB,
                              float limit) {
   const Candidates& others = candidates_;
-  for (std::size_t i = 0; i < others.part.size(); i += kStep) {
+  for (std::size_t i = 0; i < others.part.size(); i += kLaneCount) {
     Lanes gaps[6];
     for (int axis = 0; axis < 3; ++axis) {
       gaps[axis] = gap(others.centerInA[axis], others.halfInA[axis], i, inA.center[axis], inA.half[axis]);
@@ -160,7 +160,7 @@ void NeighbourSearch::byWorldBounds(PartBody& a, PartBody& b) {
     const float* const boundsA = a.worldBounds().data() + i;
     const std::ptrdiff_t roomA = a.parts().paddedCount();
     const float* const boundsB = b.worldBounds().data();
-    for (std::ptrdiff_t j = 0; j < room; j += static_cast<std::ptrdiff_t>(kStep)) {
+    for (std::ptrdiff_t j = 0; j < room; j += static_cast<std::ptrdiff_t>(kLaneCount)) {
       auto overlap = load<Lanes>(boundsB + j) <= Lanes(boundsA[3 * roomA]);
       overlap = overlap && load<Lanes>(boundsB + 3 * room + j) >= Lanes(boundsA[0]);
       for (std::ptrdiff_t axis = 1; axis < 3; ++axis) {

@@ -25,7 +25,9 @@ void PartBody::moveTo(const Frame& frame) {
 }
 
 const std::vector<float>& PartBody::worldBounds() {
-  if (!bounded_) parts_->worldBounds(frame_, bounds_);
+  if (bounded_) return bounds_;
+  parts_->worldBounds(frame_, bounds_);
+  if (engine_ != nullptr) parts_->askBounds(*engine_, frame_, bounds_);
   bounded_ = true;
   return bounds_;
 }

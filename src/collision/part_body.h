@@ -10,8 +10,10 @@ namespace scatter {
 /// A body in motion, as its pairs see it: where it is, how far it has come, where its parts are.
 class PartBody {
  public:
-  /// `parts` must outlive it or be replaced by setParts().
-  explicit PartBody(const PartList& parts) : parts_(&parts) {}
+  /// `parts` must outlive it or be replaced by setParts(). `engine`, which must outlive it too, is needed if
+  /// parts ask for their bounds.
+  explicit PartBody(const PartList& parts, const EngineBounds* engine = nullptr)
+      : parts_(&parts), engine_(engine) {}
 
   [[nodiscard]] const PartList& parts() const { return *parts_; }
   void setParts(const PartList& parts);
@@ -28,13 +30,14 @@ class PartBody {
   /// them.
   [[nodiscard]] int jumps() const { return jumps_; }
 
-  /// World bounds of the parts as PartList::worldBounds gives them, computed once per place.
+  /// World bounds of the parts, laid out as by PartList::worldBounds, computed once per place.
   [[nodiscard]] const std::vector<float>& worldBounds();
 
   [[nodiscard]] std::size_t bytes() const { return sizeof(*this) + sizeof(float) * bounds_.capacity(); }
 
  private:
   const PartList* parts_;
+  const EngineBounds* engine_;
   Frame frame_;
   double travel_ = 0.0;
   int jumps_ = 0;

@@ -76,6 +76,7 @@ void PartList::connectPolytopes(std::span<const PartDef> parts) {
   };
   for (std::size_t i = 0; i < parts.size(); ++i) {
     parts_[i].kind = parts[i].kind;
+    hasOpaque_ = hasOpaque_ || parts[i].kind == PartKind::kOpaque;
     parts_[i].margin = parts[i].margin;
     parts_[i].core = take(parts[i].core.size());
     if (parts[i].kind == PartKind::kBox) parts_[i].sharp = take(8);
@@ -107,7 +108,11 @@ void PartList::addBoxes(std::span<const PartDef> parts) {
     }
     parts_[i].boxFrame.origin = part.boundsCenter;
     parts_[i].boxHalf = part.boundsHalf + Vec3(part.boundsMargin);
-    if (isTurned(part.boundsAxes)) turned_.push_back({i, part.boundsAxes, part.boundsHalf});
+    if (part.asksBounds) {
+      asking_.push_back(i);
+    } else if (isTurned(part.boundsAxes)) {
+      turned_.push_back({i, part.boundsAxes, part.boundsHalf});
+    }
   }
 }
 
@@ -163,9 +168,23 @@ void PartList::worldBounds(const Frame& frame, std::vector<float>& bounds) const
 template void PartList::worldBounds<simd::Lanes>(const Frame&, std::vector<float>&) const;
 template void PartList::worldBounds<simd::OneLane>(const Frame&, std::vector<float>&) const;
 
+void PartList::askBounds(const EngineBounds& engine, const Frame& frame, std::vector<float>& bounds) const {
+  const auto room = static_cast<std::size_t>(paddedCount());
+  for (const std::size_t part : asking_) {
+    Vec3 low;
+    Vec3 high;
+    engine.boundsOf(static_cast<int>(part), frame, low, high);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      bounds[axis * room + part] = low[static_cast<int>(axis)];
+      bounds[(axis + 3) * room + part] = high[static_cast<int>(axis)];
+    }
+  }
+}
+
 std::size_t PartList::bytes() const {
   const std::size_t boxArrays = 2 * 6 + 1;
   return sizeof(*this) + parts_.size() * sizeof(Part) + turned_.size() * sizeof(TurnedBounds) +
+         asking_.size() * sizeof(std::size_t) +
          sizeof(float) * (vertices_.size() + boxArrays * static_cast<std::size_t>(paddedCount()));
 }
 

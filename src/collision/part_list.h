@@ -17,6 +17,7 @@ enum class PartKind : std::uint8_t {
   kSphere,    ///< The core is a point.
   kCapsule,   ///< The core is a segment.
   kEnclosed,  ///< Any convex shape: only known to lie inside the widened core.
+  kOpaque,  ///< Only its bounds are known: the engine decides wherever they overlap. The core encloses those.
 };
 
 /// One convex part, in its body's frame.
@@ -31,6 +32,22 @@ struct PartDef {
   Mat3 boundsAxes{1.0F};  ///< Columns.
   Vec3 boundsHalf{0.0F};
   float boundsMargin = 0.0F;
+
+  /// The engine bounds the part in another way, which depends on the pose: EngineBounds tells its world
+  /// bounds.
+  bool asksBounds = false;
+};
+
+/// What only the engine knows of a body's parts.
+class EngineBounds {
+ public:
+  EngineBounds() = default;
+  EngineBounds(const EngineBounds&) = delete;
+  EngineBounds& operator=(const EngineBounds&) = delete;
+  virtual ~EngineBounds() = default;
+
+  /// The world bounds of a part, with its body at `frame`.
+  virtual void boundsOf(int part, const Frame& frame, Vec3& low, Vec3& high) const = 0;
 };
 
 /// The convex parts of a body as structure of arrays. Immutable and shared by all bodies of a model.
@@ -66,6 +83,9 @@ class PartList {
   [[nodiscard]] int paddedCount() const { return simd::padded(count()); }
   [[nodiscard]] const Part& part(int i) const { return parts_[static_cast<std::size_t>(i)]; }
 
+  /// Whether there is a kOpaque part, of which only the world bounds tell what is near.
+  [[nodiscard]] bool hasOpaque() const { return hasOpaque_; }
+
   /// Around each part, in the body's frame, margins included.
   [[nodiscard]] const Boxes& boxes() const { return boxes_; }
 
@@ -75,9 +95,12 @@ class PartList {
   [[nodiscard]] float radius() const { return radius_; }
 
   /// The world bounds of all parts of a body at `frame`: least x, y, z and largest x, y, z, paddedCount()
-  /// each, one array after the other.
+  /// each, one array after the other. Those of parts that ask for them are not the engine's.
   template <class L = simd::Lanes>
   void worldBounds(const Frame& frame, std::vector<float>& bounds) const;
+
+  /// Overwrites the world bounds of the parts that ask for them with what the engine says.
+  void askBounds(const EngineBounds& engine, const Frame& frame, std::vector<float>& bounds) const;
 
   [[nodiscard]] std::size_t bytes() const;
 
@@ -99,9 +122,11 @@ class PartList {
   Boxes engineBoxes_;
   std::vector<float> engineMargin_;
   std::vector<TurnedBounds> turned_;  ///< Parts whose engine box is not along the body's axes.
+  std::vector<std::size_t> asking_;   ///< Parts whose world bounds only the engine knows.
   Vec3 center_{0.0F};
   Vec3 half_{0.0F};
   float radius_ = 0.0F;
+  bool hasOpaque_ = false;
 };
 
 }  // namespace scatter

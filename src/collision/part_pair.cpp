@@ -11,6 +11,9 @@ namespace scatter {
 namespace {
 
 constexpr float kUnknown = std::numeric_limits<float>::infinity();
+/// Boxes that are nearer overlap for the engine, whatever their size: metres, one digit of the last place
+/// of 1.
+constexpr float kBoxTolerance = std::numeric_limits<float>::epsilon();
 constexpr double kAwake = std::numeric_limits<double>::lowest();
 
 /// What decides about two parts: which polytopes stand for them, and how near is a contact.
@@ -23,15 +26,27 @@ struct ChildRule {
 };
 
 // Two boxes and two spheres are in contact only when they overlap, and have contacts of the engine's own
-// kind; so have capsules. Everything else is decided by the distance.
-ChildRule ruleOf(const PartList::Part& a, const PartList::Part& b, float threshold) {
+// kind; so have capsules. What is taken off every distance covers the engine's tolerance but for tiny boxes.
+// Everything else is decided by the distance.
+ChildRule ruleOf(const PartList::Part& a, const PartList::Part& b, float threshold, float rounding) {
   const auto isRound = [](PartKind kind) { return kind == PartKind::kSphere || kind == PartKind::kCapsule; };
   const float margin = a.margin + b.margin;
-  if (a.kind == PartKind::kBox && b.kind == PartKind::kBox) return {a.sharp, b.sharp, 0.0F, 0.0F, false};
+  if (a.kind == PartKind::kBox && b.kind == PartKind::kBox)
+    return {a.sharp, b.sharp, 0.0F, std::max(kBoxTolerance - rounding, 0.0F), false};
   if (a.kind == PartKind::kSphere && b.kind == PartKind::kSphere)
     return {a.core, b.core, margin, 0.0F, false};
   const bool enclosed = a.kind == PartKind::kEnclosed || b.kind == PartKind::kEnclosed;
   return {a.core, b.core, margin, threshold, !enclosed && !(isRound(a.kind) && isRound(b.kind))};
+}
+
+// Not exactly its core and margin.
+bool isOdd(const PartList::Part& part) {
+  return part.kind == PartKind::kEnclosed || part.kind == PartKind::kOpaque;
+}
+
+// Nothing may be concluded from the polytopes of such a pair.
+bool isOpaque(const PartList::Part& a, const PartList::Part& b) {
+  return a.kind == PartKind::kOpaque || b.kind == PartKind::kOpaque;
 }
 
 // How far the parts lie apart along the child pair's axis.
@@ -71,7 +86,7 @@ bool PartPair::advance(PartBody& a, PartBody& b, const PairSteps& steps, PairScr
     return false;
   }
   follow(a, b);
-  const bool complete = steps.midphase == Midphase::kNeighbourList && listed_ && motion_ < listEnd_;
+  const bool complete = steps.midphase == PairMidphase::kNeighbourList && listed_ && motion_ < listEnd_;
   if (!complete) {
     ++work.rebuilds;
     rebuild(a, b, steps, scratch);
@@ -120,33 +135,43 @@ float PartPair::skin() const {
 
 void PartPair::rebuild(PartBody& a, PartBody& b, const PairSteps& steps, PairScratch& scratch) {
   NeighbourSearch& search = scratch.search;
-  if (steps.midphase == Midphase::kWorldBounds) {
+  if (steps.midphase == PairMidphase::kWorldBounds || a.parts().hasOpaque() || b.parts().hasOpaque()) {
     search.byWorldBounds(a, b);
-    merge(search.found(), scratch);
+    merge(a, b, search.found(), scratch);
     listed_ = true;
     listEnd_ = kAwake;
     return;
   }
-  const float wide = steps.midphase == Midphase::kNeighbourList ? skin() : 0.0F;
+  const float wide = steps.midphase == PairMidphase::kNeighbourList ? skin() : 0.0F;
   const float limit = threshold_ + rounding_ + wide;
   const float apart = boxSeparation(a.parts().center(), a.parts().half(), b.parts().center(),
                                     b.parts().half(), frameB_, limit);
   if (apart > limit) {
-    merge({}, scratch);
+    merge(a, b, {}, scratch);
   } else {
     search.byPartBoxes(a.parts(), b.parts(), frameB_, limit);
-    merge(search.found(), scratch);
+    merge(a, b, search.found(), scratch);
   }
   listed_ = true;
   listEnd_ = motion_ + static_cast<double>(apart > limit ? apart - threshold_ - rounding_ : wide);
 }
 
-// Both lists are in ascending order of (a, b).
-void PartPair::merge(std::span<const Neighbours> found, PairScratch& scratch) {
+// Both lists are in ascending order of (a, b). What touches stays as long as its contacts may, which is as
+// long as the engine's bounds overlap, even if the parts' boxes are not near any more.
+void PartPair::merge(PartBody& a, PartBody& b, std::span<const Neighbours> found, PairScratch& scratch) {
   scratch.merged.clear();
   auto old = children_.cbegin();
-  const auto drop = [&scratch](const ChildPair& child) {
-    if (child.contact != nullptr) scratch.dropped.push_back(child.contact);
+  const auto mayStay = [&](const ChildPair& child) {
+    if (scratch.keeper == nullptr || !scratch.keeper->outlasts(child.contact)) return false;
+    return isOdd(a.parts().part(child.a)) || isOdd(b.parts().part(child.b)) ||
+           BoundsTest(a, b).overlap(child.a, child.b);
+  };
+  const auto drop = [&](const ChildPair& child) {
+    if (child.touching && mayStay(child)) {
+      scratch.merged.push_back(child);
+    } else if (child.contact != nullptr) {
+      scratch.dropped.push_back(child.contact);
+    }
   };
   for (const Neighbours& near : found) {
     const auto isBefore = [&near](const ChildPair& child) {
@@ -158,6 +183,9 @@ void PartPair::merge(std::span<const Neighbours> found, PairScratch& scratch) {
     takeSeparation(child, near);
   }
   for (; old != children_.cend(); ++old) drop(*old);
+  // With room to grow, so that a pair that comes to its greatest length little by little seldom takes memory.
+  const std::size_t count = scratch.merged.size();
+  if (count > children_.capacity()) children_.reserve(count + count / 4);
   children_.assign(scratch.merged.cbegin(), scratch.merged.cend());
 }
 
@@ -182,7 +210,11 @@ ChildVerdict PartPair::judge(ChildPair& child, const PartBody& a, const PartBody
                              PartContact& contact, PairWork& work) {
   const PartList::Part& partA = a.parts().part(child.a);
   const PartList::Part& partB = b.parts().part(child.b);
-  const ChildRule rule = ruleOf(partA, partB, threshold_);
+  const ChildRule rule = ruleOf(partA, partB, threshold_, rounding_);
+  if (isOpaque(partA, partB)) {
+    child.wake = kAwake;
+    return ChildVerdict::kAskEngine;
+  }
   if (!child.touching && steps.cachedAxis && child.hasAxis) {
     const float separation = separationAlong(child, rule, frameB_);
     if (separation > rule.threshold + rounding_) {
@@ -223,7 +255,8 @@ ChildVerdict PartPair::judge(ChildPair& child, const PartBody& a, const PartBody
 void PartPair::learnAxis(ChildPair& child, const PartBody& a, const PartBody& b, const Vec3& axis) {
   const PartList::Part& partA = a.parts().part(child.a);
   const PartList::Part& partB = b.parts().part(child.b);
-  const ChildRule rule = ruleOf(partA, partB, threshold_);
+  const ChildRule rule = ruleOf(partA, partB, threshold_, rounding_);
+  if (isOpaque(partA, partB)) return;
   child.hasAxis = true;
   child.axis = axis;
   child.reachA = kUnknown;
@@ -231,7 +264,7 @@ void PartPair::learnAxis(ChildPair& child, const PartBody& a, const PartBody& b,
 }
 
 void PartPair::settle(const PartBody& a, const PartBody& b, const PairSteps& steps) {
-  double quiet = steps.midphase == Midphase::kNeighbourList ? listEnd_ - motion_ : -1.0;
+  double quiet = steps.midphase == PairMidphase::kNeighbourList ? listEnd_ - motion_ : -1.0;
   for (const ChildPair& child : children_) {
     quiet = child.touching ? -1.0 : std::min(quiet, child.wake - motion_);
     if (quiet <= 0.0) break;

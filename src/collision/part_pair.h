@@ -12,7 +12,8 @@
 
 namespace scatter {
 
-enum class Midphase : std::uint8_t {
+/// How parts that may be near each other are found.
+enum class PairMidphase : std::uint8_t {
   kWorldBounds,    ///< World bounds of all parts, every step.
   kPartBoxes,      ///< Boxes in the bodies' frames, every step.
   kNeighbourList,  ///< The same with a skin, and only when it is used up.
@@ -20,7 +21,7 @@ enum class Midphase : std::uint8_t {
 
 /// The steps of the pair algorithm, to be left out one by one when their worth is measured.
 struct PairSteps {
-  Midphase midphase = Midphase::kNeighbourList;
+  PairMidphase midphase = PairMidphase::kNeighbourList;
   bool motionBound = true;
   bool cachedAxis = true;
   bool ownGjk = true;
@@ -68,8 +69,24 @@ struct PartContact {
   float distance = 0.0F;
 };
 
+/// What the adapter knows of contacts.
+class ContactKeeper {
+ public:
+  ContactKeeper() = default;
+  ContactKeeper(const ContactKeeper&) = delete;
+  ContactKeeper& operator=(const ContactKeeper&) = delete;
+  virtual ~ContactKeeper() = default;
+
+  /// Whether any contact of a child pair is left where the bodies are now.
+  virtual bool outlasts(void* contact) const = 0;
+};
+
 /// Memory that pairs use in turn.
 struct PairScratch {
+  /// Of the pair at work, in advance(); without it, contacts of child pairs that are no neighbours are
+  /// dropped.
+  const ContactKeeper* keeper = nullptr;
+
   NeighbourSearch search{};
   std::vector<ChildPair> merged{};
 
@@ -130,7 +147,7 @@ class PartPair {
   void follow(const PartBody& a, const PartBody& b);
   void forgetProofs();
   void rebuild(PartBody& a, PartBody& b, const PairSteps& steps, PairScratch& scratch);
-  void merge(std::span<const Neighbours> found, PairScratch& scratch);
+  void merge(PartBody& a, PartBody& b, std::span<const Neighbours> found, PairScratch& scratch);
   void takeSeparation(ChildPair& child, const Neighbours& near) const;
   [[nodiscard]] float skin() const;
   void wakeAfter(ChildPair& child, float separation, float threshold) const;

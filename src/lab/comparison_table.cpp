@@ -1,5 +1,6 @@
 #include "lab/comparison_table.h"
 
+#include "lab/repeats.h"
 #include "lab/text.h"
 #include "lab/text_table.h"
 
@@ -10,14 +11,6 @@
 namespace scatter {
 
 namespace {
-
-double medianOver(const ComparedWorld& world, const std::function<double(const Summary&)>& figure) {
-  std::vector<double> values;
-  for (const Run& run : world.repeats) {
-    values.push_back(figure(run.summary));
-  }
-  return medianOf(std::move(values));
-}
 
 struct TimeFigure {
   const char* name;
@@ -48,7 +41,7 @@ lab::ComparisonRow timeRow(const Comparison& comparison, const TimeFigure& time)
   lab::ComparisonRow row{.name = time.name, .values = {}, .ratios = {}};
   for (const ComparedWorld& world : comparison.worlds) {
     row.values.push_back(lab::readableNumber(
-        medianOver(world, [&time](const Summary& run) { return run.*time.channel.*time.figure; })));
+        lab::medianOver(world, [&time](const Summary& run) { return run.*time.channel.*time.figure; })));
     if (&world != &comparison.worlds.front()) {
       row.ratios.push_back(lab::ratioText(world.*time.ratios.*time.ratio, comparison.options.repeat > 1));
     }
@@ -79,7 +72,7 @@ lab::ComparisonRow countRow(const Comparison& comparison, std::string name,
                             const std::function<double(const Summary&)>& count, Format format = wholeNumber) {
   std::vector<double> values;
   for (const ComparedWorld& world : comparison.worlds) {
-    values.push_back(medianOver(world, count));
+    values.push_back(lab::medianOver(world, count));
   }
   return valueRow(std::move(name), values, format);
 }

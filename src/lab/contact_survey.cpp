@@ -83,11 +83,11 @@ std::string formatContacts(const std::vector<SceneContacts>& scenes) {
   }
   lines.push_back(rowOf("all", frames, totalOf(scenes)));
   return lab::textTable(lines) +
-         "Expected: child pairs that brute force finds in contact. Missed: of those, without a contact in "
-         "the "
-         "world.\nExtra: in contact, although the engine's own algorithms would have left them out.\n"
-         "Doubtful, in none of these: not in contact, and the engine's own detector is not sure of it "
-         "either.\n";
+         "Expected: child pairs in contact in the engine's own collision world at the same places. Missed: "
+         "of "
+         "those,\nwithout a contact in the world. Extra: in contact in the world and not in the "
+         "engine.\nDoubtful, "
+         "in none of these: rounding decides, or the engine is proven wrong.\n";
 }
 
 std::string contactsCsv(const std::vector<SceneContacts>& scenes) {

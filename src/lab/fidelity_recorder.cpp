@@ -33,7 +33,7 @@ namespace lab {
 
 namespace {
 
-constexpr double kShare = 0.95;
+constexpr double kGapShare = 0.95;
 
 ChannelId addSampled(FrameData& data, const char* name, const char* unit, ChannelKind kind) {
   return data.addChannel({.name = name, .unit = unit, .kind = kind, .sampled = true});
@@ -101,7 +101,7 @@ void FidelityRecorder::sample() {
   const std::uint32_t finest = sample.touchingByLevel.empty() ? 0 : sample.touchingByLevel.front();
   const std::vector<double> gaps(sample.contactGaps.begin(), sample.contactGaps.end());
   data_.set(visible_, sample.visibleOverlapPairs);
-  data_.set(gap_, nearestRank(gaps, kShare));
+  data_.set(gap_, nearestRank(gaps, kGapShare));
   data_.set(touching_, sample.touchingPairs);
   data_.set(finest_, finest);
 
@@ -168,7 +168,7 @@ FidelityStatistics FidelityRecorder::statistics() const {
   }
   statistics.visibleOverlapPer100 = touching > 0.0 ? 100.0 * visible / touching : 0.0;
   statistics.contactGaps = gaps_.size();
-  statistics.contactGapP95 = nearestRank(gaps_, kShare);
+  statistics.contactGapP95 = nearestRank(gaps_, kGapShare);
   statistics.contactGapMax = nearestRank(gaps_, 1.0);
   if (shares_ > 0) {
     statistics.finestShareMean = shareTotal_ / static_cast<double>(shares_);

@@ -6,7 +6,7 @@ namespace scatter::lab {
 
 namespace {
 
-constexpr float kShare = 0.2F;  // of what is new, taken in each step
+constexpr float kNewShare = 0.2F;  // of what is new, taken in each step
 
 Vec3 noLongerThan(const Vec3& vector, float most) {
   const float length = glm::length(vector);
@@ -23,7 +23,7 @@ Vec3 pullAcceleration(const PullDef& def, const Vec3& offset, const Vec3& veloci
 }
 
 void SteadyLoad::follow(const Vec3& unexplained) {
-  acceleration_ += kShare * (noLongerThan(unexplained, kLargest) - acceleration_);
+  acceleration_ += kNewShare * (noLongerThan(unexplained, kLargest) - acceleration_);
 }
 
 }  // namespace scatter::lab

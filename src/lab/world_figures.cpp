@@ -1,5 +1,6 @@
 #include <scatter/lab/world_figures.h>
 
+#include "lab/repeats.h"
 #include "lab/text.h"
 #include "lab/text_table.h"
 
@@ -16,19 +17,11 @@ namespace {
 
 using Cells = std::vector<std::string>;
 
-double medianOver(const ComparedWorld& world, const std::function<double(const Summary&)>& figure) {
-  std::vector<double> values;
-  for (const Run& run : world.repeats) {
-    values.push_back(figure(run.summary));
-  }
-  return medianOf(std::move(values));
-}
-
 TimeStatistics medianTimes(const ComparedWorld& world) {
   const auto median = [&world](double TimeStatistics::*figure) {
-    return medianOver(world, [figure](const Summary& run) { return run.physicsCpuMs.*figure; });
+    return lab::medianOver(world, [figure](const Summary& run) { return run.physicsCpuMs.*figure; });
   };
-  const double over = medianOver(
+  const double over = lab::medianOver(
       world, [](const Summary& run) { return static_cast<double>(run.physicsCpuMs.framesOverBudget); });
   return {.peak = median(&TimeStatistics::peak),
           .p999 = median(&TimeStatistics::p999),
@@ -41,7 +34,7 @@ TimeStatistics medianTimes(const ComparedWorld& world) {
 
 void addFidelity(const ComparedWorld& world, WorldFigures& figures) {
   const auto median = [&world](auto figure) {
-    return medianOver(world, [figure](const Summary& run) { return figure(run.fidelity); });
+    return lab::medianOver(world, [figure](const Summary& run) { return figure(run.fidelity); });
   };
   using Statistics = FidelityStatistics;
   figures.hasFidelity = true;

@@ -22,10 +22,6 @@ namespace {
 /// Rounding of the clipping, as a share of the largest coordinate.
 constexpr double kEpsilon = 1e-10;
 
-double toDouble(float value) {
-  return static_cast<double>(value);
-}
-
 /// Whether one round part holds, to within `slack`, a rounded hull. Points and centre line are in the
 /// round part's frame.
 struct HoldsIn {

@@ -216,6 +216,11 @@ double Cover::depthOutside(std::span<const glm::dvec3> points) const {
   return depth;
 }
 
+bool isCovered(const Polytope& solid, std::span<const Cover> covers, double tolerance, double epsilon) {
+  assert(!solid.isEmpty() && !covers.empty());
+  return !firstOutside(solid, inOrderOfOverlap(covers, solid.bounds()), tolerance, epsilon);
+}
+
 std::optional<Uncovered> findUncovered(const Polytope& solid, std::span<const Cover> covers, double tolerance,
                                        double epsilon) {
   assert(!solid.isEmpty() && !covers.empty());

@@ -42,6 +42,11 @@ struct Uncovered {
   double distance = 0.0;  ///< From the nearest cover.
 };
 
+/// Whether `solid` lies within the union of the covers widened by `tolerance`; as findUncovered, without
+/// looking where it sticks out.
+[[nodiscard]] bool isCovered(const Polytope& solid, std::span<const Cover> covers, double tolerance,
+                             double epsilon);
+
 /// Where `solid` is furthest from the union of the covers, nothing if it lies within the union of the
 /// covers widened by `tolerance`. Vertices within `epsilon` of a plane count as lying on it. Of the
 /// points furthest out, measured by the planes of the covers, the one with the largest distance is given.

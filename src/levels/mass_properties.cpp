@@ -16,8 +16,6 @@ namespace scatter {
 namespace levels {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 glm::dmat3 diagonal(double x, double y, double z) {
   return {x, 0.0, 0.0, 0.0, y, 0.0, 0.0, 0.0, z};
 }
@@ -36,14 +34,14 @@ Result<SolidMoments> momentsOf(const Box& box, const Transform& pose) {
 
 Result<SolidMoments> momentsOf(const Sphere& sphere, const Transform& pose) {
   const auto r = static_cast<double>(sphere.radius);
-  return placed(4.0 / 3.0 * kPi * r * r * r, glm::dmat3(0.4 * r * r), pose);
+  return placed(4.0 / 3.0 * std::numbers::pi * r * r * r, glm::dmat3(0.4 * r * r), pose);
 }
 
 Result<SolidMoments> momentsOf(const Capsule& capsule, const Transform& pose) {
   const auto r = static_cast<double>(capsule.radius);
   const auto h = static_cast<double>(capsule.halfHeight);
-  const double middle = 2.0 * kPi * r * r * h;
-  const double ends = 4.0 / 3.0 * kPi * r * r * r;
+  const double middle = 2.0 * std::numbers::pi * r * r * h;
+  const double ends = 4.0 / 3.0 * std::numbers::pi * r * r * r;
   const double volume = middle + ends;
   // A half ball's centre lies 3r/8 from its flat side, which gives the mixed term 3rh/4.
   const double across =
@@ -56,7 +54,7 @@ Result<SolidMoments> momentsOf(const Cylinder& cylinder, const Transform& pose) 
   const auto r = static_cast<double>(cylinder.radius);
   const auto h = static_cast<double>(cylinder.halfHeight);
   const double across = r * r / 4.0 + h * h / 3.0;
-  return placed(2.0 * kPi * r * r * h, diagonal(across, 0.5 * r * r, across), pose);
+  return placed(2.0 * std::numbers::pi * r * r * h, diagonal(across, 0.5 * r * r, across), pose);
 }
 
 Result<SolidMoments> momentsOf(const ConvexHull& hull, const Transform& pose) {

@@ -14,20 +14,14 @@
 namespace scatter::levels {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 /// Sides of the polytopes that stand for round shapes, and for the rounding of a hull by its margin.
 constexpr int kRoundSegments = 32;
 constexpr int kMarginSegments = 12;
 
-double toDouble(float value) {
-  return static_cast<double>(value);
-}
-
 /// Unit vectors on a grid of meridians and parallels around the y axis.
 std::vector<glm::dvec3> ballDirections(int segments) {
   std::vector<glm::dvec3> directions{{0.0, 1.0, 0.0}, {0.0, -1.0, 0.0}};
-  const double step = 2.0 * kPi / segments;
+  const double step = 2.0 * std::numbers::pi / segments;
   for (int ring = 1; ring < segments / 2; ++ring) {
     for (int side = 0; side < segments; ++side) {
       const double around = std::sin(ring * step);
@@ -41,13 +35,13 @@ std::vector<glm::dvec3> ballDirections(int segments) {
 /// By how much the grid must grow to hold the unit ball. Half a cell's diagonal is at most
 /// √2 π / segments, so that a circle through the corners of an empty cell lies at its cosine.
 double circumscribing(int segments) {
-  return 1.0 / std::cos(std::numbers::sqrt2 * kPi / segments);
+  return 1.0 / std::cos(std::numbers::sqrt2 * std::numbers::pi / segments);
 }
 
 std::vector<glm::dvec3> prismPoints(double radius, double halfHeight, const DoublePose& pose) {
   std::vector<glm::dvec3> points;
   for (int side = 0; side < kRoundSegments; ++side) {
-    const double angle = 2.0 * kPi * side / kRoundSegments;
+    const double angle = 2.0 * std::numbers::pi * side / kRoundSegments;
     for (const double y : {-halfHeight, halfHeight}) {
       points.push_back(pose({radius * std::cos(angle), y, radius * std::sin(angle)}));
     }
@@ -97,7 +91,7 @@ struct RoundedHullOf {
     return {{pose({0.0, -h, 0.0}), pose({0.0, h, 0.0})}, toDouble(capsule.radius)};
   }
   RoundedHull operator()(const Cylinder& cylinder) const {
-    const double around = toDouble(cylinder.radius) / std::cos(kPi / kRoundSegments);
+    const double around = toDouble(cylinder.radius) / std::cos(std::numbers::pi / kRoundSegments);
     return {prismPoints(around, toDouble(cylinder.halfHeight), pose), 0.0};
   }
   RoundedHull operator()(const ConvexHull& hull) const {

@@ -13,6 +13,11 @@
 
 namespace scatter::levels {
 
+/// Lengths are floats in models, and doubles where they are computed with.
+[[nodiscard]] inline double toDouble(float value) {
+  return static_cast<double>(value);
+}
+
 /// A Transform in double precision.
 struct DoublePose {
   glm::dvec3 position{0.0};

@@ -16,7 +16,8 @@ namespace scatter::lod {
 /// points,
 ///   which flicker.
 /// - Credit is the depth plus the gap that the finest shapes still have, so that the gap goes on closing as
-/// it did.
+/// it did. Finest shapes that overlap have no gap: how deep they do is the business of the contacts held for
+/// them, and is no reason to press coarser shapes apart somewhere else.
 /// - Credit shrinks with the depth, so that shapes that have come apart touch as usual from then on.
 class CreditAccount {
  public:
@@ -30,9 +31,10 @@ class CreditAccount {
   void close() { entries_.clear(); }
 
   /// Grants a child pair that overlaps by `depth` > 0 what it needs. `gap`: between the finest shapes;
-  /// negative if they overlap, and then that much stays overlapped.
+  /// negative if they overlap, which counts as none.
   void grant(std::uint16_t a, std::uint16_t b, float depth, float gap) {
-    entries_.push_back({a, b, std::max(depth + gap, 0.0F), gap});
+    const float open = std::max(gap, 0.0F);
+    entries_.push_back({a, b, depth + open, open});
   }
 
   /// Takes in how deep the child pairs are now: `depthOf(a, b)`, 0 if they do not overlap.
@@ -44,7 +46,7 @@ class CreditAccount {
       const float depth = depthOf(entry.a, entry.b);
       entry.credit = std::min(entry.credit, depth + entry.gap);
       if (entry.gap > 0.0F && entry.credit - depth < kClosed) entry.gap = 0.0F;
-      return depth <= 0.0F || entry.credit <= 0.0F;
+      return depth <= 0.0F;
     });
   }
 
@@ -53,8 +55,8 @@ class CreditAccount {
   void audit(float gap, DepthOf&& depthOf) {
     std::erase_if(entries_, [&](Entry& entry) {
       const float depth = depthOf(entry.a, entry.b);
-      entry.gap = gap;
-      entry.credit = std::max(depth + gap, 0.0F);
+      entry.gap = std::max(gap, 0.0F);
+      entry.credit = depth + entry.gap;
       return depth <= 0.0F;
     });
   }

@@ -93,7 +93,7 @@ double lot(std::uint32_t identity) {
 constexpr double kThrift = 3.0;
 
 // Keeps ratios finite.
-constexpr double kLeastUnits = 0.01;
+constexpr double kLeastKindUnits = 0.01;
 
 double predict(const PlannedPair& pair, const CostModel& costs, int level) {
   const PairView& view = pair.view;
@@ -206,7 +206,8 @@ void Governor::shareOut() {
   for (Kind& kind : kinds_) {
     for (const bool has : {false, true}) {
       const double share = std::clamp(admission_ + (has ? kLoyalty : 0.0), 0.0, 1.0);
-      const double cheapness = kind.weight > 0.0 ? units / (weight * std::max(kind.units, kLeastUnits)) : 1.0;
+      const double cheapness =
+          kind.weight > 0.0 ? units / (weight * std::max(kind.units, kLeastKindUnits)) : 1.0;
       kind.share[has ? 1 : 0] = 1.0 - std::pow(1.0 - share, std::pow(cheapness, kThrift));
     }
   }

@@ -41,6 +41,9 @@ class Governor {
  public:
   explicit Governor(const GovernorDef& def) : def_(def) {}
 
+  /// As GovernorDef has it, from the next plan on.
+  void setCreditLevel(int level) { def_.creditLevel = level; }
+
   /// Sets `target` and `byBudget` of every pair. `budget`: units for the whole step; infinite for none.
   /// `fixed`: units of the step that no level changes (bodies, broadphase); `bodies`: how many move. The
   /// target is within the wish, even while the pair is blocked.

@@ -10,12 +10,12 @@ namespace scatter::lod {
 namespace {
 
 /// In thresholds: where a group that was over the threshold is taken to be under it again.
-constexpr float kStay = 0.8F;
+constexpr float kStayOver = 0.8F;
 
 /// A group is not expected to shrink below this share of its radius.
 constexpr float kSmallestShare = 0.5F;
 
-constexpr float kBallVolume = 4.0F / 3.0F * 3.14159265F;
+constexpr float kUnitBallVolume = 4.0F / 3.0F * 3.14159265F;
 
 std::shared_ptr<Grouping> orNew(std::shared_ptr<Grouping> grouping) {
   return grouping ? std::move(grouping) : std::make_shared<Grouping>();
@@ -34,7 +34,7 @@ void GroupPolicy::observe(const Situation& situation) {
 
   groupIsOver_.clear();
   for (const Group& group : grouping_->groups()) {
-    const float threshold = wasMostlyOver(group) ? kStay : 1.0F;
+    const float threshold = wasMostlyOver(group) ? kStayOver : 1.0F;
     const bool isLarge = group.count >= static_cast<std::uint32_t>(effect_.members);
     groupIsOver_.push_back(isLarge && measure(situation, group) > threshold ? 1 : 0);
   }
@@ -64,7 +64,7 @@ void GroupPolicy::advise(const Situation& /*situation*/, const PairView& pair, W
 float GroupRangePolicy::measure(const Situation& /*situation*/, const Group& group) const {
   const float shrunk = group.reach - def_.ahead * std::max(group.approach, 0.0F);
   const float reach = std::max(shrunk, kSmallestShare * group.reach);
-  const float space = kBallVolume * reach * reach * reach;
+  const float space = kUnitBallVolume * reach * reach * reach;
   if (!(space > 0.0F)) return 0.0F;
   float measured = 0.0F;
   if (def_.packing > 0.0F) measured = group.volume / space / def_.packing;

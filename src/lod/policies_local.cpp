@@ -11,7 +11,7 @@ namespace scatter::lod {
 namespace {
 
 /// A pair that is coarse already stays so until its speed is this much below a threshold.
-constexpr float kStay = 0.8F;
+constexpr float kStayFast = 0.8F;
 
 /// The corner of a picture of 16 : 9, in half heights from its middle.
 constexpr float kCorner = 2.04F;
@@ -50,7 +50,7 @@ void SpeedPolicy::advise(const Situation& situation, const PairView& pair, Wish&
   const float speed = glm::length(situation.bodies[pair.a].velocity - situation.bodies[pair.b].velocity);
   wish.scale(falling(speed, def_.from, def_.to, def_.least));
   if (def_.coarse <= 0.0F) return;
-  const float threshold = isCoarse(pair, def_.level) ? kStay * def_.coarse : def_.coarse;
+  const float threshold = isCoarse(pair, def_.level) ? kStayFast * def_.coarse : def_.coarse;
   if (speed > threshold) wish.request(def_.level);
 }
 

@@ -7,13 +7,10 @@
 #include <glm/vec3.hpp>
 #include <utility>
 
+#include "scenes/shape_measures.h"
+
 namespace scatter {
 namespace {
-
-/// Of a point mass of one kilogram, about the origin.
-glm::dmat3 pointInertia(const glm::dvec3& at) {
-  return glm::dmat3(glm::dot(at, at)) - glm::outerProduct(at, at);
-}
 
 /// The motion of a rigid body that has the momentum and angular momentum of another one.
 struct RigidMotion {

@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
 #include <glm/common.hpp>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -10,7 +11,6 @@
 namespace scatter {
 namespace {
 
-constexpr float kPi = 3.14159265F;
 constexpr float kMargin = 0.005F;  // of hulls, metres
 constexpr float kInset = 0.006F;   // of a gib from its cell: the margin and a little room
 
@@ -82,7 +82,8 @@ constexpr float kClay = 1000.0F;  // kg/m³
 constexpr float kPine = 500.0F;
 
 Vec3 onCircle(float radius, float y, int sector) {
-  const float angle = 2.0F * kPi * static_cast<float>(sector % kSectors) / static_cast<float>(kSectors);
+  const float angle =
+      2.0F * std::numbers::pi_v<float> * static_cast<float>(sector % kSectors) / static_cast<float>(kSectors);
   return {radius * std::cos(angle), y, radius * std::sin(angle)};
 }
 
@@ -129,17 +130,17 @@ struct Face {
   int longest;
 };
 
-constexpr float kSide = 0.4F;    // half a box's width
-constexpr float kBoard = 0.08F;  // thickness
+constexpr float kBoxSide = 0.4F;  // half a box's width
+constexpr float kBoard = 0.08F;   // thickness
 
 std::array<Face, 6> faces() {
-  constexpr float kIn = kSide - kBoard;
-  return {{{{-kSide, -kSide, -kSide}, {kSide, -kIn, kSide}, 2, 0},
-           {{-kSide, kIn, -kSide}, {kSide, kSide, kSide}, 2, 0},
-           {{-kSide, -kIn, -kSide}, {kSide, kIn, -kIn}, 1, 0},
-           {{-kSide, -kIn, kIn}, {kSide, kIn, kSide}, 1, 0},
-           {{-kSide, -kIn, -kIn}, {-kIn, kIn, kIn}, 1, 2},
-           {{kIn, -kIn, -kIn}, {kSide, kIn, kIn}, 1, 2}}};
+  constexpr float kIn = kBoxSide - kBoard;
+  return {{{{-kBoxSide, -kBoxSide, -kBoxSide}, {kBoxSide, -kIn, kBoxSide}, 2, 0},
+           {{-kBoxSide, kIn, -kBoxSide}, {kBoxSide, kBoxSide, kBoxSide}, 2, 0},
+           {{-kBoxSide, -kIn, -kBoxSide}, {kBoxSide, kIn, -kIn}, 1, 0},
+           {{-kBoxSide, -kIn, kIn}, {kBoxSide, kIn, kBoxSide}, 1, 0},
+           {{-kBoxSide, -kIn, -kIn}, {-kIn, kIn, kIn}, 1, 2},
+           {{kIn, -kIn, -kIn}, {kBoxSide, kIn, kIn}, 1, 2}}};
 }
 
 ConvexPart boxBetween(const Vec3& low, const Vec3& high) {
@@ -200,7 +201,7 @@ Result<Breakable> makeBoardBox(Random& random) {
   }
   LevelSetDef def;
   def.name = "box";
-  def.levels = {Level{{boxBetween(Vec3(-kSide), Vec3(kSide))}}, std::move(panels), std::move(finest)};
+  def.levels = {Level{{boxBetween(Vec3(-kBoxSide), Vec3(kBoxSide))}}, std::move(panels), std::move(finest)};
   if (auto set = setWhole(box, std::move(def), kPine); !set) return fail(set.error().message);
   return box;
 }

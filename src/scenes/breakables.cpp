@@ -14,16 +14,16 @@ namespace scatter {
 namespace {
 
 constexpr RoomDef kYard{.halfWidth = 7.0F, .height = 10.0F};
-constexpr int kColumns = 4;       // of the square of urns
-constexpr float kSpacing = 1.5F;  // metres between them
-constexpr float kLowest = 1.5F;   // from which the first urn falls, metres
-constexpr float kRise = 0.3F;     // of each urn over the one before
+constexpr int kUrnColumns = 4;       // of the square of urns
+constexpr float kUrnSpacing = 1.5F;  // metres between them
+constexpr float kLowest = 1.5F;      // from which the first urn falls, metres
+constexpr float kRise = 0.3F;        // of each urn over the one before
 constexpr int kThrownPerSide = 4;
 constexpr float kThrowSpeed = 9.0F;   // m/s, toward the middle
 constexpr float kThrowHeight = 2.0F;  // metres; of every next one from a side, 1.2 m more
 constexpr float kThrowRise = 1.2F;
-constexpr float kStep = 1.0F / 60.0F;
-constexpr float kGravity = 9.81F;
+constexpr float kFrameTime = 1.0F / 60.0F;
+constexpr float kYardGravity = 9.81F;
 
 /// Part of the impact's speed with which the furthest gibs fly apart.
 constexpr float kBurst = 0.25F;
@@ -50,7 +50,7 @@ class Breakables final : public Scene {
     std::vector<Whole> left;
     for (Whole& whole : wholes_) {
       const Vec3 velocity = whole.object->state().linearVelocity;
-      const Vec3 fall(0.0F, -kGravity * kStep, 0.0F);
+      const Vec3 fall(0.0F, -kYardGravity * kFrameTime, 0.0F);
       // What gravity did not do, a contact did.
       whole.impact = world.frame() == 0 ? 0.0F : glm::length(velocity - whole.velocity - fall);
       whole.velocity = velocity;
@@ -88,12 +88,12 @@ class Breakables final : public Scene {
   }
 
   Result<void> addUrns(World& world, Random& random) {
-    for (int i = 0; i < kColumns * kColumns; ++i) {
-      constexpr float kMiddle = 0.5F * static_cast<float>(kColumns - 1);
-      const int row = i / kColumns;
-      const Vec3 place(kSpacing * (static_cast<float>(i % kColumns) - kMiddle),
+    for (int i = 0; i < kUrnColumns * kUrnColumns; ++i) {
+      constexpr float kMiddle = 0.5F * static_cast<float>(kUrnColumns - 1);
+      const int row = i / kUrnColumns;
+      const Vec3 place(kUrnSpacing * (static_cast<float>(i % kUrnColumns) - kMiddle),
                        kLowest + kRise * static_cast<float>(i),
-                       kSpacing * (static_cast<float>(row) - kMiddle));
+                       kUrnSpacing * (static_cast<float>(row) - kMiddle));
       const Transform pose{place, random.orientation()};
       if (auto added = add(world, urn_, "urn-" + std::to_string(i + 1), pose, Vec3(0.0F)); !added)
         return added;
@@ -131,7 +131,7 @@ class Breakables final : public Scene {
   std::vector<Whole> wholes_;
 };
 
-const SceneRegistration kRegister({
+const SceneRegistration kRegisterBreakables({
     "breakables",
     "the report's section 3.2: 16 urns and 16 boxes fall, are thrown, and break into up to 1200 gibs",
     600,

@@ -5,13 +5,10 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/matrix.hpp>
 
+#include "scenes/shape_measures.h"
+
 namespace scatter {
 namespace {
-
-/// Of a point mass of one kilogram, about the origin.
-glm::dmat3 pointInertia(const glm::dvec3& at) {
-  return glm::dmat3(glm::dot(at, at)) - glm::outerProduct(at, at);
-}
 
 bool isConvex(const DocumentShape& shape) {
   return std::holds_alternative<ConvexShape>(shape.geometry);

@@ -2,13 +2,12 @@
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <numbers>
 #include <string>
 #include <utility>
 
 namespace scatter {
 namespace {
-
-constexpr float kPi = 3.14159265F;
 
 void setMaterial(const SceneFileMaterial& given, Material& material) {
   material.friction = given.friction.value_or(material.friction);
@@ -37,7 +36,7 @@ bool hasRandomSize(const SceneFileObject& object) {
 }
 
 float massOfBall(float density, float radius) {
-  return density * 4.0F / 3.0F * kPi * radius * radius * radius;
+  return density * 4.0F / 3.0F * std::numbers::pi_v<float> * radius * radius * radius;
 }
 
 /// The shape of an object that is neither a model nor a plane.
@@ -122,7 +121,8 @@ Quat FileBodies::orient(const SceneFileOrientation& orientation) {
     case SceneFileOrientation::Kind::kRandom:
       return random_.orientation();
     case SceneFileOrientation::Kind::kUpright:
-      return glm::angleAxis(random_.uniform(-kPi, kPi), Vec3(0.0F, 1.0F, 0.0F));
+      return glm::angleAxis(random_.uniform(-std::numbers::pi_v<float>, std::numbers::pi_v<float>),
+                            Vec3(0.0F, 1.0F, 0.0F));
     case SceneFileOrientation::Kind::kGiven:
       break;
   }

@@ -77,7 +77,7 @@ class FileSource final : public SceneSource {
   }
 };
 
-const SceneRegistration kRegister{std::make_unique<FileSource>()};
+const SceneRegistration kRegisterFiles{std::make_unique<FileSource>()};
 
 }  // namespace
 }  // namespace scatter

@@ -68,7 +68,7 @@ class Mugs final : public Scene {
   int lamps_ = 0;
 };
 
-const SceneRegistration kRegister({
+const SceneRegistration kRegisterMugs({
     "mugs",
     "the report's Figure 3.4: 60 mugs and 20 lamps, poured into a tray, hook into each other",
     900,

@@ -15,7 +15,7 @@ class Pile final : public Scene {
   }
 };
 
-const SceneRegistration kRegister({
+const SceneRegistration kRegisterPile({
     "pile",
     "1000 rocks of 8 convex hulls each fall into a pit and come to rest",
     720,

@@ -1,5 +1,6 @@
 #include <scatter/world/scene.h>
 
+#include <numbers>
 #include <utility>
 
 #include "scenes/ground.h"
@@ -11,8 +12,7 @@ namespace scatter {
 namespace {
 
 constexpr int kFrames = 300;
-constexpr float kHalf = 0.5F;  // of a block, metres
-constexpr float kPi = 3.14159265F;
+constexpr float kBlockHalf = 0.5F;  // of a block, metres
 
 /// Blocks in stacks on a square, each stack turned another way. Nothing may fall asleep.
 Result<void> addStacks(World& world, int columns, int height, const BodyDef& block, Random& random) {
@@ -21,11 +21,11 @@ Result<void> addStacks(World& world, int columns, int height, const BodyDef& blo
     const float x = kSpacing * (static_cast<float>(stack % columns) - 0.5F * static_cast<float>(columns - 1));
     const int row = stack / columns;
     const float z = kSpacing * (static_cast<float>(row) - 0.5F * static_cast<float>(columns - 1));
-    const Quat turn = glm::angleAxis(random.uniform(0.0F, kPi), Vec3(0.0F, 1.0F, 0.0F));
+    const Quat turn = glm::angleAxis(random.uniform(0.0F, std::numbers::pi_v<float>), Vec3(0.0F, 1.0F, 0.0F));
     for (int i = 0; i < height; ++i) {
       BodyDef def = block;
       def.name = "block-" + std::to_string(stack + 1) + "-" + std::to_string(i + 1);
-      def.pose = {{x, kHalf * static_cast<float>(2 * i + 1), z}, turn};
+      def.pose = {{x, kBlockHalf * static_cast<float>(2 * i + 1), z}, turn};
       def.mass = 100.0F;
       def.material.friction = 0.6F;
       def.mayRest = false;
@@ -42,7 +42,7 @@ class Stacks final : public Scene {
     Random random(options.seed);
     if (auto added = addGround(world); !added) return added;
     BodyDef block;
-    block.shape = Box{Vec3(kHalf)};
+    block.shape = Box{Vec3(kBlockHalf)};
     if (auto added = addStacks(world, 10, 5, block, random); !added) return added;
     const auto forms = makeRocks(4, random);
     if (!forms) return fail(forms.error().message);
@@ -59,7 +59,7 @@ class Stacks final : public Scene {
 /// A block of eight boxes in one that just holds them.
 Result<std::shared_ptr<const LevelSet>> makeBrick() {
   constexpr float kGap = 0.01F;  // half of what is between the boxes
-  constexpr float kSide = 0.5F * (kHalf - kGap);
+  constexpr float kSide = 0.5F * (kBlockHalf - kGap);
   Level finest;
   for (const float x : {-1.0F, 1.0F}) {
     for (const float y : {-1.0F, 1.0F}) {
@@ -71,7 +71,7 @@ Result<std::shared_ptr<const LevelSet>> makeBrick() {
   }
   LevelSetDef def;
   def.name = "brick";
-  def.levels = {Level{{{.shape = Box{Vec3(kHalf)}, .pose = {}}}}, std::move(finest)};
+  def.levels = {Level{{{.shape = Box{Vec3(kBlockHalf)}, .pose = {}}}}, std::move(finest)};
   return LevelSet::create(std::move(def));
 }
 

@@ -13,7 +13,7 @@ constexpr int kForms = 4;
 constexpr float kLeastRadius = 0.38F;     // of a rock's vertices, metres
 constexpr float kLargestRadius = 0.5F;    // the collision margin comes on top
 constexpr float kDensity = 1500.0F;       // kg/m³
-constexpr float kSpacing = 1.1F;          // of the heap's grid, metres
+constexpr float kHeapSpacing = 1.1F;      // of the heap's grid, metres
 constexpr float kJitter = 0.02F;          // metres; keeps neighbours clear of one another
 constexpr float kWallHalfHeight = 12.0F;  // far above the heap
 constexpr float kWallHalfThickness = 0.5F;
@@ -116,7 +116,7 @@ BodyDef rockBody(std::shared_ptr<const LevelSet> levels, std::string name, const
 Result<void> addHeap(World& world, const HeapDef& def, Random& random) {
   const auto forms = makeRocks(kForms, random);
   if (!forms) return fail(forms.error().message);
-  if (auto added = addPit(world, 0.5F * kSpacing * static_cast<float>(def.columns)); !added) return added;
+  if (auto added = addPit(world, 0.5F * kHeapSpacing * static_cast<float>(def.columns)); !added) return added;
   const float middle = 0.5F * static_cast<float>(def.columns - 1);
   for (int i = 0; i < def.rocks; ++i) {
     const int column = i % def.columns;
@@ -124,7 +124,7 @@ Result<void> addHeap(World& world, const HeapDef& def, Random& random) {
     const int layer = i / (def.columns * def.columns);
     const Vec3 cell(static_cast<float>(column) - middle, static_cast<float>(layer) + 0.5F,
                     static_cast<float>(row) - middle);
-    const Transform pose{kSpacing * cell + kJitter * random.insideUnitBall(), random.orientation()};
+    const Transform pose{kHeapSpacing * cell + kJitter * random.insideUnitBall(), random.orientation()};
     const auto& form = (*forms)[static_cast<std::size_t>(i) % forms->size()];
     auto added = world.add(rockBody(form, "rock-" + std::to_string(i + 1), pose));
     if (!added) return fail(added.error().message);

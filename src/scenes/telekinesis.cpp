@@ -25,9 +25,9 @@ constexpr float kThrowPull = 14.0F;  // m/s² toward the target
 constexpr Vec3 kTarget{0.0F, 2.2F, 0.0F};
 
 constexpr RoomDef kRoom{.halfWidth = 12.0F, .height = 9.0F, .ceiling = true};
-constexpr int kColumns = 13;          // of the grid on which things stand
-constexpr float kSpacing = 1.75F;     // metres
-constexpr float kLargestSpin = 1.5F;  // rad/s, given when lifted
+constexpr int kGridColumns = 13;       // of the grid on which things stand
+constexpr float kGridSpacing = 1.75F;  // metres
+constexpr float kLiftedSpin = 1.5F;    // rad/s, given when lifted
 
 /// A will that moves things: lifts them, or pulls them to one point, and holds them up against gravity while
 /// it does.
@@ -59,14 +59,14 @@ Will::Deed deedAt(std::uint64_t frame) {
 
 /// The places on the floor: a grid without its corners and without the nine around the target.
 std::vector<Vec3> floorPlaces() {
-  constexpr int kMiddle = kColumns / 2;
+  constexpr int kMiddle = kGridColumns / 2;
   std::vector<Vec3> places;
   for (int x = -kMiddle; x <= kMiddle; ++x) {
     for (int z = -kMiddle; z <= kMiddle; ++z) {
       const bool nearTarget = std::abs(x) <= 1 && std::abs(z) <= 1;
       const bool corner = std::abs(x) == kMiddle && std::abs(z) == kMiddle;
       if (nearTarget || corner) continue;
-      places.push_back(kSpacing * Vec3(x, 0.0F, z));
+      places.push_back(kGridSpacing * Vec3(x, 0.0F, z));
     }
   }
   return places;
@@ -128,7 +128,7 @@ class Telekinesis final : public Scene {
           propBody(model, model->name + "-" + std::to_string(i / models->size() + 1), {places[i], turn});
       auto added = world.add(std::move(def));
       if (!added) return fail(added.error().message);
-      things_.push_back({*added, kLargestSpin * random.insideUnitBall()});
+      things_.push_back({*added, kLiftedSpin * random.insideUnitBall()});
     }
     return {};
   }
@@ -137,7 +137,7 @@ class Telekinesis final : public Scene {
   std::vector<Thing> things_;
 };
 
-const SceneRegistration kRegister({
+const SceneRegistration kRegisterTelekinesis({
     "telekinesis",
     "the report's section 1.1: 156 pieces of furniture in a room, lifted and thrown at one target",
     900,

@@ -136,14 +136,13 @@ Result<void> Window::doScript() {
 }
 
 void Window::inject(InputEvent event) {
-  using Kind = InputEvent::Kind;
-  const bool pointed =
-      event.kind == Kind::kMouseDown || event.kind == Kind::kMouseUp || event.kind == Kind::kWheel;
-  if (event.kind == Kind::kMouseMove) pointer_ = event.position;
+  const bool pointed = event.kind == InputEvent::Kind::kMouseDown ||
+                       event.kind == InputEvent::Kind::kMouseUp || event.kind == InputEvent::Kind::kWheel;
+  if (event.kind == InputEvent::Kind::kMouseMove) pointer_ = event.position;
   if (pointed) event.position = pointer_;
   renderer_.inject(event);
-  if (event.kind != Kind::kKeyDown) return;
-  event.kind = Kind::kKeyUp;
+  if (event.kind != InputEvent::Kind::kKeyDown) return;
+  event.kind = InputEvent::Kind::kKeyUp;
   renderer_.inject(event);
 }
 

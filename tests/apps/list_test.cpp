@@ -1,9 +1,13 @@
 #include <gmock/gmock.h>
 
+#include <filesystem>
+
 #include "apps/program.h"
 
 namespace scatter::test {
 namespace {
+
+namespace fs = std::filesystem;
 
 using testing::HasSubstr;
 
@@ -35,6 +39,21 @@ TEST_F(ProgramTest, EveryCommandHasHelp) {
   EXPECT_EQ(outcome.status, 0);
   EXPECT_THAT(outcome.output,
               testing::AllOf(HasSubstr("list"), HasSubstr("run"), HasSubstr("compare"), HasSubstr("bench")));
+}
+
+TEST_F(ProgramTest, TheWindowIsListedWhereverItIsBuilt) {
+  EXPECT_THAT(scatter({"--help"}).output, testing::ContainsRegex("\n  view +Open a scene in a window"));
+  EXPECT_EQ(scatter({"--help", "view"}).status, 0);
+}
+
+TEST_F(ProgramTest, WithoutTheWindowsProgramViewSaysHowToBuildIt) {
+  const fs::path alone = fs::temp_directory_path() / (folder.filename().string() + "-alone");
+  fs::create_directory(alone);
+  fs::copy_file(SCATTER_PROGRAM, alone / "scatter");
+  const Outcome outcome =
+      runProgram({.arguments = {"view", "duel"}, .folder = folder, .program = alone / "scatter"});
+  expectRefused(outcome, "./run view builds it");
+  fs::remove_all(alone);
 }
 
 TEST_F(ProgramTest, VersionIsOneLine) {

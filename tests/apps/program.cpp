@@ -46,14 +46,14 @@ void openAs(int descriptor, const fs::path& file) {
   for (const auto& [name, value] : start.environment) {
     setenv(name.c_str(), value.c_str(), 1);
   }
-  std::vector<std::string> words{SCATTER_PROGRAM};
+  std::vector<std::string> words{start.program.string()};
   words.insert(words.end(), start.arguments.begin(), start.arguments.end());
   std::vector<char*> pointers;
   for (std::string& word : words) {
     pointers.push_back(word.data());
   }
   pointers.push_back(nullptr);
-  execv(SCATTER_PROGRAM, pointers.data());
+  execv(start.program.c_str(), pointers.data());
   _exit(126);
 }
 

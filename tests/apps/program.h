@@ -23,9 +23,10 @@ struct Start {
   std::filesystem::path outputTo{};                  ///< Instead of Outcome::output.
   /// Sends SIGINT as soon as a file exists in this folder.
   std::filesystem::path interruptOnceIn{};
+  std::filesystem::path program = SCATTER_PROGRAM;  ///< The one that this build made, or a copy of it.
 };
 
-/// Runs the scatter program that this build made, to its end.
+/// Runs the scatter program to its end.
 [[nodiscard]] Outcome runProgram(const Start& start);
 
 /// Lines without their ends.

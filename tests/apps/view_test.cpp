@@ -46,6 +46,14 @@ TEST_F(View, WithoutADisplayGivesTheStateThatRunGives) {
   EXPECT_EQ(lastWord(seen.output, "hybrid: 240"), lastWord(alone.output, "state hash of the last frame"));
 }
 
+TEST_F(View, HelpIsThatOfTheWindow) {
+  const Outcome outcome = scatter({"view", "--help"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.errors, "");
+  EXPECT_THAT(outcome.output,
+              testing::AllOf(HasSubstr("scatter view"), HasSubstr("--renderer"), HasSubstr("--budget-ms")));
+}
+
 TEST_F(View, DoesWhatItsScriptSaysInTwoWorlds) {
   writeText(folder / "s.txt", "10 do pause\n20 do write\n21 close\n");
   const Outcome seen = scatter({"view", "tower", "--renderer", "null", "--worlds", "standard,hybrid",

@@ -13,12 +13,11 @@ namespace {
 using testing::anySize;
 using testing::DistanceBounds;
 using testing::frameOf;
+using testing::kNever;
 using testing::placed;
 using testing::Points;
 using testing::Random;
 using testing::referenceDistance;
-
-constexpr float kNever = std::numeric_limits<float>::max();
 
 struct BoxPair {
   Vec3 centerA;

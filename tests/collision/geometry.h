@@ -1,11 +1,15 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "collision/part_list.h"
 #include "levels/part_builders.h"
 
 namespace scatter::testing {
+
+/// As the separation that is enough: to be sure that nothing is.
+inline constexpr float kNever = std::numeric_limits<float>::max();
 
 /// Owns the vertices of a polytope, laid out as PolytopeView wants them.
 class OwnedPolytope {

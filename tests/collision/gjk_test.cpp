@@ -15,6 +15,7 @@ using testing::anyInt;
 using testing::anySize;
 using testing::DistanceBounds;
 using testing::frameOf;
+using testing::kNever;
 using testing::OwnedPolytope;
 using testing::placed;
 using testing::Random;
@@ -22,7 +23,6 @@ using testing::randomCore;
 using testing::referenceDistance;
 using State = GjkResult::State;
 
-constexpr float kNever = std::numeric_limits<float>::max();
 const Vec3 kAlongX(1.0F, 0.0F, 0.0F);
 
 GjkResult coldGjk(const PolytopeView& a, const PolytopeView& b, const Frame& frameB, const Vec3& axis,

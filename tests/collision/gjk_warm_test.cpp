@@ -14,14 +14,13 @@ using testing::anyInt;
 using testing::anySize;
 using testing::DistanceBounds;
 using testing::frameOf;
+using testing::kNever;
 using testing::OwnedPolytope;
 using testing::placed;
 using testing::Random;
 using testing::randomCore;
 using testing::referenceDistance;
 using State = GjkResult::State;
-
-constexpr float kNever = std::numeric_limits<float>::max();
 
 /// Any vertices there are, the same ones twice included.
 WarmSimplex staleSimplex(Random& random, const PolytopeView& a, const PolytopeView& b) {

@@ -206,7 +206,7 @@ class MotionLaw {
 
 PairSteps stepsOf(int combination) {
   PairSteps steps;
-  steps.midphase = static_cast<Midphase>(combination % 3);
+  steps.midphase = static_cast<PairMidphase>(combination % 3);
   steps.motionBound = (combination / 3 & 1) != 0;
   steps.cachedAxis = (combination / 3 & 2) != 0;
   steps.ownGjk = (combination / 3 & 4) != 0;

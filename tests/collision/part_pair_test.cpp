@@ -289,7 +289,8 @@ TEST(PartPair, DropsExactlyTheContactsOfChildrenThatLeft) {
   Random random(93);
   const PartList listA(randomParts(random, 15, 1.0F, 0.02F));
   const PartList listB(randomParts(random, 15, 1.0F, 0.02F));
-  for (const Midphase midphase : {Midphase::kWorldBounds, Midphase::kPartBoxes, Midphase::kNeighbourList}) {
+  for (const PairMidphase midphase :
+       {PairMidphase::kWorldBounds, PairMidphase::kPartBoxes, PairMidphase::kNeighbourList}) {
     TwoBodies bodies(listA, listB);
     bodies.steps.midphase = midphase;
     std::vector<char> records(4096);

@@ -34,13 +34,13 @@ bool areBoxes(const PartList::Part& a, const PartList::Part& b) {
 }
 
 /// Of two parts, margins included; of two boxes, whose edges are sharp, exactly theirs.
-struct Truth {
+struct QueryTruth {
   double lower;
   double upper;  ///< No part of the answer if the cores overlap.
   bool deep;     ///< They do.
 };
 
-Truth truthOf(const PartList::Part& a, const PartList::Part& b, const Frame& frameB) {
+QueryTruth queryTruthOf(const PartList::Part& a, const PartList::Part& b, const Frame& frameB) {
   const bool boxes = areBoxes(a, b);
   const DistanceBounds bounds =
       referenceDistance(placed(Frame{}, boxes ? a.sharp : a.core), placed(frameB, boxes ? b.sharp : b.core));
@@ -48,11 +48,11 @@ Truth truthOf(const PartList::Part& a, const PartList::Part& b, const Frame& fra
   return {bounds.lower - margin, bounds.upper - margin, glm::length(bounds.axis) < 0.5};
 }
 
-Truth truthOf(const PartList& a, const PartList& b, const Frame& frameB) {
-  Truth least{kFar, kFar, false};
+QueryTruth queryTruthOf(const PartList& a, const PartList& b, const Frame& frameB) {
+  QueryTruth least{kFar, kFar, false};
   for (int i = 0; i < a.count(); ++i) {
     for (int k = 0; k < b.count(); ++k) {
-      const Truth pair = truthOf(a.part(i), b.part(k), frameB);
+      const QueryTruth pair = queryTruthOf(a.part(i), b.part(k), frameB);
       least.lower = std::min(least.lower, pair.lower);
       least.upper = std::min(least.upper, pair.upper);
       least.deep = least.deep || pair.deep;
@@ -94,7 +94,7 @@ TEST(PartQuery, NeverCallsSeparatedWhatIsNearer) {
     const PartList a(knownParts(random, anyInt(random, 1, 4)));
     const PartList b(knownParts(random, anyInt(random, 1, 4)));
     const Frame frameB = frameOf(random.rotation(), random.direction() * random.uniform(0.2F, 4.0F));
-    const Truth truth = truthOf(a, b, frameB);
+    const QueryTruth truth = queryTruthOf(a, b, frameB);
     const float gaps[] = {0.0F, random.uniform(0.0F, 0.5F), random.uniform(-0.05F, 0.0F),
                           static_cast<float>(truth.upper)};
     for (const float gap : gaps) {
@@ -121,7 +121,7 @@ TEST(PartQuery, MeasuresTheDistance) {
     const PartList a(knownParts(random, anyInt(random, 1, 4)));
     const PartList b(knownParts(random, anyInt(random, 1, 4)));
     const Frame frameB = frameOf(random.rotation(), random.direction() * random.uniform(0.2F, 4.0F));
-    const Truth truth = truthOf(a, b, frameB);
+    const QueryTruth truth = queryTruthOf(a, b, frameB);
     const float distance = query.distance(a, b, frameB, kFar);
     if (truth.deep) {
       EXPECT_LE(distance, 0.0F) << "round " << round;

@@ -14,14 +14,14 @@
 namespace scatter {
 namespace {
 
-struct Expected : test::ExpectedModel {
+struct ExpectedProp : test::ExpectedModel {
   float mass;
   float height;
   std::size_t middleParts;
   std::size_t finestParts;
 };
 
-using Prop = test::LoadedModel<Expected>;
+using Prop = test::LoadedModel<ExpectedProp>;
 
 TEST_P(Prop, HasTheLevelsAndTheMassThatItsPageStates) {
   ASSERT_EQ(model_->levels->count(), 3);
@@ -87,10 +87,10 @@ TEST_P(Prop, HasItsMeshInsideTheFinestLevel) {
 
 INSTANTIATE_TEST_SUITE_P(
     Models, Prop,
-    testing::Values(Expected{"table", 25.0F, 0.76F, 7, 25}, Expected{"chair", 7.0F, 1.0F, 7, 29},
-                    Expected{"shelf", 45.0F, 1.8F, 8, 36}, Expected{"crate", 30.0F, 0.8F, 6, 34},
-                    Expected{"barrel", 40.0F, 0.89F, 4, 42}, Expected{"lamp", 9.0F, 1.58F, 5, 24},
-                    Expected{"mug", 12.0F, 0.7F, 6, 19}),
+    testing::Values(ExpectedProp{"table", 25.0F, 0.76F, 7, 25}, ExpectedProp{"chair", 7.0F, 1.0F, 7, 29},
+                    ExpectedProp{"shelf", 45.0F, 1.8F, 8, 36}, ExpectedProp{"crate", 30.0F, 0.8F, 6, 34},
+                    ExpectedProp{"barrel", 40.0F, 0.89F, 4, 42}, ExpectedProp{"lamp", 9.0F, 1.58F, 5, 24},
+                    ExpectedProp{"mug", 12.0F, 0.7F, 6, 19}),
     [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace

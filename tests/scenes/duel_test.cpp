@@ -12,7 +12,7 @@
 namespace scatter::test {
 namespace {
 
-constexpr int kFrames = 1300;
+constexpr int kDuelFrames = 1300;
 
 struct DuelLog {
   struct Entry {
@@ -28,18 +28,18 @@ struct DuelLog {
 
   /// The first frame from `start` on in which the ships have a contact point.
   [[nodiscard]] int firstContact(int start) const {
-    for (int i = start; i < kFrames; ++i) {
+    for (int i = start; i < kDuelFrames; ++i) {
       if (counters[static_cast<std::size_t>(i)].contacts > 0) return i;
     }
-    return kFrames;
+    return kDuelFrames;
   }
 
   /// The first frame from `start` on in which the ships' bounds do not overlap.
   [[nodiscard]] int firstApart(int start) const {
-    for (int i = start; i < kFrames; ++i) {
+    for (int i = start; i < kDuelFrames; ++i) {
       if (counters[static_cast<std::size_t>(i)].overlappingPairs == 0) return i;
     }
-    return kFrames;
+    return kDuelFrames;
   }
 
   [[nodiscard]] std::uint32_t peakManifolds(int from, int to) const {
@@ -57,7 +57,7 @@ DuelLog runDuel(WorldKind kind) {
   EXPECT_NE(fighter, nullptr);
   DuelLog log;
   log.hunterLevels = hunter->levelCount();
-  for (int i = 0; i < kFrames; ++i) {
+  for (int i = 0; i < kDuelFrames; ++i) {
     log.hunterLevel.push_back(hunter->level());
     log.fighterLevel.push_back(fighter->level());
     scene.step();
@@ -165,15 +165,15 @@ TEST_F(Duel, TheShipsCollidePartAndMeetAgain) {
   for (const DuelLog* log : {&standard(), &hybrid()}) {
     const int first = log->firstContact(0);
     const int apart = log->firstApart(first);
-    ASSERT_LT(apart, kFrames) << "the bounds never part after the first collision";
-    EXPECT_LT(log->firstContact(apart), kFrames) << "no second contact";
+    ASSERT_LT(apart, kDuelFrames) << "the bounds never part after the first collision";
+    EXPECT_LT(log->firstContact(apart), kDuelFrames) << "no second contact";
   }
 }
 
 TEST_F(Duel, TheSecondContactNeedsFarFewerManifoldsThanInTheStandardWorld) {
   auto atSecondContact = [](const DuelLog& log) {
     const int second = log.firstContact(log.firstApart(log.firstContact(0)));
-    return log.peakManifolds(second, kFrames);
+    return log.peakManifolds(second, kDuelFrames);
   };
   EXPECT_GE(atSecondContact(standard()), 8U);
   EXPECT_LE(atSecondContact(hybrid()) * 4, atSecondContact(standard()));

@@ -10,10 +10,6 @@
 namespace scatter::test {
 namespace {
 
-float distance(const Vec3& a, const Vec3& b) {
-  return glm::length(a - b);
-}
-
 /// The momentum of all dynamic bodies, kg m/s.
 Vec3 momentum(const World& world) {
   Vec3 sum(0.0F);

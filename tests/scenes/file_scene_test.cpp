@@ -13,10 +13,6 @@
 namespace scatter::test {
 namespace {
 
-float distance(const Vec3& a, const Vec3& b) {
-  return glm::length(a - b);
-}
-
 TEST(FileScene, PutsBodiesWhereTheFileSays) {
   const FileWorld scene(R"(
 object = [{ name = "a", sphere = 1, at = [1, 2, 3] },

@@ -4,12 +4,17 @@
 #include <scatter/bullet/bullet_physics.h>
 #include <scatter/io/scene_file.h>
 
+#include <glm/geometric.hpp>
 #include <memory>
 #include <string>
 
 #include "scenes/file_scene.h"
 
 namespace scatter::test {
+
+[[nodiscard]] inline float distance(const Vec3& a, const Vec3& b) {
+  return glm::length(a - b);
+}
 
 /// A scene file's text in a world of its own.
 class FileWorld {

@@ -14,9 +14,9 @@
 namespace scatter::test {
 namespace {
 
-constexpr int kFrames = 900;
+constexpr int kMugFrames = 900;
 constexpr float kTray = 2.4F;
-constexpr float kHeight = 8.0F;  // the highest things come from a little above the walls
+constexpr float kMugHeight = 8.0F;  // the highest things come from a little above the walls
 
 Frame frameOf(const Transform& pose) {
   const Mat3 columns = glm::mat3_cast(pose.rotation);
@@ -50,25 +50,25 @@ int hookedPairs(const World& world) {
   return hooked;
 }
 
-struct Outcome {
+struct Pouring {
   int hooked = 0;
   float highest = 0.0F;
 };
 
-Outcome pour(const WorldCase& kind) {
+Pouring pour(const WorldCase& kind) {
   SceneWorld scene("mugs", kind.def);
   double peakEnergy = 0.0;
-  for (int i = 0; i < kFrames; ++i) {
+  for (int i = 0; i < kMugFrames; ++i) {
     scene.step();
     peakEnergy = std::max(peakEnergy, scene.world.physics().kineticEnergy());
     EXPECT_FALSE(scene.world.physics().findInvalidState()) << kind.name << " frame " << i;
-    const auto outside = objectsOutside(scene.world, kTray, kHeight);
+    const auto outside = objectsOutside(scene.world, kTray, kMugHeight);
     EXPECT_EQ(outside, std::vector<std::string>{}) << kind.name << " frame " << i;
     if (testing::Test::HasFailure()) return {};
   }
   EXPECT_EQ(scene.counters().hybrids, 80U) << kind.name;
   EXPECT_LT(scene.world.physics().kineticEnergy(), 0.05 * peakEnergy) << kind.name;
-  Outcome outcome{hookedPairs(scene.world), 0.0F};
+  Pouring outcome{hookedPairs(scene.world), 0.0F};
   for (const auto& object : scene.world.objects()) {
     if (object->def().motion != Motion::kDynamic) continue;
     outcome.highest = std::max(outcome.highest, object->state().centerOfMass.y);
@@ -77,7 +77,7 @@ Outcome pour(const WorldCase& kind) {
 }
 
 TEST(Mugs, HookIntoEachOtherAtTheFinestLevelAndNotAtLevelOne) {
-  std::vector<Outcome> outcomes;
+  std::vector<Pouring> outcomes;
   for (const WorldCase& kind : everyWorld()) {
     outcomes.push_back(pour(kind));
     RecordProperty(std::string("hooked_") + kind.name, outcomes.back().hooked);

@@ -8,11 +8,11 @@
 namespace scatter::test {
 namespace {
 
-constexpr int kFrames = 300;
+constexpr int kQuietFrames = 300;
 
 TEST(QuietApart, NothingEverTouches) {
   SceneWorld scene("quiet_apart");
-  for (int i = 0; i < kFrames; ++i) {
+  for (int i = 0; i < kQuietFrames; ++i) {
     scene.step();
     ASSERT_EQ(scene.counters().contacts, 0U) << "frame " << i;
   }
@@ -24,7 +24,7 @@ TEST_P(QuietStacks, StandStillAndAwake) {
   SceneWorld scene(GetParam());
   std::vector<Vec3> start;
   for (const auto& object : scene.world.objects()) start.push_back(object->state().pose.position);
-  for (int i = 0; i < kFrames; ++i) scene.step();
+  for (int i = 0; i < kQuietFrames; ++i) scene.step();
   float furthest = 0.0F;
   for (std::size_t i = 0; i < start.size(); ++i) {
     const WorldObject& object = *scene.world.objects()[i];
@@ -41,7 +41,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, QuietStacks, testing::Values("quiet_stacks", "q
 
 TEST(QuietStacksTest, TheHybridsTouchNothingButTheGround) {
   SceneWorld scene("quiet_stacks", WorldKind::kHybrid);
-  for (int i = 0; i < kFrames; ++i) {
+  for (int i = 0; i < kQuietFrames; ++i) {
     scene.step();
     ASSERT_EQ(scene.counters().pairsWithHybrid, 4U) << "frame " << i;
   }

@@ -16,7 +16,7 @@ constexpr int kFrames = 900;
 constexpr int kLift = 30;
 constexpr int kThrow = 150;
 constexpr float kRoom = 12.0F;
-constexpr float kHeight = 9.0F;
+constexpr float kThingHeight = 9.0F;
 
 /// Of the dynamic objects.
 std::vector<Vec3> centers(const World& world) {
@@ -49,7 +49,7 @@ TEST_P(Telekinesis, ThrowsEverythingAtOnePointAndKeepsItInTheRoom) {
     }
     scene.step();
     ASSERT_FALSE(scene.world.physics().findInvalidState()) << "frame " << i;
-    ASSERT_EQ(objectsOutside(scene.world, kRoom, kHeight), std::vector<std::string>{}) << "frame " << i;
+    ASSERT_EQ(objectsOutside(scene.world, kRoom, kThingHeight), std::vector<std::string>{}) << "frame " << i;
     peakEnergy = std::max(peakEnergy, scene.world.physics().kineticEnergy());
     if (i >= kThrow) nearest = std::min(nearest, meanDistance(centers(scene.world)));
   }

@@ -103,8 +103,6 @@ class Wind final : public Field {
   Vec3 acceleration(const Vec3&) const override { return {1.0F, 2.0F, 0.0F}; }
 };
 
-}  // namespace
-
 TEST_F(WorldTest, FindsObjectsByNameAndBody) {
   WorldObject& a = add("a");
   WorldObject& b = add("b");
@@ -215,4 +213,5 @@ TEST_F(WorldTest, AnEngineThatCannotSwitchSaysSo) {
   EXPECT_FALSE(physics.setHeld(BodyId{1}, true));
 }
 
+}  // namespace
 }  // namespace scatter

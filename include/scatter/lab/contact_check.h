@@ -13,7 +13,7 @@ struct FrameMiss {
   MissedContact contact;
 };
 
-/// What brute force found over a run: see CollisionDef::verifyEvery.
+/// How contacts compared with the engine's over a run: see CollisionDef::verifyEvery.
 struct ContactCheck {
   static constexpr std::size_t kMissesKept = 20;
 

@@ -15,8 +15,8 @@ struct SceneContacts {
   ContactCheck check;
 };
 
-/// Runs each scene once and keeps what brute force found; `runs` have CollisionDef::verifyEvery set. Fails as
-/// runScene does.
+/// Runs each scene once and keeps how its contacts compared with the engine's; `runs` have
+/// CollisionDef::verifyEvery set. Fails as runScene does.
 [[nodiscard]] Result<std::vector<SceneContacts>> surveyContacts(
     const std::vector<RunOptions>& runs, const std::function<void(const CompareProgress&)>& progress = {});
 

@@ -37,8 +37,9 @@ struct CollisionDef {
   Narrowphase narrowphase = Narrowphase::kScatter;
   PairAlgorithmDef pairAlgorithm{};
 
-  /// Compares the contacts of hybrid bodies with what brute force finds, every so many steps; 0: never. Slow,
-  /// and its time counts as the step's; changes nothing else.
+  /// Compares the contacts of hybrid bodies with those of the engine's own collision world beside this one,
+  /// every so many steps; 0: never. Slow, in every step, and its time counts as the step's; changes nothing
+  /// else.
   int verifyEvery = 0;
 };
 
@@ -51,16 +52,17 @@ struct MissedContact {
   float distance = 0.0F;  ///< Metres, negative if deep.
 };
 
-/// What brute force found in all verified steps so far.
+/// How contacts compared with the engine's in all verified steps so far; btHybridContactReport says what
+/// exactly.
 struct ContactReport {
-  std::uint64_t steps = 0;  ///< Verified.
-  std::uint64_t childPairs = 0;
-  std::uint64_t expected = 0;  ///< Child pairs that should be in contact.
-  std::uint64_t missed = 0;    ///< Of those, without a contact in the world.
-  std::uint64_t extra = 0;     ///< In contact, although the engine's own algorithms would have left them out.
+  std::uint64_t steps = 0;       ///< Verified.
+  std::uint64_t childPairs = 0;  ///< That the engine's midphase has let through.
+  std::uint64_t expected = 0;    ///< Child pairs in contact in the engine.
+  std::uint64_t missed = 0;      ///< Of those, without a contact in the world.
+  std::uint64_t extra = 0;       ///< In contact in the world and not in the engine.
 
-  /// Counted in none of these: not in contact, and the engine's own detector finds a contact that a plane
-  /// disproves, or finds it in one order of the two only.
+  /// Counted in none of these: differences that rounding decides, and those in which the engine is proven
+  /// wrong.
   std::uint64_t doubtful = 0;
   std::vector<MissedContact> lastMissed;  ///< Of the last verified step.
 };

@@ -169,8 +169,9 @@ class Physics {
   [[nodiscard]] virtual double budgetUnits() const = 0;
 
   /// What a step may cost from the next one on; a default BudgetDef ends the budget. Clock-free budgets leave
-  /// the run the same every time. Values that are negative or not finite, or more than one of the three, are
-  /// asserted. False, and nothing happens, where there are no budgets: they need pair switching.
+  /// the run the same every time. Values that are negative or not finite are asserted, and refused with a
+  /// line to stderr without asserts. False, and nothing happens, where they are, and where there are no
+  /// budgets: they need pair switching.
   virtual bool setBudget(const BudgetDef& /*budget*/) { return false; }
 
   /// Replaces the policies of SwitchingDef from the next step on; requests that the program has made stand.

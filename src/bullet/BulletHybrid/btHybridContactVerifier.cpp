@@ -1,219 +1,371 @@
 #include "btHybridContactVerifier.h"
 
-#include <functional>
+#include <BulletCollision/BroadphaseCollision/btCollisionAlgorithm.h>
+#include <LinearMath/btAabbUtil2.h>
 
-#include "BulletHybrid/btHybridRigidBody.h"
-#include "btHybridBruteForce.h"
-#include "btHybridPlanner.h"
+#include "btHybridParts.h"
+#include "btHybridProvenDistance.h"
+#include "btHybridSilence.h"
 
 namespace
 {
-// Names a child pair in contact. The order of bodies in memory sorts them, and nothing else.
-struct ContactKey
+// Points that Bullet was given before the step are told from those that it has found in it by their age.
+const int c_givenAge = 1 << 20;
+
+// What the tolerances at which both GJKs stop make of a threshold, and of a distance between cores.
+const double c_ofThreshold = 1e-4;
+const double c_ofCores = 1e-6;
+
+enum Verdict
 {
-	const btCollisionObject* m_bodies[2];
-	int m_children[2];
-	bool m_isNew;  // the point was not there before this step
-
-	ContactKey()
-	{
-	}
-	ContactKey(const btCollisionObject* body0, const btCollisionObject* body1, int child0, int child1, bool isNew = false)
-	    : m_isNew(isNew)
-	{
-		const bool swap = std::less<>()(body1, body0);
-		m_bodies[swap] = body0;
-		m_bodies[!swap] = body1;
-		m_children[swap] = child0;
-		m_children[!swap] = child1;
-	}
-
-	static bool less(const ContactKey& a, const ContactKey& b)
-	{
-		for (int i = 0; i < 2; i++)
-			if (a.m_bodies[i] != b.m_bodies[i])
-				return std::less<>()(a.m_bodies[i], b.m_bodies[i]);
-		return a.m_children[0] != b.m_children[0] ? a.m_children[0] < b.m_children[0] : a.m_children[1] < b.m_children[1];
-	}
+	DIFFERENT,
+	DOUBTFUL,
+	BULLET_ERRS
 };
 
-// The child pairs that have contact points in the world, sorted.
-class ContactIndex
+btScalar largestComponent(const btVector3& v)
 {
-	btAlignedObjectArray<ContactKey> m_keys;
+	const btVector3 positive = v.absolute();
+	return positive[positive.maxAxis()];
+}
 
-public:
-	explicit ContactIndex(btDispatcher* dispatcher)
-	{
-		for (int i = 0; i < dispatcher->getNumManifolds(); i++)
-			add(*dispatcher->getManifoldByIndexInternal(i));
-		if (m_keys.size() > 1)
-			m_keys.quickSort(ContactKey::less);
-	}
-
-	int size() const
-	{
-		return m_keys.size();
-	}
-	const ContactKey& operator[](int i) const
-	{
-		return m_keys[i];
-	}
-
-	// The first that is not less than the key.
-	int lowerBound(const ContactKey& key) const
-	{
-		int first = 0;
-		int last = m_keys.size();
-		while (first < last)
-		{
-			const int middle = first + (last - first) / 2;
-			if (ContactKey::less(m_keys[middle], key))
-				first = middle + 1;
-			else
-				last = middle;
-		}
-		return first;
-	}
-
-	bool contains(const ContactKey& key) const
-	{
-		const int i = lowerBound(key);
-		return i < m_keys.size() && !ContactKey::less(key, m_keys[i]);
-	}
-
-	bool isOfBodies(int i, const ContactKey& key) const
-	{
-		return i < m_keys.size() && m_keys[i].m_bodies[0] == key.m_bodies[0] && m_keys[i].m_bodies[1] == key.m_bodies[1];
-	}
-
-private:
-	// A step adds one to the age of every point that it finds; a contact-added callback may have done so too.
-	static bool isNew(const btManifoldPoint& point)
-	{
-		return point.getLifeTime() <= 1;
-	}
-
-	void add(const btPersistentManifold& manifold)
-	{
-		for (int i = 0; i < manifold.getNumContacts(); i++)
-		{
-			const btManifoldPoint& point = manifold.getContactPoint(i);
-			m_keys.push_back(ContactKey(manifold.getBody0(), manifold.getBody1(), point.m_index0, point.m_index1, isNew(point)));
-		}
-	}
-};
-
-// One verification of a world.
-class Verification
+// False for anything that is not a number.
+bool overlap(const btVector3& minA, const btVector3& maxA, const btVector3& minB, const btVector3& maxB, btScalar slack)
 {
-	btDispatcher* m_dispatcher;
-	btHybridContactReport& m_report;
-	ContactIndex m_contacts;
-	btHybridBruteForce m_bruteForce;
-	btHybridConvexSide m_a;
-	btHybridConvexSide m_b;
-
-public:
-	Verification(btDispatcher* dispatcher, btHybridContactReport& report)
-	    : m_dispatcher(dispatcher), m_report(report), m_contacts(dispatcher), m_bruteForce(dispatcher)
-	{
-	}
-
-	void verifyPair(const btBroadphasePair& pair)
-	{
-		const btCollisionObject* a = static_cast<const btCollisionObject*>(pair.m_pProxy0->m_clientObject);
-		const btCollisionObject* b = static_cast<const btCollisionObject*>(pair.m_pProxy1->m_clientObject);
-		if (!btHybridRigidBody::upcast(a) && !btHybridRigidBody::upcast(b))
-			return;
-		if (!m_dispatcher->needsCollision(a, b) || !m_a.collect(a) || !m_b.collect(b))
-			return;
-		for (int i = 0; i < m_a.m_children.size(); i++)
-			for (int j = 0; j < m_b.m_children.size(); j++)
-				verifyChildPair(m_a.m_children[i], m_b.m_children[j]);
-		countExtras();
-	}
-
-private:
-	ContactKey keyOf(int childA, int childB) const
-	{
-		return ContactKey(m_a.m_object, m_b.m_object, childA, childB);
-	}
-
-	void verifyChildPair(const btHybridConvexChild& childA, const btHybridConvexChild& childB)
-	{
-		if (!btHybridMidphaseKeeps(m_a, childA, m_b, childB, true, -(childA.m_rounding + childB.m_rounding)))
-			return;
-		m_report.m_childPairs++;
-		btHybridMissedContact contact;
-		if (!m_bruteForce.findContact(m_a, childA, m_b, childB, false, contact.m_distance))
-			return;
-		const bool isThere = m_contacts.contains(keyOf(childA.m_index, childB.m_index));
-		if (!isThere && isDoubtful(childA, childB))
-		{
-			m_report.m_doubtful++;
-			return;
-		}
-		m_report.m_expected++;
-		if (isThere)
-			return;
-		contact.m_bodyA = m_a.m_object;
-		contact.m_bodyB = m_b.m_object;
-		contact.m_childA = childA.m_index;
-		contact.m_childB = childB.m_index;
-		m_report.m_missed++;
-		m_report.m_lastMissed.push_back(contact);
-	}
-
-	// Bullet's GJK finds contacts between parts of millimetres, or nearly flat ones, that are further apart
-	// than its threshold, or finds them in one order of the two only. Nobody misses those.
-	bool isDoubtful(const btHybridConvexChild& childA, const btHybridConvexChild& childB)
-	{
-		btScalar distance;
-		if (btHybridAreBoxes(childA, childB))
+	for (int axis = 0; axis < 3; axis++)
+		if (!(minA[axis] <= maxB[axis] + slack && minB[axis] <= maxA[axis] + slack))
 			return false;
-		return btHybridIsProvenApart(childA, childB, m_bruteForce.getThreshold()) || !m_bruteForce.findContact(m_a, childA, m_b, childB, true, distance);
-	}
+	return true;
+}
 
-	void countExtras()
+/// A convex child at its world pose.
+struct ComparedChild
+{
+	const btCollisionObject* m_object;
+	const btConvexShape* m_shape;
+	btTransform m_transform;
+	btVector3 m_min;
+	btVector3 m_max;
+	btVector3 m_leafMin;  ///< in its compound's tree, if it has one
+	btVector3 m_leafMax;
+	bool m_hasLeaf;
+	btScalar m_rounding;  ///< metres: what single precision may lose on the way to a distance or a bound
+
+	ComparedChild(const btCollisionObject* object, int index)
+	    : m_object(object), m_transform(object->getWorldTransform()), m_hasLeaf(false)
 	{
-		const ContactKey bodies = keyOf(-1, -1);
-		const bool swapped = bodies.m_bodies[0] != m_a.m_object;
-		for (int i = m_contacts.lowerBound(bodies); m_contacts.isOfBodies(i, bodies);)
+		const btCollisionShape* shape = object->getCollisionShape();
+		if (index >= 0)
 		{
-			const ContactKey& key = m_contacts[i];
-			bool isNew = true;
-			// One child pair has up to four points.
-			for (; i < m_contacts.size() && !ContactKey::less(key, m_contacts[i]); i++)
-				isNew &= m_contacts[i].m_isNew;
-			m_report.m_extra += isExtra(key.m_children[swapped], key.m_children[!swapped], isNew);
+			const btCompoundShape* compound = static_cast<const btCompoundShape*>(shape);
+			m_transform = m_transform * compound->getChildTransform(index);
+			shape = compound->getChildShape(index);
+			m_hasLeaf = compound->getDynamicAabbTree() != 0;
+			shape->getAabb(compound->getChildTransform(index), m_leafMin, m_leafMax);
 		}
-	}
-
-	bool isExtra(int childA, int childB, bool isNew) const
-	{
-		// Without a child it is not of the narrowphase: Bullet's continuous detection predicts such contacts.
-		if ((m_a.m_compound && childA < 0) || (m_b.m_compound && childB < 0))
-			return false;
-		const btHybridConvexChild* a = findChild(m_a, childA);
-		const btHybridConvexChild* b = findChild(m_b, childB);
-		return !a || !b || !btHybridMidphaseKeeps(m_a, *a, m_b, *b, isNew, a->m_rounding + b->m_rounding);
-	}
-
-	static const btHybridConvexChild* findChild(const btHybridConvexSide& side, int index)
-	{
-		const int position = side.m_compound ? index : index + 1;
-		return position >= 0 && position < side.m_children.size() ? &side.m_children[position] : 0;
+		m_shape = static_cast<const btConvexShape*>(shape);
+		shape->getAabb(m_transform, m_min, m_max);
+		const btVector3& origin = object->getWorldTransform().getOrigin();
+		const btScalar reach = largestComponent(m_min) + largestComponent(m_max) + largestComponent(origin) + largestComponent(m_transform.getOrigin() - origin);
+		m_rounding = btScalar(4) * SIMD_EPSILON * reach;
 	}
 };
+
+bool areBoth(int type, const btConvexShape* a, const btConvexShape* b)
+{
+	return a->getShapeType() == type && b->getShapeType() == type;
+}
+
+const btCollisionShape* childShape(const btCollisionObject* object, int index)
+{
+	const btCollisionShape* shape = object->getCollisionShape();
+	return index < 0 ? shape : static_cast<const btCompoundShape*>(shape)->getChildShape(index);
+}
+
+bool areSpheres(const btHybridChildKey& key)
+{
+	return childShape(key.m_bodies[0], key.m_children[0])->getShapeType() == SPHERE_SHAPE_PROXYTYPE && childShape(key.m_bodies[1], key.m_children[1])->getShapeType() == SPHERE_SHAPE_PROXYTYPE;
+}
+
+// The test of the leaves in Bullet's compound algorithms.
+bool leavesOverlap(const ComparedChild& a, const ComparedChild& b, btScalar slack)
+{
+	if (!a.m_hasLeaf && !b.m_hasLeaf)
+		return true;
+	if (!a.m_hasLeaf)
+		return leavesOverlap(b, a, slack);
+	const btTransform bInA = a.m_object->getWorldTransform().inverse() * b.m_object->getWorldTransform();
+	btVector3 lower, upper;
+	if (b.m_hasLeaf)
+		btTransformAabb(b.m_leafMin, b.m_leafMax, btScalar(0), bInA, lower, upper);
+	else
+		b.m_object->getCollisionShape()->getAabb(bInA, lower, upper);
+	return overlap(a.m_leafMin, a.m_leafMax, lower, upper, slack);
+}
+
+bool hasNewPoint(const btPersistentManifold* bullets)
+{
+	for (int i = 0; bullets && i < bullets->getNumContacts(); i++)
+		if (bullets->getContactPoint(i).getLifeTime() < c_givenAge)
+			return true;
+	return false;
+}
+
+// Whether rounding may decide if the midphase lets a child pair through.
+bool isMidphaseDoubtful(const ComparedChild& a, const ComparedChild& b)
+{
+	const btScalar slack = a.m_rounding + b.m_rounding;
+	if (overlap(a.m_min, a.m_max, b.m_min, b.m_max, slack) != overlap(a.m_min, a.m_max, b.m_min, b.m_max, -slack))
+		return true;
+	return leavesOverlap(a, b, slack) != leavesOverlap(a, b, -slack);
+}
+
+Verdict judgeDistance(const ComparedChild& a, const ComparedChild& b, btScalar threshold, bool isMissed, const btPersistentManifold* bullets)
+{
+	const btHybridProvenDistance distance(a.m_shape, a.m_transform, b.m_shape, b.m_transform);
+	const double slack = c_ofThreshold * double(threshold) + c_ofCores * distance.m_cores + double(a.m_rounding) + double(b.m_rounding);
+	if (distance.m_atMost - distance.m_atLeast > slack)
+		return DIFFERENT;
+	const bool isNear = distance.m_atMost < double(threshold) - slack;
+	const bool isFar = distance.m_atLeast > double(threshold) + slack;
+	if (!isNear && !isFar)
+		return DOUBTFUL;
+	// One finds what is there, or the other what is not.
+	return (isMissed ? isFar && hasNewPoint(bullets) : isNear) ? BULLET_ERRS : DIFFERENT;
+}
+
+Verdict judge(const btHybridChildKey& key, const btPersistentManifold* ours, const btPersistentManifold* bullets)
+{
+	const ComparedChild a(key.m_bodies[0], key.m_children[0]);
+	const ComparedChild b(key.m_bodies[1], key.m_children[1]);
+	const bool isMissed = !ours;
+	const btScalar slack = a.m_rounding + b.m_rounding;
+	if (isMidphaseDoubtful(a, b))
+		return DOUBTFUL;
+	if (!isMissed && !overlap(a.m_min, a.m_max, b.m_min, b.m_max, slack))
+		return DIFFERENT;
+	if (areBoth(SPHERE_SHAPE_PROXYTYPE, a.m_shape, b.m_shape))
+	{
+		const btScalar radii = a.m_shape->getMargin() + b.m_shape->getMargin();
+		return btFabs(a.m_transform.getOrigin().distance(b.m_transform.getOrigin()) - radii) <= slack ? DOUBTFUL : DIFFERENT;
+	}
+	if (areBoth(BOX_SHAPE_PROXYTYPE, a.m_shape, b.m_shape))
+		return DIFFERENT;
+	return judgeDistance(a, b, (isMissed ? bullets : ours)->getContactBreakingThreshold(), isMissed, bullets);
+}
+
+// Of keys that are sorted.
+bool contains(const btAlignedObjectArray<btHybridChildKey>& sorted, const btHybridChildKey& key)
+{
+	int first = 0;
+	int last = sorted.size();
+	while (first < last)
+	{
+		const int middle = first + (last - first) / 2;
+		if (btHybridChildKey::less(sorted[middle], key))
+			first = middle + 1;
+		else
+			last = middle;
+	}
+	return first < sorted.size() && !btHybridChildKey::less(key, sorted[first]);
+}
+
+btHybridMissedContact describe(const btHybridChildKey& key, const btPersistentManifold* manifold)
+{
+	btHybridMissedContact contact;
+	contact.m_bodyA = key.m_bodies[0];
+	contact.m_bodyB = key.m_bodies[1];
+	contact.m_childA = key.m_children[0];
+	contact.m_childB = key.m_children[1];
+	contact.m_distance = BT_LARGE_FLOAT;
+	for (int i = 0; i < manifold->getNumContacts(); i++)
+		contact.m_distance = btMin(contact.m_distance, manifold->getContactPoint(i).getDistance());
+	return contact;
+}
+
+btManifoldPoint swapped(const btManifoldPoint& point)
+{
+	btManifoldPoint other = point;
+	other.m_localPointA = point.m_localPointB;
+	other.m_localPointB = point.m_localPointA;
+	other.m_positionWorldOnA = point.m_positionWorldOnB;
+	other.m_positionWorldOnB = point.m_positionWorldOnA;
+	other.m_normalWorldOnB = -point.m_normalWorldOnB;
+	other.m_index0 = point.m_index1;
+	other.m_index1 = point.m_index0;
+	return other;
+}
+
+void givePoints(const btHybridChildManifold& from, const btHybridChildManifold& to)
+{
+	for (int i = 0; i < from.m_manifold->getNumContacts(); i++)
+	{
+		btManifoldPoint point = from.m_manifold->getContactPoint(i);
+		if (from.m_swapped != to.m_swapped)
+			point = swapped(point);
+		// The program's, and given back once.
+		point.m_userPersistentData = 0;
+		point.m_lifeTime = c_givenAge;
+		to.m_manifold->addManifoldPoint(point, true);
+	}
+}
 }  // namespace
 
-void btHybridContactVerifier::verify(btBroadphasePairArray& pairs, btDispatcher* dispatcher, const btHybridPlanner* planner)
+btHybridContactVerifier::btHybridContactVerifier()
+    : m_parallel(0)
 {
-	Verification verification(dispatcher, m_report);
-	m_report.m_lastMissed.resize(0);
+}
+
+btHybridContactVerifier::~btHybridContactVerifier()
+{
+	reset();
+}
+
+void btHybridContactVerifier::reset()
+{
+	const btHybridSilence silence;
+	delete m_parallel;
+	m_parallel = 0;
+	m_extras.clear();
+	m_report = btHybridContactReport();
+}
+
+// Only those of the narrowphase: Bullet's continuous detection predicts contacts that no algorithm knows.
+void btHybridContactVerifier::collectOurs(btCollisionWorld* world)
+{
+	m_ours.resizeNoInitialize(0);
+	btManifoldArray manifolds;
+	btBroadphasePairArray& pairs = world->getBroadphase()->getOverlappingPairCache()->getOverlappingPairArray();
 	for (int i = 0; i < pairs.size(); i++)
-		if (!planner || !pairs[i].m_algorithm || planner->isAtFinest(pairs[i].m_algorithm))
-			verification.verifyPair(pairs[i]);
-	m_report.m_steps++;
+	{
+		const btCollisionObject* a = static_cast<const btCollisionObject*>(pairs[i].m_pProxy0->m_clientObject);
+		const btCollisionObject* b = static_cast<const btCollisionObject*>(pairs[i].m_pProxy1->m_clientObject);
+		if (!pairs[i].m_algorithm || m_parallel->getFate(a, b) < btHybridParallelWorld::KEPT_CONTACTS)
+			continue;
+		manifolds.resize(0);
+		pairs[i].m_algorithm->getAllContactManifolds(manifolds);
+		for (int k = 0; k < manifolds.size(); k++)
+		{
+			if (manifolds[k]->getNumContacts() == 0)
+				continue;
+			const btManifoldPoint& point = manifolds[k]->getContactPoint(0);
+			m_ours.push_back(btHybridChildManifold(manifolds[k], manifolds[k]->getBody0(), manifolds[k]->getBody1(), point.m_index0, point.m_index1));
+		}
+	}
+	if (m_ours.size() > 1)
+		m_ours.quickSort(btHybridChildManifold::less);
+}
+
+void btHybridContactVerifier::begin(const btHybridPlanner* planner, btCollisionWorld* world)
+{
+	const btHybridSilence silence;
+	if (!m_parallel)
+		m_parallel = new btHybridParallelWorld(world);
+	m_parallel->setPlanner(planner);
+	m_parallel->follow();
+	collectOurs(world);
+	sharePoints();
+}
+
+void btHybridContactVerifier::sharePoints()
+{
+	m_unshared.resizeNoInitialize(0);
+	m_parallel->getManifolds(m_bullets);
+	for (int i = 0; i < m_bullets.size(); i++)
+		m_bullets[i].m_manifold->clearManifold();
+	for (int i = 0; i < m_ours.size(); i++)
+	{
+		if (const btHybridChildManifold* bullets = btHybridChildManifold::find(m_bullets, m_ours[i].m_key))
+			givePoints(m_ours[i], *bullets);
+		else
+			m_unshared.push_back(m_ours[i].m_key);
+	}
+}
+
+void btHybridContactVerifier::finish(btCollisionWorld* world, bool reports)
+{
+	// A listener has started it anew in the midst of the step.
+	if (!m_parallel)
+		return;
+	const btHybridSilence silence;
+	m_parallel->step();
+	collectOurs(world);
+	m_parallel->getManifolds(m_bullets);
+	// What is extra now is extra again in the next step, even if that is not reported.
+	btHybridContactReport ignored;
+	btHybridContactReport& report = reports ? m_report : ignored;
+	report.m_lastMissed.resize(0);
+	report.m_lastExtra.resize(0);
+	compare(report);
+	report.m_steps++;
+}
+
+// Whether the pair was looked at in this step, and is made of convex children.
+bool btHybridContactVerifier::isCompared(const btHybridChildKey& key) const
+{
+	for (int i = 0; i < 2; i++)
+	{
+		const btCollisionShape* shape = key.m_bodies[i]->getCollisionShape();
+		if (!btHybridParts::isPartList(shape) || (shape->isCompound() && key.m_children[i] < 0))
+			return false;
+	}
+	return m_parallel->getFate(key.m_bodies[0], key.m_bodies[1]) == btHybridParallelWorld::LOOKED_AT_FINEST;
+}
+
+void btHybridContactVerifier::compare(btHybridContactReport& report)
+{
+	btAlignedObjectArray<btHybridChildKey> extrasBefore;
+	extrasBefore.copyFromArray(m_extras);
+	m_extras.resizeNoInitialize(0);
+	for (int i = 0; i < m_bullets.size(); i++)
+	{
+		const btPersistentManifold* bullets = m_bullets[i].m_manifold;
+		if (!isCompared(m_bullets[i].m_key))
+			continue;
+		report.m_childPairs++;
+		if (bullets->getNumContacts() == 0)
+			continue;
+		const btHybridChildManifold* ours = btHybridChildManifold::find(m_ours, m_bullets[i].m_key);
+		if (ours)
+			report.m_expected++;
+		else
+			takeDifference(m_bullets[i].m_key, 0, bullets, report);
+	}
+	for (int i = 0; i < m_ours.size(); i++)
+	{
+		const btPersistentManifold* ours = m_ours[i].m_manifold;
+		if (!isCompared(m_ours[i].m_key))
+			continue;
+		const btHybridChildManifold* known = btHybridChildManifold::find(m_bullets, m_ours[i].m_key);
+		const btPersistentManifold* bullets = known ? known->m_manifold : 0;
+		const bool isThere = bullets && bullets->getNumContacts() > 0;
+		// Two spheres have one point, which is new in every step.
+		if (isThere && !(areSpheres(m_ours[i].m_key) && ours->getNumContacts() > bullets->getNumContacts()))
+			continue;
+		const bool isUnknown = contains(m_unshared, m_ours[i].m_key) && !contains(extrasBefore, m_ours[i].m_key);
+		if (isUnknown)
+			report.m_doubtful++;
+		else
+			takeDifference(m_ours[i].m_key, ours, bullets, report);
+	}
+}
+
+void btHybridContactVerifier::takeDifference(const btHybridChildKey& key, const btPersistentManifold* ours, const btPersistentManifold* bullets, btHybridContactReport& report)
+{
+	const Verdict verdict = judge(key, ours, bullets);
+	if (verdict != DIFFERENT)
+	{
+		(verdict == DOUBTFUL ? report.m_doubtful : report.m_bulletErrs)++;
+		return;
+	}
+	if (ours)
+	{
+		m_extras.push_back(key);
+		report.m_extra++;
+		report.m_lastExtra.push_back(describe(key, ours));
+		return;
+	}
+	report.m_expected++;
+	report.m_missed++;
+	report.m_lastMissed.push_back(describe(key, bullets));
 }

@@ -2,6 +2,7 @@
 
 #include <BulletCollision/BroadphaseCollision/btBroadphaseInterface.h>
 #include <BulletCollision/BroadphaseCollision/btDispatcher.h>
+#include <LinearMath/btIDebugDraw.h>
 #include <LinearMath/btQuickprof.h>
 
 #include "BulletHybrid/btHybridSeparation.h"
@@ -9,7 +10,30 @@
 #include "btHybridNarrowphase.h"
 #include "btHybridNeighbourhood.h"
 #include "btHybridPlanner.h"
+#include "btHybridSettings.h"
 #include "btHybridStepClock.h"
+
+namespace
+{
+const char c_insideDetection[] = "this is a step's collision detection, where listeners are called; call between two steps";
+
+/// Marks the collision detection of a step, for as long as it lives.
+class DetectionScope
+{
+	bool& m_detects;
+
+public:
+	explicit DetectionScope(bool& detects)
+	    : m_detects(detects)
+	{
+		m_detects = true;
+	}
+	~DetectionScope()
+	{
+		m_detects = false;
+	}
+};
+}  // namespace
 
 btHybridDynamicsWorld::btHybridDynamicsWorld(btDispatcher* dispatcher, btBroadphaseInterface* pairCache, btConstraintSolver* constraintSolver, btCollisionConfiguration* collisionConfiguration, btHybridSwitchingMode mode)
     : btDiscreteDynamicsWorld(dispatcher, pairCache, constraintSolver, collisionConfiguration),
@@ -17,9 +41,11 @@ btHybridDynamicsWorld::btHybridDynamicsWorld(btDispatcher* dispatcher, btBroadph
       m_loadIsFine(false),
       m_step(0),
       m_standingRequests(0),
+      m_detects(false),
+      m_refusal(0),
       m_isIndexed(false),
       m_neighbourhood(new btHybridNeighbourhood),
-      m_narrowphase(new btHybridNarrowphase(dispatcher, mode == BT_HYBRID_PAIR_SWITCHING)),
+      m_narrowphase(new btHybridNarrowphase(dispatcher, this, mode == BT_HYBRID_PAIR_SWITCHING)),
       m_planner(m_narrowphase->getPlanner()),
       m_verifier(new btHybridContactVerifier),
       m_verifyEvery(0)
@@ -28,8 +54,17 @@ btHybridDynamicsWorld::btHybridDynamicsWorld(btDispatcher* dispatcher, btBroadph
 
 btHybridDynamicsWorld::~btHybridDynamicsWorld()
 {
-	for (int i = 0; i < m_hybrids.size(); i++)
-		m_hybrids[i]->m_hybridIndex = -1;
+	for (int i = 0; i < m_collisionObjects.size(); i++)
+	{
+		btHybridRigidBody* hybrid = dynamic_cast<btHybridRigidBody*>(m_collisionObjects[i]);
+		if (!hybrid || hybrid->m_world != this)
+			continue;
+		hybrid->m_world = 0;
+		hybrid->m_hybridIndex = -1;
+		hybrid->m_request = btHybridRequest();
+		// So that it is in no world for Bullet, either.
+		hybrid->setWorldArrayIndex(-1);
+	}
 	// Pairs may end after the world.
 	if (m_planner)
 		m_planner->setListener(0);
@@ -38,10 +73,42 @@ btHybridDynamicsWorld::~btHybridDynamicsWorld()
 	delete m_neighbourhood;
 }
 
+bool btHybridDynamicsWorld::owns(const btCollisionObject* object) const
+{
+	if (!object)
+		return false;
+	const int index = object->getWorldArrayIndex();
+	return index >= 0 && index < m_collisionObjects.size() && m_collisionObjects[index] == object;
+}
+
+bool btHybridDynamicsWorld::refuse(const char* reason)
+{
+	m_refusal = reason;
+	if (m_debugDrawer)
+		m_debugDrawer->reportErrorWarning(reason);
+	return false;
+}
+
+// What is in a world has a place in its broadphase.
+bool btHybridDynamicsWorld::accepts(const btCollisionObject* object)
+{
+	m_refusal = 0;
+	if (!object)
+		return refuse("0 was to be added to a btHybridDynamicsWorld; give it an object");
+	if (owns(object))
+		return refuse("an object was to be added twice to a btHybridDynamicsWorld; remove it first");
+	if (object->getBroadphaseHandle())
+		return refuse("an object that is in another world was to be added to a btHybridDynamicsWorld; remove it from there first");
+	return true;
+}
+
 void btHybridDynamicsWorld::registerHybrid(btRigidBody* body)
 {
-	btHybridRigidBody* hybrid = btHybridRigidBody::upcast(body);
-	if (!hybrid || hybrid->m_hybridIndex >= 0 || body->getWorldArrayIndex() < 0)
+	btHybridRigidBody* hybrid = dynamic_cast<btHybridRigidBody*>(body);
+	if (!hybrid || !owns(body))
+		return;
+	hybrid->m_world = this;
+	if (hybrid->getFinestLevel() == 0)
 		return;
 	m_isIndexed = false;
 	hybrid->m_hybridIndex = m_hybrids.size();
@@ -53,30 +120,51 @@ void btHybridDynamicsWorld::registerHybrid(btRigidBody* body)
 	findAsked();
 }
 
+void btHybridDynamicsWorld::unregisterHybrid(btHybridRigidBody* hybrid)
+{
+	hybrid->m_world = 0;
+	if (hybrid->m_hybridIndex < 0)
+		return;
+	retract(hybrid, BT_HYBRID_RETRACTED_BY_REMOVAL);
+	btHybridRigidBody* last = m_hybrids[m_hybrids.size() - 1];
+	m_hybrids[hybrid->m_hybridIndex] = last;
+	last->m_hybridIndex = hybrid->m_hybridIndex;
+	m_hybrids.pop_back();
+	hybrid->m_hybridIndex = -1;
+}
+
 void btHybridDynamicsWorld::addRigidBody(btRigidBody* body)
 {
+	if (!accepts(body))
+		return;
 	btDiscreteDynamicsWorld::addRigidBody(body);
 	registerHybrid(body);
 }
 
 void btHybridDynamicsWorld::addRigidBody(btRigidBody* body, int group, int mask)
 {
+	if (!accepts(body))
+		return;
 	btDiscreteDynamicsWorld::addRigidBody(body, group, mask);
 	registerHybrid(body);
 }
 
+void btHybridDynamicsWorld::addCollisionObject(btCollisionObject* collisionObject, int group, int mask)
+{
+	if (accepts(collisionObject))
+		btDiscreteDynamicsWorld::addCollisionObject(collisionObject, group, mask);
+}
+
 void btHybridDynamicsWorld::removeRigidBody(btRigidBody* body)
 {
-	btHybridRigidBody* hybrid = btHybridRigidBody::upcast(body);
-	if (hybrid && hybrid->m_hybridIndex >= 0)
+	m_refusal = 0;
+	if (!owns(body))
 	{
-		retract(hybrid, BT_HYBRID_RETRACTED_BY_REMOVAL);
-		btHybridRigidBody* last = m_hybrids[m_hybrids.size() - 1];
-		m_hybrids[hybrid->m_hybridIndex] = last;
-		last->m_hybridIndex = hybrid->m_hybridIndex;
-		m_hybrids.pop_back();
-		hybrid->m_hybridIndex = -1;
+		refuse("a body was to be removed from a btHybridDynamicsWorld that it is not in");
+		return;
 	}
+	if (btHybridRigidBody* hybrid = dynamic_cast<btHybridRigidBody*>(body))
+		unregisterHybrid(hybrid);
 	m_isIndexed = false;
 	forget(body);
 	btDiscreteDynamicsWorld::removeRigidBody(body);
@@ -84,24 +172,30 @@ void btHybridDynamicsWorld::removeRigidBody(btRigidBody* body)
 
 void btHybridDynamicsWorld::removeCollisionObject(btCollisionObject* collisionObject)
 {
+	m_refusal = 0;
+	if (!owns(collisionObject))
+	{
+		refuse("an object was to be removed from a btHybridDynamicsWorld that it is not in");
+		return;
+	}
 	m_isIndexed = false;
 	forget(collisionObject);
 	btDiscreteDynamicsWorld::removeCollisionObject(collisionObject);
 }
 
-void btHybridDynamicsWorld::forget(const btCollisionObject* object)
+void btHybridDynamicsWorld::forget(btCollisionObject* object)
 {
 	for (int i = 0; i < m_hybrids.size(); i++)
 		if (m_hybrids[i]->m_request.m_blockedBy == object)
 			m_hybrids[i]->m_request.m_blockedBy = 0;
-	const int held = m_held.size();
-	m_held.remove(object);
-	if (m_planner && m_held.size() < held)
-		m_planner->setHeld(m_held);
+	if (m_held.findLinearSearch2(object) >= 0)
+		setHeld(object, false);
 }
 
-void btHybridDynamicsWorld::setHeld(btCollisionObject* object, bool held)
+bool btHybridDynamicsWorld::setHeld(btCollisionObject* object, bool held)
 {
+	if (!owns(object))
+		return false;
 	if (btHybridRigidBody* hybrid = btHybridRigidBody::upcast(object))
 		hybrid->setHeld(held);
 	m_held.remove(object);
@@ -109,11 +203,14 @@ void btHybridDynamicsWorld::setHeld(btCollisionObject* object, bool held)
 		m_held.push_back(object);
 	if (m_planner)
 		m_planner->setHeld(m_held);
+	return true;
 }
 
 int btHybridDynamicsWorld::setSwitchingMode(btHybridSwitchingMode mode)
 {
 	const btScalar c_mostOverlap = btScalar(0.02);
+	if (m_detects)
+		return -1;
 	if (mode == getSwitchingMode())
 		return 0;
 	const int numDeep = m_planner ? m_planner->countDeepPairs(c_mostOverlap) : 0;
@@ -121,6 +218,8 @@ int btHybridDynamicsWorld::setSwitchingMode(btHybridSwitchingMode mode)
 		return numDeep;
 	retractAllRequests();
 	dropContactsOfHybrids();
+	if (m_planner)
+		m_pairSwitching = btHybridPairSwitchingInfo();
 	m_narrowphase->setSwitchesPairs(mode == BT_HYBRID_PAIR_SWITCHING);
 	m_planner = m_narrowphase->getPlanner();
 	for (int i = 0; i < m_hybrids.size(); i++)
@@ -148,7 +247,9 @@ void btHybridDynamicsWorld::setListener(btHybridListener* listener)
 
 bool btHybridDynamicsWorld::requestLevel(btHybridRigidBody* body, int level, btHybridScope scope)
 {
-	if (body->m_hybridIndex < 0 || m_hybrids[body->m_hybridIndex] != body || level < 1 || level > body->getFinestLevel())
+	if (!body || body->m_world != this || level < 1 || level > body->getFinestLevel())
+		return false;
+	if (m_planner && getNarrowphaseMistake())
 		return false;
 	if (level == body->m_level)
 		retract(body, BT_HYBRID_RETRACTED_BY_CALLER);
@@ -157,9 +258,12 @@ bool btHybridDynamicsWorld::requestLevel(btHybridRigidBody* body, int level, btH
 	return true;
 }
 
-void btHybridDynamicsWorld::retractRequest(btHybridRigidBody* body)
+bool btHybridDynamicsWorld::retractRequest(btHybridRigidBody* body)
 {
+	if (!body || body->m_world != this || !body->m_request.isStanding())
+		return false;
 	retract(body, BT_HYBRID_RETRACTED_BY_CALLER);
+	return true;
 }
 
 void btHybridDynamicsWorld::retractAllRequests()
@@ -212,6 +316,7 @@ void btHybridDynamicsWorld::updateAabbs()
 	if (!m_isIndexed || m_neighbourhood->getNumObjects() != m_collisionObjects.size())
 		m_neighbourhood->indexHybrids(m_collisionObjects.size(), m_hybrids);
 	m_isIndexed = true;
+	m_effective = btHybridEffective(m_switching);
 	BT_PROFILE("updateAabbs");
 	for (int i = 0; i < m_collisionObjects.size(); i++)
 	{
@@ -238,7 +343,7 @@ void btHybridDynamicsWorld::updateHybridAabb(btHybridRigidBody* body)
 		aabbMax.setMax(nextMax);
 	}
 	// The safety queries look at the pairs of these bounds, so the gap must fit in.
-	const btScalar margin = btMax(m_switching.m_safetyGap, gContactBreakingThreshold);
+	const btScalar margin = btMax(m_effective.m_safetyGap, gContactBreakingThreshold);
 	const btVector3 wide(margin, margin, margin);
 	aabbMin -= wide;
 	aabbMax += wide;
@@ -253,10 +358,18 @@ const btHybridCollisionInfo& btHybridDynamicsWorld::getCollisionInfo() const
 	return m_narrowphase->getInfo();
 }
 
-void btHybridDynamicsWorld::setCollisionInfo(const btHybridCollisionInfo& info)
+const char* btHybridDynamicsWorld::setCollisionInfo(const btHybridCollisionInfo& info)
 {
+	if (m_detects)
+		return c_insideDetection;
 	dropContactsOfHybrids();
 	m_narrowphase->setInfo(info);
+	return 0;
+}
+
+const char* btHybridDynamicsWorld::getNarrowphaseMistake() const
+{
+	return m_narrowphase->getMistake();
 }
 
 void btHybridDynamicsWorld::dropContactsOfHybrids()
@@ -283,9 +396,9 @@ btHybridCollisionMemory btHybridDynamicsWorld::getCollisionMemory() const
 
 int btHybridDynamicsWorld::getPairLevel(const btCollisionObject* objectA, const btCollisionObject* objectB) const
 {
-	const btHybridRigidBody* hybridA = btHybridRigidBody::upcast(objectA);
-	const btHybridRigidBody* hybridB = btHybridRigidBody::upcast(objectB);
-	if (!hybridA && !hybridB)
+	if (!owns(objectA) || !owns(objectB))
+		return 0;
+	if (!btHybridRigidBody::upcast(objectA) && !btHybridRigidBody::upcast(objectB))
 		return 0;
 	btBroadphaseProxy* proxyA = const_cast<btBroadphaseProxy*>(objectA->getBroadphaseHandle());
 	btBroadphaseProxy* proxyB = const_cast<btBroadphaseProxy*>(objectB->getBroadphaseHandle());
@@ -308,6 +421,7 @@ const btHybridContactReport& btHybridDynamicsWorld::getContactReport() const
 
 void btHybridDynamicsWorld::performDiscreteCollisionDetection()
 {
+	const DetectionScope scope(m_detects);
 	m_step++;
 	m_narrowphase->beginStep();
 	if (m_hybrids.size() == 0)
@@ -323,6 +437,8 @@ void btHybridDynamicsWorld::performDiscreteCollisionDetection()
 		planPairs();
 	else
 		planSwitching();
+	if (m_verifyEvery > 0)
+		m_verifier->begin(m_planner, this);
 	{
 		BT_PROFILE("dispatchAllCollisionPairs");
 		m_narrowphase->setDispatching(true);
@@ -334,8 +450,8 @@ void btHybridDynamicsWorld::performDiscreteCollisionDetection()
 		m_planner->finish();
 		closeRequests();
 	}
-	if (m_verifyEvery > 0 && m_step % m_verifyEvery == 0)
-		m_verifier->verify(m_broadphasePairCache->getOverlappingPairCache()->getOverlappingPairArray(), getDispatcher(), m_planner);
+	if (m_verifyEvery > 0)
+		m_verifier->finish(this, m_step % m_verifyEvery == 0);
 }
 
 void btHybridDynamicsWorld::internalSingleStepSimulation(btScalar timeStep)
@@ -362,6 +478,7 @@ void btHybridDynamicsWorld::planPairs()
 		if (m_listener)
 			m_listener->acknowledged(m_hybrids[i], request);
 	}
+	m_planner->setInfo(btHybridEffective(m_pairSwitching));
 	m_planner->plan(m_collisionObjects, m_nonStaticRigidBodies.size(), m_broadphasePairCache->getOverlappingPairCache()->getNumOverlappingPairs());
 }
 
@@ -397,69 +514,94 @@ void btHybridDynamicsWorld::findAsked()
 	m_planner->setAsks(asks);
 }
 
-btHybridPairSwitchingInfo& btHybridDynamicsWorld::getPairSwitchingInfo()
-{
-	btAssert(m_planner);
-	return m_planner->getInfo();
-}
-
 btHybridPairStepInfo btHybridDynamicsWorld::getPairStepInfo() const
 {
 	return m_planner ? m_planner->getStepInfo() : btHybridPairStepInfo();
 }
 
+const char* btHybridDynamicsWorld::checkPairCall() const
+{
+	if (!m_planner)
+		return "bodies switch in this world, not pairs; make it with BT_HYBRID_PAIR_SWITCHING, or call setSwitchingMode first";
+	if (m_detects)
+		return c_insideDetection;
+	return getNarrowphaseMistake();
+}
+
 const char* btHybridDynamicsWorld::addPolicy(const char* specification)
 {
-	btAssert(m_planner);
-	return m_planner->addPolicy(specification);
+	const char* mistake = checkPairCall();
+	return mistake ? mistake : m_planner->addPolicy(specification);
 }
 
 const char* btHybridDynamicsWorld::checkPolicy(const char* specification)
 {
-	btAssert(m_planner);
-	return m_planner->checkPolicy(specification);
+	const char* mistake = checkPairCall();
+	return mistake ? mistake : m_planner->checkPolicy(specification);
 }
 
-void btHybridDynamicsWorld::removePolicies()
+const char* btHybridDynamicsWorld::removePolicies()
 {
-	btAssert(m_planner);
-	m_planner->removePolicies();
+	const char* mistake = checkPairCall();
+	if (!mistake)
+		m_planner->removePolicies();
+	return mistake;
 }
 
-void btHybridDynamicsWorld::setBudgetMilliseconds(double milliseconds)
+const char* btHybridDynamicsWorld::setBudgetMilliseconds(double milliseconds)
 {
-	btAssert(m_planner && milliseconds > 0);
-	m_planner->setBudget(scatter::lod::UnitBudget::ofMilliseconds(milliseconds), true);
+	const char* mistake = checkPairCall();
+	if (!mistake)
+		mistake = btHybridCheckBudget(milliseconds);
+	if (!mistake)
+		m_planner->setBudget(scatter::lod::UnitBudget::ofMilliseconds(milliseconds), true);
+	return mistake;
 }
 
-void btHybridDynamicsWorld::setBudgetUnits(double units)
+const char* btHybridDynamicsWorld::setBudgetUnits(double units)
 {
-	btAssert(m_planner && units > 0);
-	m_planner->setBudget(scatter::lod::UnitBudget::ofUnits(units), false);
+	const char* mistake = checkPairCall();
+	if (!mistake)
+		mistake = btHybridCheckBudgetUnits(units);
+	if (!mistake)
+		m_planner->setBudget(scatter::lod::UnitBudget::ofUnits(units), false);
+	return mistake;
 }
 
-void btHybridDynamicsWorld::replayBudget(const double* units, int count)
+const char* btHybridDynamicsWorld::replayBudget(const double* units, int count)
 {
-	btAssert(m_planner && count > 0);
-	m_planner->setBudget(scatter::lod::UnitBudget::replay(std::vector<double>(units, units + count)), false);
+	const char* mistake = checkPairCall();
+	if (!mistake)
+		mistake = btHybridCheckReplay(units, count);
+	if (!mistake)
+		m_planner->setBudget(scatter::lod::UnitBudget::replay(std::vector<double>(units, units + count)), false);
+	return mistake;
 }
 
-void btHybridDynamicsWorld::removeBudget()
+const char* btHybridDynamicsWorld::removeBudget()
 {
-	btAssert(m_planner);
-	m_planner->setBudget(scatter::lod::UnitBudget(), false);
+	const char* mistake = checkPairCall();
+	if (!mistake)
+		m_planner->setBudget(scatter::lod::UnitBudget(), false);
+	return mistake;
 }
 
-void btHybridDynamicsWorld::setFocus(const btVector3& eye, const btVector3& target, btScalar fieldOfView)
+const char* btHybridDynamicsWorld::setFocus(const btVector3& eye, const btVector3& target, btScalar fieldOfView)
 {
-	btAssert(m_planner);
-	m_planner->setFocus(eye, target, fieldOfView);
+	const char* mistake = checkPairCall();
+	if (!mistake)
+		mistake = btHybridCheckFocus(eye, target, fieldOfView);
+	if (!mistake)
+		m_planner->setFocus(eye, target, fieldOfView);
+	return mistake;
 }
 
-void btHybridDynamicsWorld::removeFocus()
+const char* btHybridDynamicsWorld::removeFocus()
 {
-	btAssert(m_planner);
-	m_planner->removeFocus();
+	const char* mistake = checkPairCall();
+	if (!mistake)
+		m_planner->removeFocus();
+	return mistake;
 }
 
 void btHybridDynamicsWorld::closeCounts()
@@ -511,7 +653,7 @@ void btHybridDynamicsWorld::followProximity(btHybridRigidBody* body)
 	const btHybridRequest& request = body->m_request;
 	const bool mayReplace = !request.isStanding() || request.m_byProximity;
 	const bool wantsCoarser = request.isStanding() && request.m_targetLevel < body->m_level;
-	const btScalar lookAhead = m_switching.m_proximitySteps * m_dispatchInfo.m_timeStep;
+	const btScalar lookAhead = m_effective.m_proximitySteps * m_dispatchInfo.m_timeStep;
 	if (m_neighbourhood->hasMovingNeighbour(body, body->m_hybridIndex, lookAhead, m_broadphasePairCache))
 	{
 		body->m_lonelySteps = 0;
@@ -530,7 +672,7 @@ void btHybridDynamicsWorld::followProximity(btHybridRigidBody* body)
 		return;
 	if (wantsCoarser)
 		retract(body, BT_HYBRID_RETRACTED_BY_SEPARATION);
-	if (body->m_lonelySteps >= m_switching.m_quietSteps && body->m_level < body->getFinestLevel())
+	if (body->m_lonelySteps >= m_effective.m_quietSteps && body->m_level < body->getFinestLevel())
 		makeRequest(body, body->getFinestLevel(), BT_HYBRID_LOCAL, true);
 }
 
@@ -552,8 +694,11 @@ void btHybridDynamicsWorld::tryRequest(btHybridRigidBody* body)
 		request.m_acknowledged = true;
 		if (m_listener)
 			m_listener->acknowledged(body, request);
+		// The listener may have retracted it, or asked for something else.
+		if (!request.isStanding() || request.m_targetLevel == body->m_level)
+			return;
 	}
-	request.m_nextTry = m_step + m_switching.m_retryInterval;
+	request.m_nextTry = m_step + m_effective.m_retryInterval;
 	if (request.m_targetLevel > body->m_level)
 	{
 		if (isSafe(body, request.m_targetLevel))
@@ -599,7 +744,7 @@ const btCollisionObject* btHybridDynamicsWorld::findObstacle(const btHybridRigid
 		if (!canPush(body, partner))
 			continue;
 		m_counting.m_separationQueries++;
-		if (!btHybridIsSeparated(shape, body->getWorldTransform(), partner->getCollisionShape(), partner->getWorldTransform(), m_switching.m_safetyGap))
+		if (!btHybridIsSeparated(shape, body->getWorldTransform(), partner->getCollisionShape(), partner->getWorldTransform(), m_effective.m_safetyGap))
 			return partner;
 	}
 	return 0;

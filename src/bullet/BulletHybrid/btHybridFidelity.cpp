@@ -132,7 +132,6 @@ private:
 btHybridFidelity::btHybridFidelity(const btCollisionWorld* world)
     : m_world(world), m_touchingDistance(btScalar(0.01)), m_visibleDepth(btScalar(0.05))
 {
-	btAssert(world);
 }
 
 int btHybridFidelity::getNumLevels(const btCollisionObject* object) const
@@ -144,6 +143,8 @@ int btHybridFidelity::getNumLevels(const btCollisionObject* object) const
 btHybridFidelitySample btHybridFidelity::measure() const
 {
 	btHybridFidelitySample sample;
+	if (!m_world)
+		return sample;
 	Measurement measurement(*this, m_world, sample);
 	const btOverlappingPairCache* const cache = m_world->getBroadphase()->getOverlappingPairCache();
 	const btBroadphasePair* const pairs = cache->getOverlappingPairArrayPtr();

@@ -3,6 +3,7 @@
 #include <BulletCollision/BroadphaseCollision/btDispatcher.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace
 {
@@ -18,6 +19,22 @@ btScalar difference(const btManifoldPoint& a, const btManifoldPoint& b)
 	return (a.m_positionWorldOnB - b.m_positionWorldOnB).length2() + c_turned * c_turned / 4 * (a.m_normalWorldOnB - b.m_normalWorldOnB).length2();
 }
 
+// As a manifold result does it; the end is told by the manifold.
+void append(const btManifoldPoint& point, btPersistentManifold* manifold)
+{
+	manifold->addManifoldPoint(point);
+	if (gContactStartedCallback && manifold->getNumContacts() == 1)
+		gContactStartedCallback(manifold);
+}
+
+// Children are in ascending order.
+scatter::ChildPair* find(std::vector<scatter::ChildPair>& children, int a, int b)
+{
+	const auto isBefore = [](const scatter::ChildPair& child, const std::pair<int, int>& wanted)
+	{ return child.a != wanted.first ? child.a < wanted.first : child.b < wanted.second; };
+	const auto found = std::lower_bound(children.begin(), children.end(), std::make_pair(a, b), isBefore);
+	return found != children.end() && found->a == a && found->b == b ? &*found : 0;
+}
 }  // namespace
 
 struct btHybridHeldContacts::Candidate
@@ -98,11 +115,7 @@ void btHybridHeldContacts::add(const btManifoldPoint& point, const btPersistentM
 {
 	if (m_count == 0 || m_manifolds[m_count - 1]->getNumContacts() == MANIFOLD_CACHE_SIZE)
 		m_manifolds[m_count++] = dispatcher->getNewManifold(like->getBody0(), like->getBody1());
-	btPersistentManifold* manifold = m_manifolds[m_count - 1];
-	manifold->addManifoldPoint(point);
-	// As a manifold result does; the end is told by the manifold.
-	if (gContactStartedCallback && manifold->getNumContacts() == 1)
-		gContactStartedCallback(manifold);
+	append(point, m_manifolds[m_count - 1]);
 }
 
 void btHybridHeldContacts::gather(const std::vector<scatter::ChildPair>& children, btDispatcher* dispatcher)
@@ -138,6 +151,29 @@ void btHybridHeldContacts::refresh(const btTransform& transform0, const btTransf
 {
 	for (int i = 0; i < m_count; i++)
 		m_manifolds[i]->refreshContactPoints(transform0, transform1);
+}
+
+void btHybridHeldContacts::giveBack(std::vector<scatter::ChildPair>& children, btDispatcher* dispatcher)
+{
+	for (int i = 0; i < m_count; i++)
+	{
+		for (int k = 0; k < m_manifolds[i]->getNumContacts(); k++)
+		{
+			btManifoldPoint& point = m_manifolds[i]->getContactPoint(k);
+			scatter::ChildPair* child = find(children, btMax(point.m_index0, 0), btMax(point.m_index1, 0));
+			if (!child)
+				continue;
+			if (!child->contact)
+				child->contact = dispatcher->getNewManifold(m_manifolds[i]->getBody0(), m_manifolds[i]->getBody1());
+			btPersistentManifold* manifold = static_cast<btPersistentManifold*>(child->contact);
+			if (manifold->getNumContacts() == MANIFOLD_CACHE_SIZE)
+				continue;
+			append(point, manifold);
+			point.m_userPersistentData = 0;
+			child->touching = true;
+		}
+	}
+	release(dispatcher);
 }
 
 void btHybridHeldContacts::release(btDispatcher* dispatcher)

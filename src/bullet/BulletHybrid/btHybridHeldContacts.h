@@ -41,6 +41,10 @@ public:
 	/// Takes in where the bodies are, as Bullet does with a manifold: contacts that have come apart end.
 	void refresh(const btTransform& transform0, const btTransform& transform1);
 
+	/// Gives the contacts back to the child pairs of the finest level that they were found for, as far as those are still
+	/// neighbours, and holds none any more.
+	void giveBack(std::vector<scatter::ChildPair>& children, btDispatcher* dispatcher);
+
 	void release(btDispatcher* dispatcher);
 
 	bool isEmpty() const

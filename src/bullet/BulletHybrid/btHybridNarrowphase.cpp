@@ -4,6 +4,7 @@
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcherMt.h>
 
+#include <mutex>
 #include <new>
 
 #include "BulletHybrid/btHybridRigidBody.h"
@@ -23,13 +24,38 @@ static bool isTaken(int shapeType)
 	return btBroadphaseProxy::isConvex(shapeType) || btBroadphaseProxy::isCompound(shapeType);
 }
 
-btHybridNarrowphase::btHybridNarrowphase(btDispatcher* dispatcher, bool switchesPairs)
-    : m_detectorRuns(0), m_step(0), m_dispatches(false), m_users(1), m_dispatcher(dynamic_cast<btCollisionDispatcher*>(dispatcher)), m_planner(switchesPairs ? new btHybridPlanner : 0)
+// The narrowphases that are in charge of a dispatcher: it does not tell who has registered with it, and worlds may be made
+// in several threads.
+static std::mutex s_inChargeMutex;
+static btHybridNarrowphase* s_inCharge = 0;
+
+btHybridNarrowphase::btHybridNarrowphase(btDispatcher* dispatcher, const btHybridDynamicsWorld* world, bool switchesPairs)
+    : m_detectorRuns(0), m_step(0), m_dispatches(false), m_users(1), m_world(world), m_dispatcher(0), m_mistake(takeCharge(dispatcher)), m_planner(switchesPairs ? new btHybridPlanner : 0)
 {
+	if (m_dispatcher)
+		registerCreateFuncs();
+}
+
+const char* btHybridNarrowphase::takeCharge(btDispatcher* dispatcher)
+{
+	m_next = 0;
 	if (dynamic_cast<btCollisionDispatcherMt*>(dispatcher))
-		m_dispatcher = 0;
-	if (!m_dispatcher)
-		return;
+		return "hybrid pairs run in Bullet's own algorithms, because the dispatcher is a btCollisionDispatcherMt; use a btCollisionDispatcher";
+	btCollisionDispatcher* const known = dynamic_cast<btCollisionDispatcher*>(dispatcher);
+	if (!known)
+		return "hybrid pairs run in Bullet's own algorithms, because the dispatcher is no btCollisionDispatcher; use one, or derive from it";
+	const std::lock_guard<std::mutex> lock(s_inChargeMutex);
+	for (const btHybridNarrowphase* other = s_inCharge; other; other = other->m_next)
+		if (other->m_dispatcher == known)
+			return "hybrid pairs run in Bullet's own algorithms, because another btHybridDynamicsWorld has the dispatcher; give every world its own";
+	m_dispatcher = known;
+	m_next = s_inCharge;
+	s_inCharge = this;
+	return 0;
+}
+
+void btHybridNarrowphase::registerCreateFuncs()
+{
 	const int types = MAX_BROADPHASE_COLLISION_TYPES;
 	m_createFuncs.resize(2 * types);
 	for (int type = 0; type < types; type++)
@@ -68,6 +94,16 @@ void btHybridNarrowphase::retire()
 		m_dispatcher->registerCollisionCreateFunc(COMPOUND_SHAPE_PROXYTYPE, type, m_createFuncs[2 * type].m_default);
 		m_dispatcher->registerCollisionCreateFunc(type, COMPOUND_SHAPE_PROXYTYPE, m_createFuncs[2 * type + 1].m_default);
 	}
+	{
+		const std::lock_guard<std::mutex> lock(s_inChargeMutex);
+		for (btHybridNarrowphase** link = &s_inCharge; *link; link = &(*link)->m_next)
+		{
+			if (*link != this)
+				continue;
+			*link = m_next;
+			break;
+		}
+	}
 	removeUser();
 }
 
@@ -85,9 +121,9 @@ void btHybridNarrowphase::removeUser()
 void btHybridNarrowphase::setInfo(const btHybridCollisionInfo& info)
 {
 	m_info = info;
-	m_steps.midphase = info.m_midphase == BT_HYBRID_WORLD_BOXES  ? scatter::Midphase::kWorldBounds
-	                   : info.m_midphase == BT_HYBRID_PART_BOXES ? scatter::Midphase::kPartBoxes
-	                                                             : scatter::Midphase::kNeighbourList;
+	m_steps.midphase = info.m_midphase == BT_HYBRID_WORLD_BOXES  ? scatter::PairMidphase::kWorldBounds
+	                   : info.m_midphase == BT_HYBRID_PART_BOXES ? scatter::PairMidphase::kPartBoxes
+	                                                             : scatter::PairMidphase::kNeighbourList;
 	m_steps.motionBound = info.m_motionBound;
 	m_steps.cachedAxis = info.m_cachedAxis;
 	m_steps.ownGjk = info.m_ownGjk;
@@ -150,13 +186,20 @@ bool btHybridNarrowphase::hasPartLists(const btCollisionObjectWrapper* wrap) con
 	return true;
 }
 
+// A hybrid of another world, or of none.
+bool btHybridNarrowphase::isForeign(const btCollisionObjectWrapper* wrap) const
+{
+	const btHybridRigidBody* hybrid = btHybridRigidBody::upcast(wrap->getCollisionObject());
+	return hybrid && hybrid->getWorld() != m_world;
+}
+
 bool btHybridNarrowphase::takes(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap) const
 {
 	if (!m_info.m_pairAlgorithm || info.m_manifold)
 		return false;
 	if (!btHybridRigidBody::upcast(body0Wrap->getCollisionObject()) && !btHybridRigidBody::upcast(body1Wrap->getCollisionObject()))
 		return false;
-	return hasPartLists(body0Wrap) && hasPartLists(body1Wrap);
+	return !isForeign(body0Wrap) && !isForeign(body1Wrap) && hasPartLists(body0Wrap) && hasPartLists(body1Wrap);
 }
 
 btHybridParts* btHybridNarrowphase::acquireParts(const btCollisionShape* shape)
@@ -254,10 +297,11 @@ btHybridPairMemory* btHybridNarrowphase::acquirePair()
 	pair->m_credit.close();
 	pair->m_freshUntil = pair->m_latest = 0;
 	pair->m_units = 0;
+	pair->m_overlap = 0;
 	pair->m_gap = 0;
 	pair->m_least = BT_LARGE_FLOAT;
 	pair->m_seenMotion = 0;
-	pair->m_reused = pair->m_switched = pair->m_onCredit = pair->m_mayAudit = pair->m_excuses = false;
+	pair->m_returns = pair->m_returned = pair->m_reused = pair->m_restarted = pair->m_switched = pair->m_onCredit = pair->m_mayAudit = pair->m_excuses = false;
 	pair->m_index = m_pairs.size();
 	m_pairs.push_back(pair);
 	return pair;

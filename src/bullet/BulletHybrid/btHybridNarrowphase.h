@@ -15,6 +15,7 @@
 
 class btCollisionDispatcher;
 class btDispatcher;
+class btHybridDynamicsWorld;
 class btHybridPlanner;
 
 /// What a pair remembers, in memory that is pooled.
@@ -28,14 +29,18 @@ struct btHybridPairMemory
 	double m_seenMotion;  ///< the pair's motion, when it was last looked at
 	float m_units;        ///< what it costs a step, on average, while on credit
 
-	float m_gap;       ///< between the finest shapes, when it was last measured for the credit
-	btScalar m_least;  ///< distance of its contacts after the last step
-	bool m_switched;   ///< its level is new in this step
-	bool m_onCredit;   ///< and was taken on credit
-	bool m_mayAudit;   ///< in this step
-	bool m_excuses;    ///< child pairs on credit have no contacts of their own while those that are held are good
-	bool m_reused;     ///< kept the contacts of the step before
-	int m_index;       ///< in the pool
+	btScalar m_overlap;  ///< of the finest shapes, that their contacts did not press when the pair left its finest level
+	float m_gap;         ///< between the finest shapes, when it was last measured for the credit
+	btScalar m_least;    ///< distance of its contacts after the last step
+	bool m_switched;     ///< its level is new in this step
+	bool m_onCredit;     ///< and was taken on credit
+	bool m_mayAudit;     ///< in this step
+	bool m_excuses;      ///< child pairs on credit have no contacts of their own while those that are held are good
+	bool m_returns;      ///< gives the contacts held back to its child pairs, being at the finest level again
+	bool m_returned;     ///< did so when it was last looked at
+	bool m_reused;       ///< kept the contacts of the step before
+	bool m_restarted;    ///< dropped all contacts when it was last looked at
+	int m_index;         ///< in the pool
 };
 
 /// Registers the pair algorithm with a dispatcher and holds what its pairs share. Counted by its owner and
@@ -60,7 +65,10 @@ class btHybridNarrowphase
 	bool m_dispatches;  ///< a step's pairs are at work, so that shapes do not change
 	int m_users;
 
-	btCollisionDispatcher* m_dispatcher;  ///< 0 if it takes no create functions, or runs pairs in parallel
+	const btHybridDynamicsWorld* m_world;  ///< its owner; only an address, as it may be gone
+	btCollisionDispatcher* m_dispatcher;   ///< 0 if it is not in charge there
+	const char* m_mistake;                 ///< and why
+	btHybridNarrowphase* m_next;           ///< of those in charge
 	btAlignedObjectArray<CreateFunc> m_createFuncs;
 
 	btHashMap<btHashPtr, btHybridLevelBodies*> m_objects;
@@ -77,6 +85,9 @@ class btHybridNarrowphase
 	btHybridNarrowphase(const btHybridNarrowphase&);
 	btHybridNarrowphase& operator=(const btHybridNarrowphase&);
 
+	const char* takeCharge(btDispatcher* dispatcher);
+	void registerCreateFuncs();
+	bool isForeign(const btCollisionObjectWrapper* wrap) const;
 	bool hasPartLists(const btCollisionObjectWrapper* wrap) const;
 	bool takes(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap) const;
 	btHybridParts* acquireParts(const btCollisionShape* shape);
@@ -85,7 +96,13 @@ class btHybridNarrowphase
 
 public:
 	/// With pair switching it has a planner.
-	btHybridNarrowphase(btDispatcher* dispatcher, bool switchesPairs);
+	btHybridNarrowphase(btDispatcher* dispatcher, const btHybridDynamicsWorld* world, bool switchesPairs);
+
+	/// 0, or why it is not in charge of the dispatcher's hybrid pairs, and how to mend it.
+	const char* getMistake() const
+	{
+		return m_mistake;
+	}
 
 	/// Of the levels of pairs; 0 without pair switching.
 	btHybridPlanner* getPlanner()

@@ -75,10 +75,10 @@ btHybridPairView btHybridDynamicsWorld::viewPair(const btBroadphasePair& pair) c
 
 btHybridRequestView btHybridDynamicsWorld::viewRequest(const btHybridRigidBody* body) const
 {
-	const btHybridRequest& request = body->m_request;
 	btHybridRequestView view;
-	if (!request.isStanding())
+	if (!body || body->m_world != this || !body->m_request.isStanding())
 		return view;
+	const btHybridRequest& request = body->m_request;
 	view.m_targetLevel = request.m_targetLevel;
 	view.m_scope = request.m_scope;
 	view.m_policy = request.m_byProximity ? "proximity" : "program";

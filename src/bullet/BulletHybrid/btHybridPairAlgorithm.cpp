@@ -96,6 +96,25 @@ struct PointResult : public btDiscreteCollisionDetectorInterface::Result
 	}
 };
 
+/// Takes in where two bodies are, as Bullet does with a manifold.
+class Keeper : public scatter::ContactKeeper
+{
+	const btTransform& m_transform0;
+	const btTransform& m_transform1;
+
+public:
+	Keeper(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap)
+	    : m_transform0(body0Wrap->getCollisionObject()->getWorldTransform()), m_transform1(body1Wrap->getCollisionObject()->getWorldTransform())
+	{
+	}
+	virtual bool outlasts(void* contact) const
+	{
+		btPersistentManifold* manifold = static_cast<btPersistentManifold*>(contact);
+		manifold->refreshContactPoints(m_transform0, m_transform1);
+		return manifold->getNumContacts() > 0;
+	}
+};
+
 btVector3 toWorld(const scatter::Frame& frame, const scatter::Vec3& point)
 {
 	const scatter::Vec3 world = frame(point);
@@ -225,6 +244,7 @@ void btHybridPairAlgorithm::restart(const btCollisionObjectWrapper* body0Wrap, c
 	if (m_narrowphase->getDispatcherFlags() & btCollisionDispatcher::CD_USE_RELATIVE_CONTACT_BREAKING_THRESHOLD)
 		threshold = btMin(body0Wrap->getCollisionObject()->getCollisionShape()->getContactBreakingThreshold(threshold), body1Wrap->getCollisionObject()->getCollisionShape()->getContactBreakingThreshold(threshold));
 	m_pair->reset(threshold);
+	m_memory->m_restarted = true;
 	m_versions[0] = m_bodies[0]->getVersion();
 	m_versions[1] = m_bodies[1]->getVersion();
 }
@@ -247,13 +267,7 @@ void btHybridPairAlgorithm::processPlanned(const btCollisionObjectWrapper* body0
 	const bool wasFinest = level.getLevel() == level.getFinest();
 	if (level.choose())
 	{
-		// What a coarser level has found says nothing of the finest shapes.
-		if (!level.isOnCredit() || level.getLevel() == level.getFinest())
-			m_memory->m_held.release(m_dispatcher);
-		else if (wasFinest)
-			m_memory->m_held.gather(m_pair->children(), m_dispatcher);
-		releaseContacts();
-		takeLevel(level.getLevel());
+		changeLevel(level, wasFinest, body0Wrap, body1Wrap, dispatchInfo, resultOut);
 	}
 	else if (mayReuse())
 	{
@@ -261,12 +275,9 @@ void btHybridPairAlgorithm::processPlanned(const btCollisionObjectWrapper* body0
 		return;
 	}
 	m_memory->m_reused = false;
+	m_memory->m_returned = m_memory->m_returns;
 	m_memory->m_held.refresh(body0Wrap->getWorldTransform(), body1Wrap->getWorldTransform());
-	m_narrowphase->getScratch().resizeNoInitialize(0);
-	{
-		LevelScope scope(resultOut, body0Wrap, m_objects[0]->getShape(m_objects[0]->getLevelIn(level.getLevel())), body1Wrap, m_objects[1]->getShape(m_objects[1]->getLevelIn(level.getLevel())));
-		process(scope.getWrap(0), scope.getWrap(1), dispatchInfo, resultOut);
-	}
+	processLevel(body0Wrap, body1Wrap, dispatchInfo, resultOut);
 	level.settleCredit(m_narrowphase->getScratch());
 	if (level.needsAudit())
 	{
@@ -283,9 +294,40 @@ void btHybridPairAlgorithm::processPlanned(const btCollisionObjectWrapper* body0
 	m_jumps = m_pair->jumps();
 }
 
+// With the shapes of the level that the bodies have taken.
+void btHybridPairAlgorithm::processLevel(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut)
+{
+	m_narrowphase->getScratch().resizeNoInitialize(0);
+	LevelScope scope(resultOut, body0Wrap, m_bodies[0]->getShapeNow(), body1Wrap, m_bodies[1]->getShapeNow());
+	process(scope.getWrap(0), scope.getWrap(1), dispatchInfo, resultOut);
+}
+
+// What is held is what the finest shapes have where the bodies are now: contacts of the step before may be gone by now.
+void btHybridPairAlgorithm::changeLevel(btHybridPairLevel& level, bool wasFinest, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut)
+{
+	const bool isFinest = level.getLevel() == level.getFinest();
+	m_memory->m_returns = isFinest && !m_memory->m_held.isEmpty();
+	if (!isFinest && !level.isOnCredit())
+		m_memory->m_held.release(m_dispatcher);
+	else if (wasFinest)
+	{
+		processLevel(body0Wrap, body1Wrap, dispatchInfo, resultOut);
+		level.settleFinest(m_narrowphase->getScratch());
+		m_memory->m_held.gather(m_pair->children(), m_dispatcher);
+	}
+	level.open();
+	releaseContacts();
+	takeLevel(level.getLevel());
+}
+
 bool btHybridPairAlgorithm::hasReused() const
 {
-	return m_memory->m_reused;
+	return m_memory->m_reused || m_memory->m_returned;
+}
+
+bool btHybridPairAlgorithm::hasRestarted() const
+{
+	return m_memory->m_restarted;
 }
 
 // Not twice running, so that what comes upon the pair is found a step late at most.
@@ -402,15 +444,22 @@ void btHybridPairAlgorithm::process(const btCollisionObjectWrapper* body0Wrap, c
 		return;
 	}
 	releaseFallback();
+	m_memory->m_restarted = false;
 	if (m_versions[0] != m_bodies[0]->getVersion() || m_versions[1] != m_bodies[1]->getVersion())
 		restart(body0Wrap, body1Wrap);
 
 	scatter::PartBody& bodyA = m_bodies[0]->getBody();
 	scatter::PartBody& bodyB = m_bodies[1]->getBody();
+	const Keeper keeper(body0Wrap, body1Wrap);
+	m_narrowphase->getPairScratch().keeper = &keeper;
 	const bool isAwake = m_pair->advance(bodyA, bodyB, m_narrowphase->getSteps(), m_narrowphase->getPairScratch(), m_narrowphase->getWork());
+	m_narrowphase->getPairScratch().keeper = 0;
 	const std::vector<void*>& dropped = m_narrowphase->getPairScratch().dropped;
 	for (size_t i = 0; i < dropped.size(); i++)
 		m_dispatcher->releaseManifold(static_cast<btPersistentManifold*>(dropped[i]));
+	if (m_memory->m_returns)
+		m_memory->m_held.giveBack(m_pair->children(), m_dispatcher);
+	m_memory->m_returns = false;
 	if (!isAwake)
 		return;
 	const Pass pass = {{body0Wrap, body1Wrap}, dispatchInfo, resultOut, scatter::BoundsTest(bodyA, bodyB)};
@@ -452,7 +501,11 @@ void btHybridPairAlgorithm::processChild(scatter::ChildPair& child, const Pass& 
 	if (!pass.m_bounds.overlap(child.a, child.b) || !userLetsThrough(*m_bodies[0], child.a, *m_bodies[1], child.b))
 	{
 		m_narrowphase->getWork().boundsRejected++;
-		releaseManifold(child);
+		if (child.touching && isOverlooked(child, pass))
+			refresh(static_cast<btPersistentManifold*>(child.contact), pass);
+		else
+			releaseManifold(child);
+		child.touching = child.contact && static_cast<btPersistentManifold*>(child.contact)->getNumContacts() > 0;
 		return;
 	}
 	if (child.touching)
@@ -468,12 +521,26 @@ void btHybridPairAlgorithm::processChild(scatter::ChildPair& child, const Pass& 
 	if (!child.contact)
 		return;
 	btPersistentManifold* manifold = static_cast<btPersistentManifold*>(child.contact);
-	// The callback hears of new contacts too.
-	if (gContactProcessedCallback)
+	// The callback hears of new contacts too, as far as Bullet keeps them.
+	if (gContactProcessedCallback && !areSpheres(child))
 		refresh(manifold, pass);
 	child.touching = manifold->getNumContacts() > 0;
 	if (!child.touching && isLazy)
 		releaseManifold(child);
+}
+
+// Of a compound with a tree and one without, in this order, Bullet does not look at the second one's children while the
+// leaf of the first one's child does not reach the second: what contacts they have stay.
+bool btHybridPairAlgorithm::isOverlooked(const scatter::ChildPair& child, const Pass& pass) const
+{
+	const btCollisionShape* whole = m_bodies[1]->getShape();
+	if (!m_bodies[0]->hasLeaves() || m_bodies[1]->hasLeaves() || !whole->isCompound() || leavesOverlap(child, pass))
+		return false;
+	btVector3 minA, maxA, minB, maxB;
+	const btTransform poseA = m_bodies[0]->getChildTransform(child.a, pass.m_wraps[0]->getWorldTransform());
+	m_bodies[0]->getChildShape(child.a)->getAabb(poseA, minA, maxA);
+	whole->getAabb(pass.m_wraps[1]->getWorldTransform(), minB, maxB);
+	return TestAabbAgainstAabb2(minA, maxA, minB, maxB);
 }
 
 // The test of the leaves that Bullet's compound algorithms make before a child pair comes into contact.
@@ -497,12 +564,20 @@ bool btHybridPairAlgorithm::leavesOverlap(const scatter::ChildPair& child, const
 	return TestAabbAgainstAabb2(minA, maxA, minB, maxB);
 }
 
+// Of two spheres Bullet keeps no contact from step to step: what it hands to its detector it finds anew.
+bool btHybridPairAlgorithm::areSpheres(const scatter::ChildPair& child) const
+{
+	return m_bodies[0]->getBody().parts().part(child.a).kind == scatter::PartKind::kSphere && m_bodies[1]->getBody().parts().part(child.b).kind == scatter::PartKind::kSphere;
+}
+
 void btHybridPairAlgorithm::findContacts(scatter::ChildPair& child, const Pass& pass)
 {
 	scatter::PartContact contact;
 	const scatter::PairSteps& steps = m_narrowphase->getSteps();
 	const scatter::ChildVerdict verdict = m_pair->judge(child, m_bodies[0]->getBody(), m_bodies[1]->getBody(), steps, contact, m_narrowphase->getWork());
-	if (verdict != scatter::ChildVerdict::kApart && !child.touching && !leavesOverlap(child, pass))
+	if (verdict == scatter::ChildVerdict::kApart)
+		return;
+	if ((!child.touching || areSpheres(child)) && !leavesOverlap(child, pass))
 		return;
 	switch (verdict)
 	{
@@ -570,6 +645,23 @@ void collideBoxes(const btCollisionObjectWrapper* a, const btCollisionObjectWrap
 	detector.getClosestPoints(input, *result, info.m_debugDraw);
 }
 
+/// Takes contacts of two shapes in the other order.
+class FlippedResult : public btManifoldResult
+{
+	btManifoldResult* m_result;
+
+public:
+	FlippedResult(btManifoldResult* result, const btCollisionObjectWrapper* a, const btCollisionObjectWrapper* b)
+	    : btManifoldResult(b, a), m_result(result)
+	{
+		setPersistentManifold(result->getPersistentManifold());
+	}
+	virtual void addContactPoint(const btVector3& normalOnBInWorld, const btVector3& pointInWorld, btScalar depth)
+	{
+		m_result->addContactPoint(-normalOnBInWorld, pointInWorld + normalOnBInWorld * depth, depth);
+	}
+};
+
 bool areBoth(int type, const btCollisionObjectWrapper* a, const btCollisionObjectWrapper* b)
 {
 	return a->getCollisionShape()->getShapeType() == type && b->getCollisionShape()->getShapeType() == type;
@@ -588,11 +680,34 @@ void btHybridPairAlgorithm::detect(scatter::ChildPair& child, const Pass& pass)
 	if (areBoth(BOX_SHAPE_PROXYTYPE, a, b))
 		return collideBoxes(a, b, pass.m_info, pass.m_result);
 	if (areBoth(SPHERE_SHAPE_PROXYTYPE, a, b))
+	{
+		manifold->clearManifold();
 		return collideSpheres(a, b, pass.m_result);
+	}
+	const bool isFlipped = looksFromB(child);
+	FlippedResult flipped(pass.m_result, a, b);
+	if (isFlipped)
+		btSwap(a, b);
 	btCollisionAlgorithm* algorithm = m_dispatcher->findAlgorithm(a, b, manifold, BT_CONTACT_POINT_ALGORITHMS);
-	algorithm->processCollision(a, b, pass.m_info, pass.m_result);
+	algorithm->processCollision(a, b, pass.m_info, isFlipped ? &flipped : pass.m_result);
 	algorithm->~btCollisionAlgorithm();
 	m_dispatcher->freeCollisionAlgorithm(algorithm);
+}
+
+// Bullet's GJK does not always find the same in both orders of two shapes. In Bullet a compound's children come first,
+// and with two compounds of which one has no tree, the second one's. A bare box, sphere, capsule or hull comes first
+// here, for the sake of results that are what they were; the order matters for shapes of other kinds.
+bool btHybridPairAlgorithm::looksFromB(const scatter::ChildPair& child) const
+{
+	if (!m_bodies[1]->getShape()->isCompound() || (m_bodies[0]->hasLeaves() && m_bodies[1]->hasLeaves()))
+		return false;
+	return m_bodies[0]->getShape()->isCompound() || isOdd(0, child.a) || isOdd(1, child.b);
+}
+
+bool btHybridPairAlgorithm::isOdd(int body, int part) const
+{
+	const scatter::PartKind kind = m_bodies[body]->getBody().parts().part(part).kind;
+	return kind == scatter::PartKind::kEnclosed || kind == scatter::PartKind::kOpaque;
 }
 
 // In the place of scatter's GJK, to measure what that is worth.

@@ -39,6 +39,8 @@ class btHybridPairAlgorithm : public btCollisionAlgorithm
 	bool staysQuiet(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap);
 	void process(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut);
 	void processPlanned(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut);
+	void changeLevel(btHybridPairLevel& level, bool wasFinest, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut);
+	void processLevel(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut);
 	void audit(btHybridPairLevel& level, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut);
 	bool mayReuse() const;
 	void reuse(btHybridPairLevel& level, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap);
@@ -51,9 +53,13 @@ class btHybridPairAlgorithm : public btCollisionAlgorithm
 	static void refresh(btPersistentManifold* manifold, const Pass& pass);
 	void processChild(scatter::ChildPair& child, const Pass& pass);
 	bool leavesOverlap(const scatter::ChildPair& child, const Pass& pass) const;
+	bool isOverlooked(const scatter::ChildPair& child, const Pass& pass) const;
+	bool areSpheres(const scatter::ChildPair& child) const;
 	void findContacts(scatter::ChildPair& child, const Pass& pass);
 	void keepContact(scatter::ChildPair& child, const scatter::PartContact& contact, const Pass& pass);
 	void detect(scatter::ChildPair& child, const Pass& pass);
+	bool looksFromB(const scatter::ChildPair& child) const;
+	bool isOdd(int body, int part) const;
 	void detectByGjk(scatter::ChildPair& child, const Pass& pass);
 	btPersistentManifold* manifoldOf(scatter::ChildPair& child, const Pass& pass);
 	void releaseManifold(scatter::ChildPair& child);
@@ -71,8 +77,11 @@ public:
 		m_plan = plan;
 	}
 
-	/// Whether it kept its contacts in the last step instead of looking for them.
+	/// Whether it kept its contacts in the last step instead of looking for them, or was given those that were held.
 	bool hasReused() const;
+
+	/// Whether it began anew when it was last at work, because it was new, its level was, or a shape had changed.
+	bool hasRestarted() const;
 
 	/// Pair switching: whether the finest shapes overlap deeper than this, or may do.
 	bool overlapsFinely(btScalar depth) const;

@@ -40,10 +40,40 @@ btScalar leastDistance(const btPersistentManifold* manifold)
 		least = btMin(least, manifold->getContactPoint(i).getDistance());
 	return least;
 }
+
+// A contact without error reduction takes the bodies' approach away, but does not press them apart.
+bool presses(const btManifoldPoint& point)
+{
+	return !(point.m_contactPointFlags & BT_CONTACT_FLAG_HAS_CONTACT_ERP) || point.m_contactERP > 0;
+}
+
+btScalar pressOf(const btPersistentManifold* manifold)
+{
+	btScalar most = 0;
+	for (int i = 0; i < manifold->getNumContacts(); i++)
+		if (presses(manifold->getContactPoint(i)))
+			most = btMax(most, -manifold->getContactPoint(i).getDistance());
+	return most;
+}
+
+// Of a contact, where the bodies are now, without credit.
+btScalar distanceAt(const btManifoldPoint& point, const btTransform& transform0, const btTransform& transform1)
+{
+	return (transform0(point.m_localPointA) - transform1(point.m_localPointB)).dot(point.m_normalWorldOnB);
+}
+
+btScalar pressAt(const btPersistentManifold* manifold, const btTransform& transform0, const btTransform& transform1)
+{
+	btScalar most = 0;
+	for (int i = 0; i < manifold->getNumContacts(); i++)
+		if (presses(manifold->getContactPoint(i)))
+			most = btMax(most, -distanceAt(manifold->getContactPoint(i), transform0, transform1));
+	return most;
+}
 }  // namespace
 
 btHybridPairLevel::btHybridPairLevel(btHybridNarrowphase& narrowphase, btHybridLevelBodies* const* objects, btHybridPairMemory& memory, int plan, const btTransform& transform0, const btTransform& transform1)
-    : m_narrowphase(narrowphase), m_planner(*narrowphase.getPlanner()), m_objects(objects), m_memory(memory), m_plan(plan), m_transform0(transform0), m_transform1(transform1), m_hasFrame(false), m_least(BT_LARGE_FLOAT), m_contacts(0), m_manifolds(0)
+    : m_narrowphase(narrowphase), m_planner(*narrowphase.getPlanner()), m_objects(objects), m_memory(memory), m_plan(plan), m_transform0(transform0), m_transform1(transform1), m_hasFrame(false), m_partsLevel(getLevel()), m_least(BT_LARGE_FLOAT), m_press(0), m_mostPress(0), m_contacts(0), m_manifolds(0)
 {
 }
 
@@ -78,7 +108,7 @@ bool btHybridPairLevel::isSeparated(int level, btScalar gap)
 
 float btHybridPairLevel::depthOf(int a, int b)
 {
-	return scatter::partDepth(getParts(0, getLevel()).part(a), getParts(1, getLevel()).part(b), getFrameB());
+	return scatter::partDepth(getParts(0, m_partsLevel).part(a), getParts(1, m_partsLevel).part(b), getFrameB());
 }
 
 bool btHybridPairLevel::choose()
@@ -98,21 +128,50 @@ bool btHybridPairLevel::choose()
 	const SwitchChoice choice = scatter::lod::chooseLevel(view, target, m_planner.getRules(m_plan), [&](int level, float gap)
 	                                                      { return isSeparated(level, level < view.level ? gap + nearby : gap); });
 	const bool isNew = view.level == 0;
-	const bool isOnCredit = choice.kind == SwitchKind::kOnCredit;
-	// Contacts that were found at the finest level tell the gap.
-	const bool isKnown = view.level == view.finest && m_memory.m_credit.empty() && m_memory.m_least < m_memory.m_parts.threshold();
-	if (isOnCredit)
-		m_memory.m_gap = isKnown ? float(m_memory.m_least) : findGap();
 	m_planner.take(m_plan, choice);
 	if (choice.kind == SwitchKind::kStay || choice.kind == SwitchKind::kBlocked)
 		return false;
 	m_memory.m_switched = !isNew;
-	m_memory.m_onCredit = isOnCredit;
-	m_memory.m_credit.close();
-	m_memory.m_excuses = isOnCredit && choice.level < view.finest;
-	if (m_memory.m_excuses)
-		openCredit();
+	m_memory.m_onCredit = choice.kind == SwitchKind::kOnCredit;
+	measureContactsBefore();
 	return true;
+}
+
+void btHybridPairLevel::measureContactsBefore()
+{
+	const std::vector<ChildPair>& children = m_memory.m_parts.children();
+	for (size_t i = 0; i < children.size(); i++)
+		if (children[i].touching)
+			m_mostPress = btMax(m_mostPress, pressAt(manifoldOf(children[i]), m_transform0, m_transform1));
+	for (int i = 0; i < m_memory.m_held.getNumManifolds(); i++)
+		m_mostPress = btMax(m_mostPress, pressAt(m_memory.m_held.getManifold(i), m_transform0, m_transform1));
+}
+
+void btHybridPairLevel::settleFinest(const btAlignedObjectArray<int>& awake)
+{
+	const bool hadCredit = !m_memory.m_credit.empty();
+	shrinkCredit();
+	settleContacts(awake, hadCredit);
+	m_mostPress = btMax(m_mostPress, m_press);
+	m_press = 0;
+	m_least = BT_LARGE_FLOAT;
+	m_manifolds = m_contacts = 0;
+}
+
+void btHybridPairLevel::open()
+{
+	const bool wasFinest = m_partsLevel == getFinest();
+	m_partsLevel = getLevel();
+	if (wasFinest)
+		m_memory.m_overlap = getEasedOverlap();
+	m_memory.m_credit.close();
+	m_memory.m_excuses = m_memory.m_onCredit && getLevel() < getFinest();
+	if (!m_memory.m_excuses)
+		return;
+	// Contacts of the finest shapes, found just now, tell the gap.
+	const btScalar least = m_memory.m_held.getLeastDistance();
+	m_memory.m_gap = wasFinest && least < m_memory.m_parts.threshold() ? float(least) : findGap();
+	openCredit();
 }
 
 float btHybridPairLevel::findGap()
@@ -159,9 +218,21 @@ void btHybridPairLevel::settleCredit(const btAlignedObjectArray<int>& awake)
 	const bool hadCredit = !m_memory.m_credit.empty();
 	if (m_memory.m_switched && m_memory.m_onCredit && !m_memory.m_excuses)
 		openFinestCredit();
-	else if (hadCredit)
-		m_memory.m_credit.shrink([this](int a, int b)
-		                         { return depthOf(a, b); });
+	else
+		shrinkCredit();
+	settleContacts(awake, hadCredit);
+}
+
+void btHybridPairLevel::shrinkCredit()
+{
+	if (m_memory.m_credit.empty())
+		return;
+	m_memory.m_credit.shrink([this](int a, int b)
+	                         { return depthOf(a, b); });
+}
+
+void btHybridPairLevel::settleContacts(const btAlignedObjectArray<int>& awake, bool hadCredit)
+{
 	const std::vector<ChildPair>& children = m_memory.m_parts.children();
 	for (int i = 0; i < awake.size(); i++)
 		if (children[awake[i]].touching)
@@ -174,11 +245,12 @@ void btHybridPairLevel::settleChild(const ChildPair& child, bool hadCredit)
 	const float granted = m_memory.m_credit.of(child.a, child.b);
 	if (granted > 0)
 		credit(manifold, granted);
-	else if (hadCredit)
+	else if (hadCredit || m_memory.m_switched)
 		endCredit(manifold);
 	m_manifolds++;
 	m_contacts += manifold->getNumContacts();
 	m_least = btMin(m_least, leastDistance(manifold));
+	m_press = btMax(m_press, pressOf(manifold));
 }
 
 bool btHybridPairLevel::keepsHeld() const
@@ -216,32 +288,65 @@ void btHybridPairLevel::takeAudit()
 	                        { return depthOf(a, b); });
 	m_memory.m_freshUntil = m_memory.m_parts.motion();
 	freshen(m_memory.m_gap);
+	easeHeld();
+}
+
+// Of the finest shapes, as deep as their contacts do not press.
+btScalar btHybridPairLevel::getEasedOverlap() const
+{
+	btScalar overlap = 0;
+	for (int i = 0; i < m_memory.m_held.getNumManifolds(); i++)
+	{
+		const btPersistentManifold* manifold = m_memory.m_held.getManifold(i);
+		for (int k = 0; k < manifold->getNumContacts(); k++)
+			if (!presses(manifold->getContactPoint(k)))
+				overlap = btMax(overlap, -distanceAt(manifold->getContactPoint(k), m_transform0, m_transform1));
+	}
+	return overlap;
+}
+
+// What was on credit at the finest level stays so: looking at it once more is no reason to press it apart.
+void btHybridPairLevel::easeHeld()
+{
+	m_memory.m_overlap = btMin(m_memory.m_overlap, btMax(btScalar(-m_memory.m_gap), btScalar(0)));
+	for (int i = 0; m_memory.m_overlap > 0 && i < m_memory.m_held.getNumManifolds(); i++)
+	{
+		btPersistentManifold* manifold = m_memory.m_held.getManifold(i);
+		for (int k = 0; k < manifold->getNumContacts(); k++)
+			if (manifold->getContactPoint(k).getDistance() >= -m_memory.m_overlap - c_tolerance)
+				ease(manifold->getContactPoint(k));
+	}
 }
 
 // No error reduction: where credit is at work, a distance below zero is no error to be corrected.
 void btHybridPairLevel::credit(btPersistentManifold* manifold, float credit)
 {
-	const int flags = BT_CONTACT_FLAG_HAS_CONTACT_ERP | BT_CONTACT_FLAG_HAS_CONTACT_CFM;
 	for (int i = 0; i < manifold->getNumContacts(); i++)
 	{
 		btManifoldPoint& point = manifold->getContactPoint(i);
 		point.setDistance(point.getDistance() + credit);
-		// Springs that a program has given its bodies have no error reduction.
-		if (point.m_contactPointFlags & BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING)
-			continue;
-		point.m_contactPointFlags |= flags;
-		point.m_contactERP = 0;
-		point.m_contactCFM = 0;
+		ease(point);
 	}
 }
 
+void btHybridPairLevel::ease(btManifoldPoint& point)
+{
+	// Springs that a program has given its bodies have no error reduction.
+	if (point.m_contactPointFlags & BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING)
+		return;
+	point.m_contactPointFlags |= BT_CONTACT_FLAG_HAS_CONTACT_ERP | BT_CONTACT_FLAG_HAS_CONTACT_CFM;
+	point.m_contactERP = 0;
+	point.m_contactCFM = 0;
+}
+
+// A contact that is still deep keeps its ease until it is found anew: it may be older than where the parts are now.
 void btHybridPairLevel::endCredit(btPersistentManifold* manifold)
 {
 	const int flags = BT_CONTACT_FLAG_HAS_CONTACT_ERP | BT_CONTACT_FLAG_HAS_CONTACT_CFM;
 	for (int i = 0; i < manifold->getNumContacts(); i++)
 	{
 		btManifoldPoint& point = manifold->getContactPoint(i);
-		if ((point.m_contactPointFlags & flags) == flags && point.m_contactERP == 0 && point.m_contactCFM == 0)
+		if (point.getDistance() >= 0 && (point.m_contactPointFlags & flags) == flags && point.m_contactERP == 0 && point.m_contactCFM == 0)
 			point.m_contactPointFlags &= ~flags;
 	}
 }
@@ -251,6 +356,8 @@ void btHybridPairLevel::report(scatter::lod::PairWorkload& work)
 	work.manifolds = m_manifolds + m_memory.m_held.getNumManifolds();
 	work.contacts = m_contacts + m_memory.m_held.getNumContacts();
 	m_least = btMin(m_least, m_memory.m_held.getLeastDistance());
+	for (int i = 0; i < m_memory.m_held.getNumManifolds(); i++)
+		m_press = btMax(m_press, pressOf(m_memory.m_held.getManifold(i)));
 	if (m_memory.m_switched)
 		checkSwitch();
 	m_memory.m_least = m_least;
@@ -258,11 +365,10 @@ void btHybridPairLevel::report(scatter::lod::PairWorkload& work)
 	m_planner.takeWork(m_plan, work, m_least < c_touching, isCredited, isCredited ? &m_memory.m_units : 0);
 }
 
-// No switch may push: what is deeper than it was, or was no overlap before, is counted. Looked at in every build.
+// No switch may push: contacts that press deeper than those of the level before would here are counted. In every build.
 void btHybridPairLevel::checkSwitch() const
 {
-	const btScalar gap = m_memory.m_onCredit ? m_memory.m_gap : 0;
-	if (m_least >= btMin(btMin(m_memory.m_least, gap), btScalar(0)) - c_tolerance)
+	if (m_press <= m_mostPress + c_tolerance)
 		return;
 	m_planner.countUnsafe();
 	btAssert(!m_planner.getInfo().m_safetyConditions);

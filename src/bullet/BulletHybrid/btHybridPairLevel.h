@@ -21,8 +21,11 @@ class btHybridPairLevel
 	const btTransform& m_transform1;
 	scatter::Frame m_frameB;  ///< of the second object, in the first one's frame; once it was asked for
 	bool m_hasFrame;
+	int m_partsLevel;  ///< whose parts the contacts are of: in a switch the level before, until open()
 
-	btScalar m_least;  ///< distance of the pair's contacts
+	btScalar m_least;      ///< distance of the pair's contacts
+	btScalar m_press;      ///< how deep they press the bodies apart, metres
+	btScalar m_mostPress;  ///< and may do after a switch: as deep as those of the level before, where the bodies are now
 	int m_contacts;
 	int m_manifolds;
 
@@ -33,19 +36,31 @@ class btHybridPairLevel
 	float findGap();
 	void openCredit();
 	void openFinestCredit();
+	void measureContactsBefore();
 	void freshen(float gap);
+	void shrinkCredit();
+	void settleContacts(const btAlignedObjectArray<int>& awake, bool hadCredit);
 	void settleChild(const scatter::ChildPair& child, bool hadCredit);
 	void checkSwitch() const;
+	btScalar getEasedOverlap() const;
+	void easeHeld();
 	static void credit(btPersistentManifold* manifold, float credit);
+	static void ease(btManifoldPoint& point);
 	static void endCredit(btPersistentManifold* manifold);
 
 public:
 	/// transforms: where the objects are.
 	btHybridPairLevel(btHybridNarrowphase& narrowphase, btHybridLevelBodies* const* objects, btHybridPairMemory& memory, int plan, const btTransform& transform0, const btTransform& transform1);
 
-	/// Before the narrowphase: whether the pair changes its level. The contacts it has are to be dropped then, or to be
-	/// held if it does so on credit.
+	/// Before the narrowphase: whether the pair changes its level. The contacts it has are to be dropped then, or, on credit
+	/// at a coarser level than the finest, those of its finest level are to be held; after that, open().
 	bool choose();
+
+	/// A switch away from the finest level, on credit: its contacts were looked for once more, for the child pairs `awake`.
+	void settleFinest(const btAlignedObjectArray<int>& awake);
+
+	/// A switch: opens the account of the new level.
+	void open();
 
 	/// The pair's level, 1 the coarsest.
 	int getLevel() const;

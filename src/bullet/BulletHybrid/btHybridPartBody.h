@@ -11,7 +11,7 @@
 scatter::Frame btHybridFrameOf(const btTransform& transform);
 
 /// A collision object, with one of its shapes, as a body of parts: shared by its pair algorithms.
-class btHybridPartBody
+class btHybridPartBody : private scatter::EngineBounds
 {
 	const btCollisionObject* m_object;
 	btHybridParts* m_parts;
@@ -23,6 +23,8 @@ class btHybridPartBody
 	friend class btHybridNarrowphase;
 
 	btHybridPartBody(const btCollisionObject* object, btHybridParts* parts);
+
+	virtual void boundsOf(int part, const scatter::Frame& frame, scatter::Vec3& low, scatter::Vec3& high) const;
 
 public:
 	BT_DECLARE_ALIGNED_ALLOCATOR();

@@ -1,11 +1,18 @@
 #include "btHybridParts.h"
 
+#include <BulletCollision/CollisionShapes/btBox2dShape.h>
 #include <BulletCollision/CollisionShapes/btBoxShape.h>
 #include <BulletCollision/CollisionShapes/btCapsuleShape.h>
 #include <BulletCollision/CollisionShapes/btConvexHullShape.h>
+#include <BulletCollision/CollisionShapes/btConvexPointCloudShape.h>
+#include <BulletCollision/CollisionShapes/btConvexTriangleMeshShape.h>
+#include <BulletCollision/CollisionShapes/btCylinderShape.h>
+#include <BulletCollision/CollisionShapes/btMultiSphereShape.h>
 #include <BulletCollision/CollisionShapes/btSphereShape.h>
+#include <BulletCollision/CollisionShapes/btTetrahedronShape.h>
 
 #include <limits>
+#include <typeinfo>
 #include <vector>
 
 namespace
@@ -88,7 +95,25 @@ void addEnclosingBox(scatter::PartDef& part, const btTransform& transform, const
 	addCorners(part, transform, btScalar(0.5) * (low + high), btScalar(0.5) * (high - low));
 }
 
-// Bullet bounds every convex shape by its local box, turned; only of a sphere it does not turn it.
+template <class Shape>
+bool isExactly(const btConvexShape* shape)
+{
+	return typeid(*shape) == typeid(Shape);
+}
+
+// Whether the shape's bounds are known to be its local box, turned with it, or those of a ball. A program's own
+// shapes may bound themselves as they like, whatever they are derived from.
+bool turnsItsBox(const btConvexShape* shape)
+{
+	return isExactly<btBoxShape>(shape) || isExactly<btConvexHullShape>(shape) || isExactly<btSphereShape>(shape) ||
+	       isExactly<btCapsuleShape>(shape) || isExactly<btCapsuleShapeX>(shape) || isExactly<btCapsuleShapeZ>(shape) ||
+	       isExactly<btCylinderShape>(shape) || isExactly<btCylinderShapeX>(shape) || isExactly<btCylinderShapeZ>(shape) ||
+	       isExactly<btMultiSphereShape>(shape) || isExactly<btBox2dShape>(shape) || isExactly<btBU_Simplex1to4>(shape) ||
+	       isExactly<btConvexPointCloudShape>(shape) || isExactly<btConvexTriangleMeshShape>(shape);
+}
+
+// The shape's local box. Others than those that Bullet turns with the shape are asked for their bounds at every pose:
+// cones, triangles, sums and scaled shapes bound themselves by their support function.
 void bound(scatter::PartDef& part, const btTransform& transform, const btConvexShape* shape)
 {
 	btVector3 aabbMin, aabbMax;
@@ -97,6 +122,60 @@ void bound(scatter::PartDef& part, const btTransform& transform, const btConvexS
 	part.boundsCenter = vec3(transform(btScalar(0.5) * (aabbMin + aabbMax)));
 	part.boundsAxes = mat3(transform.getBasis());
 	part.boundsHalf = vec3(half);
+	part.asksBounds = !turnsItsBox(shape);
+}
+
+// One of 27 directions; the middle one, 13, is none.
+btVector3 towards(int code)
+{
+	const int y = code / 3 % 3;
+	const int z = code / 9;
+	return btVector3(btScalar(code % 3 - 1), btScalar(y - 1), btScalar(z - 1));
+}
+
+// Whether the points that Bullet's GJK is given are those of a convex core. Where the margin is thicker than the shape,
+// the core is turned inside out, and reaches further to the back than to the front.
+bool isSound(const btConvexShape* shape)
+{
+	const btScalar rounding = btScalar(1e-5);
+	for (int code = 1; code < 27; code++)
+	{
+		const btVector3 direction = towards(code);
+		const btVector3 vertex = shape->localGetSupportVertexWithoutMarginNonVirtual(direction);
+		for (int other = 1; other < 27; other++)
+		{
+			const btVector3 d = towards(other);
+			const btVector3 furthest = shape->localGetSupportVertexWithoutMarginNonVirtual(d);
+			if (vertex.dot(d) > furthest.dot(d) + rounding * (vertex.length() + furthest.length()))
+				return false;
+		}
+	}
+	return true;
+}
+
+// Bullet's contacts of two shapes of the plane leave out the third axis, but for their bounds.
+bool isOpaque(const btConvexShape* shape)
+{
+	return shape->isConvex2d() || !isSound(shape);
+}
+
+// Wherever the part's bounds may be, with its body turned in any way.
+void addReach(scatter::PartDef& part)
+{
+	const btVector3 center(part.boundsCenter.x, part.boundsCenter.y, part.boundsCenter.z);
+	const btScalar radius = btVector3(part.boundsHalf.x, part.boundsHalf.y, part.boundsHalf.z).length() + part.boundsMargin;
+	part.kind = scatter::PartKind::kOpaque;
+	part.margin = 0;
+	addCorners(part, btTransform::getIdentity(), center, btVector3(radius, radius, radius));
+}
+
+void addOther(scatter::PartDef& part, const btTransform& transform, const btConvexShape* shape)
+{
+	if (isOpaque(shape))
+		return addReach(part);
+	part.kind = scatter::PartKind::kEnclosed;
+	part.margin = 0;
+	addEnclosingBox(part, transform, shape);
 }
 
 void addBox(scatter::PartDef& part, const btTransform& transform, const btBoxShape* box)
@@ -105,10 +184,7 @@ void addBox(scatter::PartDef& part, const btTransform& transform, const btBoxSha
 	part.kind = scatter::PartKind::kBox;
 	if (core[core.minAxis()] >= 0)
 		return addCorners(part, transform, btVector3(0, 0, 0), core);
-	// The margin is thicker than the box, and Bullet's GJK sees a core turned inside out.
-	part.kind = scatter::PartKind::kEnclosed;
-	part.margin = 0;
-	addEnclosingBox(part, transform, box);
+	addReach(part);
 }
 
 scatter::PartDef makePart(const btConvexShape* shape, const btTransform& transform)
@@ -139,9 +215,7 @@ scatter::PartDef makePart(const btConvexShape* shape, const btTransform& transfo
 			addHull(part, transform, static_cast<const btConvexHullShape*>(shape));
 			break;
 		default:
-			part.kind = scatter::PartKind::kEnclosed;
-			part.margin = 0;
-			addEnclosingBox(part, transform, shape);
+			addOther(part, transform, shape);
 	}
 	return part;
 }

@@ -22,7 +22,7 @@ namespace
 // Policies look at a pair every so many steps, and at a new one at once.
 const int c_adviceInterval = 4;
 
-scatter::Vec3 vec3(const btVector3& v)
+scatter::Vec3 asVec3(const btVector3& v)
 {
 	return scatter::Vec3(v.x(), v.y(), v.z());
 }
@@ -46,11 +46,11 @@ BodyView viewOf(const btCollisionObject* object)
 {
 	BodyView view;
 	view.present = true;
-	view.center = vec3(object->getWorldTransform().getOrigin());
+	view.center = asVec3(object->getWorldTransform().getOrigin());
 	const btRigidBody* body = btRigidBody::upcast(object);
 	if (body && body->getInvMass() > 0)
 	{
-		view.velocity = vec3(body->getLinearVelocity());
+		view.velocity = asVec3(body->getLinearVelocity());
 		view.mass = 1 / body->getInvMass();
 	}
 	const btHybridRigidBody* hybrid = btHybridRigidBody::upcast(object);
@@ -69,9 +69,7 @@ void btHybridPlanner::setBudget(const scatter::lod::UnitBudget& budget, bool nee
 {
 	m_budget = budget;
 	m_needsTime = needsTime;
-	scatter::lod::GovernorDef def;
-	def.creditLevel = m_info.m_creditLevel;
-	m_governor = scatter::lod::Governor(def);
+	m_governor = scatter::lod::Governor(scatter::lod::GovernorDef());
 }
 
 bool btHybridPlanner::hasBudget() const
@@ -79,8 +77,12 @@ bool btHybridPlanner::hasBudget() const
 	return m_budget.isLimited();
 }
 
+static const char c_noSpecification[] = "a policy needs a name, such as \"speed\"; 0 was given";
+
 const char* btHybridPlanner::addPolicy(const char* specification)
 {
+	if (!specification)
+		return c_noSpecification;
 	auto policy = scatter::lod::makePolicy(specification, m_policies.grouping());
 	if (!policy)
 	{
@@ -93,6 +95,8 @@ const char* btHybridPlanner::addPolicy(const char* specification)
 
 const char* btHybridPlanner::checkPolicy(const char* specification)
 {
+	if (!specification)
+		return c_noSpecification;
 	const auto policy = scatter::lod::makePolicy(specification, m_policies.grouping());
 	m_mistake = policy ? std::string() : policy.error().message;
 	return policy ? 0 : m_mistake.c_str();
@@ -108,7 +112,7 @@ void btHybridPlanner::removePolicies()
 
 void btHybridPlanner::setFocus(const btVector3& eye, const btVector3& target, btScalar fieldOfView)
 {
-	m_situation.focus = scatter::lod::Focus{vec3(eye), vec3(target), fieldOfView};
+	m_situation.focus = scatter::lod::Focus{asVec3(eye), asVec3(target), fieldOfView};
 }
 
 void btHybridPlanner::removeFocus()
@@ -138,7 +142,7 @@ int btHybridPlanner::addPair(btHybridPairAlgorithm* algorithm, const btHybridLev
 	planned.view.finest = btMax(object0->getNumLevels(), object1->getNumLevels());
 	planned.target = planned.view.finest;
 	planned.identity = m_numCreated++;
-	planned.kind = kindOf(object0->getNumParts() * object1->getNumParts());
+	planned.kind = kindOf(double(object0->getNumParts()) * object1->getNumParts());
 	m_planned.push_back(planned);
 	const Pair pair = {algorithm, {object0, object1}, false, false, planned.target, m_step, m_step};
 	m_pairs.push_back(pair);
@@ -250,6 +254,7 @@ void btHybridPlanner::plan(const btCollisionObjectArray& objects, int numMoving,
 		m_pairs[i].m_targetBefore = planned.target;
 	}
 	m_advisesAll = false;
+	m_governor.setCreditLevel(m_info.m_creditLevel);
 	m_governor.plan(m_planned, m_costs, m_fixedUnits, m_budgetUnits, numMoving);
 	for (size_t i = 0; i < m_planned.size(); i++)
 		followRequest(int(i));
@@ -437,7 +442,8 @@ void btHybridPlanner::finish()
 	m_lastUnits = m_units;
 	m_stepInfo.m_units = m_units;
 	m_stepInfo.m_plannedUnits = m_plans ? m_governor.planned() : 0;
-	m_stepInfo.m_budgetUnits = hasBudget() ? m_budgetUnits : 0;
+	// Steps of a replayed run may have had none.
+	m_stepInfo.m_budgetUnits = std::isfinite(m_budgetUnits) ? m_budgetUnits : 0;
 	m_lastStepInfo = m_stepInfo;
 	m_stepInfo = btHybridPairStepInfo();
 }

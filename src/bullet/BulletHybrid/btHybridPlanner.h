@@ -78,9 +78,10 @@ class btHybridPlanner
 public:
 	btHybridPlanner();
 
-	btHybridPairSwitchingInfo& getInfo()
+	/// As they act. Before every plan, as the program may change them at any time.
+	void setInfo(const btHybridPairSwitchingInfo& info)
 	{
-		return m_info;
+		m_info = info;
 	}
 	const btHybridPairSwitchingInfo& getInfo() const
 	{

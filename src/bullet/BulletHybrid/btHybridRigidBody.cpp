@@ -1,24 +1,55 @@
 #include "BulletHybrid/btHybridRigidBody.h"
 
-static btRigidBody::btRigidBodyConstructionInfo withShape(btRigidBody::btRigidBodyConstructionInfo info, btCollisionShape* shape)
+#include <BulletCollision/CollisionShapes/btEmptyShape.h>
+
+#include "BulletHybrid/btHybridDynamicsWorld.h"
+
+namespace
 {
-	info.m_collisionShape = shape;
+// Never destroyed, so that bodies may outlive everything.
+const btHybridLevelSet* noLevels()
+{
+	static const btHybridLevelSet* const levels = new btHybridLevelSet;
+	return levels;
+}
+
+btCollisionShape* noShape()
+{
+	static btCollisionShape* const shape = new btEmptyShape;
+	return shape;
+}
+
+int startLevelOrFinest(const btHybridLevelSet* levels, int startLevel)
+{
+	const int finest = levels ? levels->getNumLevels() : 0;
+	return startLevel == 0 ? finest : btMin(btMax(startLevel, 1), finest);
+}
+
+btRigidBody::btRigidBodyConstructionInfo withShape(btRigidBody::btRigidBodyConstructionInfo info, const btHybridLevelSet* levels, int startLevel)
+{
+	const int level = startLevelOrFinest(levels, startLevel);
+	if (level > 0)
+		info.m_collisionShape = levels->getLevelShape(level);
+	else if (!info.m_collisionShape)
+		info.m_collisionShape = noShape();
 	return info;
 }
-
-static int startLevelOrFinest(const btHybridLevelSet* levels, int startLevel)
-{
-	btAssert(levels && levels->getNumLevels() > 0);
-	btAssert(startLevel >= 0 && startLevel <= levels->getNumLevels());
-	return startLevel == 0 ? levels->getNumLevels() : startLevel;
-}
+}  // namespace
 
 btHybridRigidBody::btHybridRigidBody(const btRigidBodyConstructionInfo& constructionInfo, const btHybridLevelSet* levels, int startLevel)
-    : btRigidBody(withShape(constructionInfo, levels->getLevelShape(startLevelOrFinest(levels, startLevel)))),
-      m_levels(levels),
+    : btRigidBody(withShape(constructionInfo, levels, startLevel)),
+      m_levels(levels ? levels : noLevels()),
+      m_finestLevel(m_levels->getNumLevels()),
       m_level(startLevelOrFinest(levels, startLevel)),
       m_lonelySteps(0),
+      m_world(0),
       m_hybridIndex(-1),
       m_isHeld(false)
 {
+}
+
+btHybridRigidBody::~btHybridRigidBody()
+{
+	if (m_world)
+		m_world->removeRigidBody(this);
 }

@@ -9,6 +9,10 @@
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpa2.h>
 #include <LinearMath/btAabbUtil2.h>
 
+#include <cmath>
+
+#include "btHybridFinite.h"
+
 namespace
 {
 struct Placed
@@ -182,11 +186,15 @@ bool isSeparated(const Placed& a, const Placed& b, btScalar gap)
 		return meshIsSeparated(b, a, gap);
 	return false;
 }
+
 }  // namespace
 
 bool btHybridIsSeparated(const btCollisionShape* shapeA, const btTransform& transformA,
                          const btCollisionShape* shapeB, const btTransform& transformB, btScalar gap)
 {
+	// A tree of bounds finds nothing near what is nowhere.
+	if (!shapeA || !shapeB || !btHybridIsFinite(transformA) || !btHybridIsFinite(transformB) || !std::isfinite(gap))
+		return false;
 	const Placed a = {shapeA, transformA};
 	const Placed b = {shapeB, transformB};
 	return isSeparated(a, b, gap);

@@ -19,7 +19,7 @@ namespace
 const btScalar c_firstReach = btScalar(0.05);  // metres; most that are asked about touch
 const btScalar c_widening = btScalar(4);
 const btScalar c_furthest = btScalar(1e5);
-const btScalar c_tolerance = btScalar(1e-4);
+const btScalar c_gjkTolerance = btScalar(1e-4);
 
 bool areBoxes(const scatter::PartList::Part& a, const scatter::PartList::Part& b)
 {
@@ -29,7 +29,7 @@ bool areBoxes(const scatter::PartList::Part& a, const scatter::PartList::Part& b
 // Whether the part's core and margin are its shape.
 bool isExact(const scatter::PartList::Part& part)
 {
-	return part.kind != scatter::PartKind::kEnclosed;
+	return part.kind != scatter::PartKind::kEnclosed && part.kind != scatter::PartKind::kOpaque;
 }
 
 // A part of a shape as Bullet knows it.
@@ -79,7 +79,7 @@ scatter::GjkResult coreDistance(const PartPlaces& places, const scatter::Neighbo
 	const scatter::PartList::Part& b = places.partB(near);
 	const bool boxes = areBoxes(a, b);
 	scatter::WarmSimplex warm;
-	return scatter::gjkDistance(boxes ? a.sharp : a.core, boxes ? b.sharp : b.core, places.m_frameB, near.axis, enough, c_tolerance, warm);
+	return scatter::gjkDistance(boxes ? a.sharp : a.core, boxes ? b.sharp : b.core, places.m_frameB, near.axis, enough, c_gjkTolerance, warm);
 }
 
 btScalar marginOf(const PartPlaces& places, const scatter::Neighbours& near)

@@ -11,7 +11,7 @@ std::uint64_t wide(Count count) {
   return static_cast<std::uint64_t>(count);
 }
 
-MissedContact fromBullet(const btHybridMissedContact& missed) {
+MissedContact reported(const btHybridMissedContact& missed) {
   return {.bodyA = BulletBody::of(*missed.m_bodyA).name(),
           .bodyB = BulletBody::of(*missed.m_bodyB).name(),
           .childA = missed.m_childA,
@@ -39,10 +39,10 @@ ContactReport fromBullet(const btHybridContactReport& report) {
                        .expected = wide(report.m_expected),
                        .missed = wide(report.m_missed),
                        .extra = wide(report.m_extra),
-                       .doubtful = wide(report.m_doubtful),
+                       .doubtful = wide(report.m_doubtful + report.m_bulletErrs),
                        .lastMissed = {}};
   for (int i = 0; i < report.m_lastMissed.size(); ++i) {
-    result.lastMissed.push_back(fromBullet(report.m_lastMissed[i]));
+    result.lastMissed.push_back(reported(report.m_lastMissed[i]));
   }
   return result;
 }

@@ -3,6 +3,7 @@
 #include <BulletHybrid/btHybridDynamicsWorld.h>
 
 #include <cassert>
+#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -23,29 +24,29 @@ std::vector<std::string> policyNames(Policy policy, std::vector<std::string> nam
   return named;
 }
 
+/// What is checked before a world is told is refused only by mistake, which must not pass unnoticed.
+bool isDone(const char* mistake) {
+  if (mistake == nullptr) return true;
+  std::fprintf(stderr, "scatter: %s\n", mistake);
+  assert(false && "refused by the Bullet world");
+  return false;
+}
+
 void addPolicies(btHybridDynamicsWorld& world, const std::vector<std::string>& policies) {
-  for (const std::string& policy : policies) {
-    [[maybe_unused]] const char* mistake = world.addPolicy(policy.c_str());
-    assert(mistake == nullptr && "policies are checked before a world is told");
-  }
+  for (const std::string& policy : policies) isDone(world.addPolicy(policy.c_str()));
 }
 
 bool isLimited(const BudgetDef& budget) {
-  return !budget.recorded.empty() || budget.units > 0.0 || budget.milliseconds > 0.0;
+  return !budget.recorded.empty() || budget.units != 0.0 || budget.milliseconds != 0.0;
 }
 
-void applyBudget(btHybridDynamicsWorld& world, const BudgetDef& budget) {
-  assert(isFinite(static_cast<float>(budget.milliseconds)) && budget.milliseconds >= 0.0);
-  assert(isFinite(static_cast<float>(budget.units)) && budget.units >= 0.0);
+bool applyBudget(btHybridDynamicsWorld& world, const BudgetDef& budget) {
   if (!budget.recorded.empty()) {
-    world.replayBudget(budget.recorded.data(), static_cast<int>(budget.recorded.size()));
-  } else if (budget.units > 0.0) {
-    world.setBudgetUnits(budget.units);
-  } else if (budget.milliseconds > 0.0) {
-    world.setBudgetMilliseconds(budget.milliseconds);
-  } else {
-    world.removeBudget();
+    return isDone(world.replayBudget(budget.recorded.data(), static_cast<int>(budget.recorded.size())));
   }
+  if (budget.units != 0.0) return isDone(world.setBudgetUnits(budget.units));
+  if (budget.milliseconds != 0.0) return isDone(world.setBudgetMilliseconds(budget.milliseconds));
+  return isDone(world.removeBudget());
 }
 
 void setUpPairSwitching(btHybridDynamicsWorld& world, const SwitchingDef& def) {
@@ -94,7 +95,7 @@ BulletEngine::BulletEngine(const PhysicsDef& def) : dispatcher_(&configuration_)
                                                 byPair ? BT_HYBRID_PAIR_SWITCHING : BT_HYBRID_BODY_SWITCHING);
     hybrid->getSwitchingInfo() = switchingInfo(def.switching);
     if (byPair) setUpPairSwitching(*hybrid, def.switching);
-    hybrid->setCollisionInfo(collisionInfo(def.collision));
+    isDone(hybrid->setCollisionInfo(collisionInfo(def.collision)));
     hybrid->verifyContacts(def.collision.verifyEvery);
     switching_ = hybrid.get();
     world_ = std::move(hybrid);
@@ -105,8 +106,13 @@ BulletEngine::BulletEngine(const PhysicsDef& def) : dispatcher_(&configuration_)
   world_->getSolverInfo().m_numIterations = def.solverIterations;
 }
 
-void BulletEngine::setBudget(const BudgetDef& budget) {
-  applyBudget(*switching_, budget);
+bool BulletEngine::setBudget(const BudgetDef& budget) {
+  return applyBudget(*switching_, budget);
+}
+
+void BulletEngine::setFocus(const std::optional<ViewFocus>& focus) {
+  isDone(focus ? switching_->setFocus(toBullet(focus->eye), toBullet(focus->target), focus->fieldOfView)
+               : switching_->removeFocus());
 }
 
 Result<void> BulletEngine::setPolicies(Policy policy, const std::vector<std::string>& names) {
@@ -119,7 +125,7 @@ Result<void> BulletEngine::setPolicies(Policy policy, const std::vector<std::str
   for (const std::string& name : policies) {
     if (const char* mistake = switching_->checkPolicy(name.c_str())) return fail(mistake);
   }
-  switching_->removePolicies();
+  if (const char* mistake = switching_->removePolicies()) return fail(mistake);
   addPolicies(*switching_, policies);
   return {};
 }
@@ -127,6 +133,7 @@ Result<void> BulletEngine::setPolicies(Policy policy, const std::vector<std::str
 Result<void> BulletEngine::setSwitching(const SwitchingDef& def) {
   const bool byPair = switchesByPair(def);
   const int deep = switching_->setSwitchingMode(byPair ? BT_HYBRID_PAIR_SWITCHING : BT_HYBRID_BODY_SWITCHING);
+  if (deep < 0) return fail("switching cannot change inside a step; change it between two");
   if (deep > 0) {
     return fail(
         "switching by bodies would push apart " + std::to_string(deep) +

@@ -6,6 +6,7 @@
 #include <scatter/world/physics.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,8 +33,12 @@ class BulletEngine {
   [[nodiscard]] btHybridDynamicsWorld* switching() { return switching_; }
   [[nodiscard]] const btHybridDynamicsWorld* switching() const { return switching_; }
 
-  /// Of pair switching, which must be on.
-  void setBudget(const BudgetDef& budget);
+  /// Of pair switching, which must be on. False, and nothing changes, if the world refuses it, for what
+  /// stderr is told.
+  bool setBudget(const BudgetDef& budget);
+
+  /// The same; nothing: no focus.
+  void setFocus(const std::optional<ViewFocus>& focus);
 
   /// In a hybrid world. Fails, and changes nothing, on names that are not known, and on any with body
   /// switching.

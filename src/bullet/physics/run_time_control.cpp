@@ -1,7 +1,6 @@
 #include <BulletHybrid/btHybridDynamicsWorld.h>
 
 #include "bullet/physics/bullet_physics.h"
-#include "bullet/physics/conversions.h"
 #include "bullet/physics/observer.h"
 
 namespace scatter {
@@ -12,8 +11,8 @@ bool BulletPhysics::switchesByPair() const {
 
 bool BulletPhysics::setBudget(const BudgetDef& budget) {
   if (!switchesByPair()) return false;
+  if (!engine_.setBudget(budget)) return false;
   def_.switching.budget = budget;
-  engine_.setBudget(budget);
   return true;
 }
 
@@ -87,12 +86,7 @@ void BulletPhysics::setFocus(const std::optional<ViewFocus>& focus) {
 }
 
 void BulletPhysics::applyFocus() {
-  if (!switchesByPair()) return;
-  if (focus_) {
-    engine_.switching()->setFocus(toBullet(focus_->eye), toBullet(focus_->target), focus_->fieldOfView);
-  } else {
-    engine_.switching()->removeFocus();
-  }
+  if (switchesByPair()) engine_.setFocus(focus_);
 }
 
 void BulletPhysics::observe(const ObservationParts& parts, Observation& out) const {

@@ -81,17 +81,18 @@ void BulletShapeBuilder::setMass(BulletShape& shape, const MassProperties& mass)
   shape.inertia_ = axes.moments;
 }
 
-void BulletShapeBuilder::addLevel(BulletShape& shape, const std::vector<ConvexPart>& parts,
+void BulletShapeBuilder::setFinest(BulletShape& shape, std::unique_ptr<btCollisionShape> finest) {
+  shape.finest_ = finest.get();
+  shape.owned_.push_back(std::move(finest));
+}
+
+void BulletShapeBuilder::setParts(BulletShape& shape, const std::vector<ConvexPart>& parts,
                                   float hullMargin) {
   const Transform toCenter = shape.center_.inverse();
   // A compound around a single part would cost a tree for nothing.
   if (parts.size() == 1) {
     const ConvexPart only = withPoseApplied({parts[0].shape, toCenter * parts[0].pose});
-    if (isInPlace(only)) {
-      shape.owned_.push_back(convert(only.shape, hullMargin));
-      shape.levels_.addLevel(shape.owned_.back().get());
-      return;
-    }
+    if (isInPlace(only)) return setFinest(shape, convert(only.shape, hullMargin));
   }
   auto compound =
       std::make_unique<btCompoundShape>(/*enableDynamicAabbTree=*/true, static_cast<int>(parts.size()));
@@ -99,8 +100,7 @@ void BulletShapeBuilder::addLevel(BulletShape& shape, const std::vector<ConvexPa
     shape.owned_.push_back(convert(part.shape, hullMargin));
     compound->addChildShape(toBullet(toCenter * part.pose), shape.owned_.back().get());
   }
-  shape.owned_.push_back(std::move(compound));
-  shape.levels_.addLevel(shape.owned_.back().get());
+  setFinest(shape, std::move(compound));
 }
 
 BulletShapeBuilder::Made BulletShapeBuilder::build(const Shape& shape) {
@@ -118,7 +118,7 @@ BulletShapeBuilder::Made BulletShapeBuilder::make(const ConvexShape& convex) {
     // The others are symmetric about their origin: no rounding may move them.
     shape->inertia_ = Vec3(mass->inertia[0][0], mass->inertia[1][1], mass->inertia[2][2]);
   }
-  addLevel(*shape, parts, kHullMargin);
+  setParts(*shape, parts, kHullMargin);
   return shape;
 }
 
@@ -127,16 +127,15 @@ BulletShapeBuilder::Made BulletShapeBuilder::make(const Compound& compound) {
   if (!mass) return tl::unexpected(mass.error());
   auto shape = std::make_shared<BulletShape>();
   setMass(*shape, *mass);
-  addLevel(*shape, compound.parts, kHullMargin);
+  setParts(*shape, compound.parts, kHullMargin);
   return shape;
 }
 
 BulletShapeBuilder::Made BulletShapeBuilder::make(const Plane& plane) {
   auto shape = std::make_shared<BulletShape>();
   const float length = glm::length(plane.normal);
-  shape->owned_.push_back(
-      std::make_unique<btStaticPlaneShape>(toBullet(plane.normal / length), plane.offset / length));
-  shape->levels_.addLevel(shape->owned_.back().get());
+  setFinest(*shape,
+            std::make_unique<btStaticPlaneShape>(toBullet(plane.normal / length), plane.offset / length));
   return shape;
 }
 
@@ -155,9 +154,9 @@ BulletShapeBuilder::Made BulletShapeBuilder::make(const std::shared_ptr<const Tr
     auto array = std::make_unique<btTriangleIndexVertexArray>();
     array->addIndexedMesh(view, PHY_INTEGER);
     shape.meshView_ = std::move(array);
-    shape.owned_.push_back(std::make_unique<btBvhTriangleMeshShape>(shape.meshView_.get(),
-                                                                    /*useQuantizedAabbCompression=*/true));
-    shape.levels_.addLevel(shape.owned_.back().get());
+    setFinest(shape, std::make_unique<btBvhTriangleMeshShape>(shape.meshView_.get(),
+                                                              /*useQuantizedAabbCompression=*/true));
+    return Result<void>();
   });
 }
 
@@ -165,8 +164,12 @@ BulletShapeBuilder::Made BulletShapeBuilder::make(const std::shared_ptr<const Le
   return share(levels, [&levels](BulletShape& shape) {
     setMass(shape, levels->mass());
     for (int level = 1; level <= levels->count(); ++level) {
-      addLevel(shape, levels->level(level).parts, levels->hullMargin());
+      setParts(shape, levels->level(level).parts, levels->hullMargin());
+      // LevelSet::create has proven it, or was told to take it as it is.
+      const char* mistake = shape.levels_.addLevel(shape.finest_, BT_HYBRID_NESTING_IS_PROVEN);
+      if (mistake != nullptr) return Result<void>(fail(mistake));
     }
+    return Result<void>();
   });
 }
 
@@ -176,7 +179,7 @@ BulletShapeBuilder::Made BulletShapeBuilder::share(const std::shared_ptr<const S
   std::erase_if(shared_, [](const auto& entry) { return entry.second.expired(); });
   auto shape = std::make_shared<BulletShape>();
   shape->source_ = source;
-  make(*shape);
+  if (auto made = make(*shape); !made) return tl::unexpected(made.error());
   shared_[source.get()] = shape;
   return shape;
 }

@@ -6,6 +6,7 @@
 #include <scatter/result.h>
 #include <scatter/world/shape.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <vector>
@@ -23,11 +24,13 @@ class BulletShape {
   BulletShape& operator=(const BulletShape&) = delete;
   ~BulletShape() = default;
 
-  /// The only level of a shape that is not a LevelSet. Bullet's interfaces are not const correct; the
+  /// The finest level of a LevelSet, else the shape itself. Bullet's interfaces are not const correct; the
   /// shape is not changed.
-  [[nodiscard]] btCollisionShape* finest() const { return levels_.getLevelShape(levels_.getNumLevels()); }
+  [[nodiscard]] btCollisionShape* finest() const { return finest_; }
+
+  /// Of a LevelSet; empty for other shapes, which count as one level.
   [[nodiscard]] const btHybridLevelSet& levels() const { return levels_; }
-  [[nodiscard]] int levelCount() const { return levels_.getNumLevels(); }
+  [[nodiscard]] int levelCount() const { return std::max(levels_.getNumLevels(), 1); }
 
   /// The frame of the centre of mass and the principal axes, in the model's frame.
   [[nodiscard]] const Transform& center() const { return center_; }
@@ -41,6 +44,7 @@ class BulletShape {
   std::vector<std::unique_ptr<btCollisionShape>> owned_;
   std::unique_ptr<btStridingMeshInterface> meshView_;
   btHybridLevelSet levels_;
+  btCollisionShape* finest_ = nullptr;
   Transform center_;
   Vec3 inertia_{0.0F};
 
@@ -68,7 +72,8 @@ class BulletShapeBuilder {
   Made share(const std::shared_ptr<const Source>& source, Make make);
 
   static void setMass(BulletShape& shape, const MassProperties& mass);
-  static void addLevel(BulletShape& shape, const std::vector<ConvexPart>& parts, float hullMargin);
+  static void setFinest(BulletShape& shape, std::unique_ptr<btCollisionShape> finest);
+  static void setParts(BulletShape& shape, const std::vector<ConvexPart>& parts, float hullMargin);
 
   std::map<const void*, std::weak_ptr<const BulletShape>> shared_;
 };

@@ -10,7 +10,7 @@ namespace scatter::io {
 namespace {
 
 /// An instance can lead deeper than the file is nested.
-constexpr int kMaxDepth = 256;
+constexpr int kMaxVisualDepth = 256;
 
 /// A visit to a node costs as much as some vertices.
 constexpr std::size_t kVisitCost = 20;
@@ -63,9 +63,9 @@ Result<std::vector<VisualPart>> ColladaVisuals::find(const pugi::xml_node& node,
 
 Result<void> ColladaVisuals::visit(const pugi::xml_node& node, const Placement& place, int depth,
                                    std::vector<VisualPart>& parts) {
-  if (depth > kMaxDepth) {
-    return frame_->xml().failAt(node,
-                                "stands deeper in the scene than " + std::to_string(kMaxDepth) + " nodes");
+  if (depth > kMaxVisualDepth) {
+    return frame_->xml().failAt(
+        node, "stands deeper in the scene than " + std::to_string(kMaxVisualDepth) + " nodes");
   }
   for (const pugi::xml_node& element : node.children()) {
     if (const auto visited = visitElement(element, place, depth, parts); !visited) {

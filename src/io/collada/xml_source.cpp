@@ -10,7 +10,7 @@ namespace scatter::io {
 namespace {
 
 constexpr std::size_t kMaxQuoted = 60;
-constexpr int kMaxDepth = 256;
+constexpr int kMaxElementDepth = 256;
 
 bool isControl(char c) {
   return static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
@@ -43,7 +43,7 @@ struct XmlSource::Document {
         if (const pugi::xml_attribute id = node.attribute("id")) {
           index->emplace(id.value(), node);
         }
-        if (depth() >= kMaxDepth) {
+        if (depth() >= kMaxElementDepth) {
           tooDeep = node;
         }
         return !tooDeep;
@@ -72,7 +72,7 @@ Result<XmlSource> XmlSource::parse(std::string_view text, std::string_view name)
   }
   if (const pugi::xml_node tooDeep = source.document_->indexIds()) {
     return source.failAt(tooDeep.parent(),
-                         "is nested deeper than " + std::to_string(kMaxDepth) + " elements");
+                         "is nested deeper than " + std::to_string(kMaxElementDepth) + " elements");
   }
   return source;
 }

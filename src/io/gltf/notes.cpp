@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::array<const char*, 3> kMotions{"static", "kinematic", "dynamic"};
 
-constexpr double kMaxSpeed = 1e6;
+constexpr double kMaxVector = 1e6;
 
 float toFloat(double value) {
   return static_cast<float>(value);
@@ -82,14 +82,14 @@ DocumentField readField(const JsonPlace& place) {
   DocumentField field;
   field.name = place.at("name").text();
   field.center = Vec3(place.at("center").vector());
-  field.acceleration = toFloat(place.at("acceleration").number(-kMaxSpeed, kMaxSpeed));
+  field.acceleration = toFloat(place.at("acceleration").number(-kMaxVector, kMaxVector));
   field.radius = toFloat(place.at("radius").size(0.0));
   return field;
 }
 
 std::optional<Vec3> readVelocity(const JsonPlace& parent, const char* key) {
   const auto place = parent.find(key);
-  return place ? std::optional(Vec3(place->vector(kMaxSpeed))) : std::nullopt;
+  return place ? std::optional(Vec3(place->vector(kMaxVector))) : std::nullopt;
 }
 
 std::optional<JsonPlace> findNotes(const JsonPlace& owner, const char* key) {
@@ -110,7 +110,7 @@ std::optional<SceneNotes> readSceneNotes(const GltfFile& file, const GltfNodes& 
     return std::nullopt;
   }
   SceneNotes notes;
-  notes.gravity = Vec3(place->at("gravity").vector(kMaxSpeed));
+  notes.gravity = Vec3(place->at("gravity").vector(kMaxVector));
   if (const auto step = place->find("timeStep")) {
     notes.timeStep = toFloat(step->number(1e-6, 1e3));
   }

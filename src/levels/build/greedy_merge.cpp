@@ -20,9 +20,9 @@ constexpr double kExcessWeight = 1.5;
 constexpr double kSizeWeight = 0.002;
 
 /// Shares of the diagonal.
-constexpr double kTolerance = 3e-4;
-constexpr double kThickness = 1e-4;
-constexpr double kSpacing = 1.0 / 60.0;
+constexpr double kTrialTolerance = 3e-4;
+constexpr double kTrialThickness = 1e-4;
+constexpr double kTrialSpacing = 1.0 / 60.0;
 
 /// With at most so many parts, all pairs are candidates.
 constexpr std::size_t kAllPairs = 128;
@@ -58,7 +58,7 @@ struct Node {
 };
 
 /// A pair of parts. Ordered by cost, then by number: the same everywhere.
-struct Candidate {
+struct MergeCandidate {
   double cost = 0.0;
   std::uint32_t a = 0;
   std::uint32_t b = 0;
@@ -66,14 +66,14 @@ struct Candidate {
   std::uint32_t versionB = 0;
   bool isExact = false;  ///< Else `cost` is what it is at least.
 
-  bool operator>(const Candidate& other) const {
+  bool operator>(const MergeCandidate& other) const {
     return std::tie(cost, a, b) > std::tie(other.cost, other.a, other.b);
   }
 };
 
-class Merger {
+class GreedyMerger {
  public:
-  Merger(const WorkMesh& mesh, const DistanceGrid& grid, Patches patches, const MergeDef& definition)
+  GreedyMerger(const WorkMesh& mesh, const DistanceGrid& grid, Patches patches, const MergeDef& definition)
       : grid_(grid), patches_(std::move(patches)), definition_(definition), diagonal_(mesh.diagonal) {
     const auto count = static_cast<std::uint32_t>(patches_.clusters.size());
     nodes_.resize(count);
@@ -98,7 +98,7 @@ class Merger {
         hasAllPairs = true;
         linkAll();
       }
-      Candidate best = queue_.top();
+      MergeCandidate best = queue_.top();
       queue_.pop();
       if (!isCurrent(best.a, best.versionA) || !isCurrent(best.b, best.versionB)) continue;
       if (!best.isExact) {
@@ -137,7 +137,8 @@ class Merger {
   }
 
   void buildHull(const std::vector<glm::dvec3>& points) {
-    const HullDef definition{kTolerance * diagonal_, kThickness * diagonal_, definition_.maxVertices};
+    const HullDef definition{kTrialTolerance * diagonal_, kTrialThickness * diagonal_,
+                             definition_.maxVertices};
     buildThickHull(builder_, points, definition, hull_);
   }
 
@@ -151,7 +152,7 @@ class Merger {
   double costOf(std::uint32_t a, std::uint32_t b) {
     buildCommonHull(a, b);
     const auto gapAt = [this](const glm::dvec3& point) { return grid_.gap(point); };
-    return largestGap(hull_, kSpacing * diagonal_, gapAt) + kExcessWeight * hull_.excess +
+    return largestGap(hull_, kTrialSpacing * diagonal_, gapAt) + kExcessWeight * hull_.excess +
            kSizeWeight * glm::length(hull_.bounds.max - hull_.bounds.min);
   }
 
@@ -217,7 +218,7 @@ class Merger {
   double diagonal_;
   std::vector<Node> nodes_;
   std::size_t alive_ = 0;
-  std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> queue_;
+  std::priority_queue<MergeCandidate, std::vector<MergeCandidate>, std::greater<>> queue_;
   HullBuilder builder_;
   TriangleHull hull_;
   std::vector<glm::dvec3> both_;
@@ -227,7 +228,7 @@ class Merger {
 
 MergeTree mergeGreedily(const WorkMesh& mesh, const DistanceGrid& grid, Patches patches,
                         const MergeDef& definition) {
-  return Merger(mesh, grid, std::move(patches), definition).run();
+  return GreedyMerger(mesh, grid, std::move(patches), definition).run();
 }
 
 }  // namespace scatter::levels

@@ -133,9 +133,9 @@ std::uint64_t mortonCode(const glm::uvec3& cell) {
   return code;
 }
 
-class Merger {
+class PreMerger {
  public:
-  Merger(const WorkMesh& mesh, std::vector<Cluster> groups) : mesh_(mesh), members_(std::move(groups)) {
+  PreMerger(const WorkMesh& mesh, std::vector<Cluster> groups) : mesh_(mesh), members_(std::move(groups)) {
     const std::size_t count = members_.size();
     alive_ = count;
     spreads_.resize(count);
@@ -248,7 +248,7 @@ class Merger {
 
 Patches preMerge(const WorkMesh& mesh, std::size_t count, std::size_t maxTriangles) {
   const bool isGrouped = mesh.triangles.size() > maxTriangles;
-  Merger merger(mesh, groupTriangles(mesh, isGrouped));
+  PreMerger merger(mesh, groupTriangles(mesh, isGrouped));
   merger.mergeTo(std::max<std::size_t>(1, count));
   Patches patches = merger.take();
   patches.isGrouped = isGrouped;

@@ -19,9 +19,8 @@ namespace scatter {
 namespace levels {
 namespace {
 
-constexpr double kTolerance = 1e-5;
+constexpr double kRelativeTolerance = 1e-5;
 constexpr double kResolution = 1e-4;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 using Solids = std::vector<SolidPart>;
 
@@ -42,10 +41,10 @@ Result<EnclosureCheck> checkPair(const Level& finer, const Level& coarser, const
   const auto margin = static_cast<double>(hullMargin);
   EnclosureCheck result;
   result.count = finer.parts.size();
-  double clearance = kInfinity;
+  double clearance = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < finer.parts.size(); ++i) {
     const RoundedHull fine = roundedHull(finer.parts[i], margin);
-    double least = kInfinity;
+    double least = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < coarseSolids.size(); ++k) {
       least = std::min(least, excess(coarseSolids[k], marginOf(coarser.parts[k], margin), fine));
     }
@@ -63,7 +62,7 @@ Result<EnclosureCheck> checkPair(const Level& finer, const Level& coarser, const
       result.worst = Protrusion{i, (*gap)->point, distance};
     }
   }
-  result.clearance = clearance < kInfinity ? clearance : 0.0;
+  result.clearance = clearance < std::numeric_limits<double>::infinity() ? clearance : 0.0;
   return result;
 }
 
@@ -129,7 +128,7 @@ Result<LevelCheck> checkLevels(const std::vector<Level>& levels, float hullMargi
 
   const double diagonal = diagonalOf(solids->back());
   LevelCheck result;
-  result.tolerance = definition.tolerance.value_or(kTolerance * diagonal);
+  result.tolerance = definition.tolerance.value_or(kRelativeTolerance * diagonal);
   if (mesh != nullptr) {
     if (auto sound = checkMesh(*mesh); !sound) return fail(sound.error().message);
     // Cutting without any tolerance would leave slivers of rounding.

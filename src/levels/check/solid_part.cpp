@@ -14,12 +14,8 @@
 namespace scatter::levels {
 namespace {
 
-double toDouble(float value) {
-  return static_cast<double>(value);
-}
-
 /// Of a point in the part's own frame: negative inside, the distance outside.
-struct RoundDistance {
+struct SignedRoundDistance {
   const glm::dvec3& p;
 
   double operator()(const Sphere& sphere) const { return glm::length(p) - toDouble(sphere.radius); }
@@ -69,7 +65,7 @@ SolidPart::SolidPart(const ConvexPart& part, Polytope core)
 double SolidPart::depthOutside(const glm::dvec3& point) const {
   if (!isFlatSided()) {
     const glm::dvec3 local = pose_.toLocal(point);
-    return std::visit(RoundDistance{local}, shape_);
+    return std::visit(SignedRoundDistance{local}, shape_);
   }
   double depth = -std::numeric_limits<double>::infinity();
   for (const HalfSpace& plane : planes_) depth = std::max(depth, plane.signedDistance(point));

@@ -26,10 +26,6 @@ double fraction(double value) {
   return value - std::floor(value);
 }
 
-double toDouble(float value) {
-  return static_cast<double>(value);
-}
-
 /// Points on the surface of a shape in its own frame; all corners of its hull.
 struct SurfacePoints {
   std::vector<glm::dvec3> operator()(const Box& box) const {

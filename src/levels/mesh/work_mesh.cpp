@@ -112,8 +112,8 @@ std::size_t dropRepeated(std::vector<Triangle>& triangles) {
 /// Leaves out triangles without area that are an edge or a corner of another one; gives their number. Those
 /// that stand alone are kept: they must be enclosed, too.
 std::size_t dropDegenerate(std::vector<Triangle>& triangles, std::size_t vertexCount) {
-  using Edge = std::array<std::uint32_t, 2>;
-  std::vector<Edge> edges;
+  using Segment = std::array<std::uint32_t, 2>;
+  std::vector<Segment> edges;
   std::vector<bool> isCorner(vertexCount, false);
   for (const Triangle& t : triangles) {
     if (isDegenerate(t)) continue;
@@ -127,7 +127,7 @@ std::size_t dropDegenerate(std::vector<Triangle>& triangles, std::size_t vertexC
     if (!isDegenerate(t)) return false;
     if (isPoint(t)) return static_cast<bool>(isCorner[t[0]]);
     const Triangle s = sorted(t);
-    return std::binary_search(edges.begin(), edges.end(), Edge{s.front(), s.back()});
+    return std::binary_search(edges.begin(), edges.end(), Segment{s.front(), s.back()});
   });
 }
 

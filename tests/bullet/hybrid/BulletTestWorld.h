@@ -66,6 +66,14 @@ class BulletTestWorld {
     return raw;
   }
 
+  /// Small worlds are made by the thousand; larger ones take more memory as they need it.
+  static btDefaultCollisionConstructionInfo smallPools() {
+    btDefaultCollisionConstructionInfo info;
+    info.m_defaultMaxPersistentManifoldPoolSize = 128;
+    info.m_defaultMaxCollisionAlgorithmPoolSize = 128;
+    return info;
+  }
+
   void step() { world.stepSimulation(btScalar(1) / 60, 0); }
 
   /// The exact bits of every body's state.
@@ -89,7 +97,7 @@ class BulletTestWorld {
     return result;
   }
 
-  btDefaultCollisionConfiguration configuration;
+  btDefaultCollisionConfiguration configuration{smallPools()};
   btCollisionDispatcher dispatcher{&configuration};
   btDbvtBroadphase broadphase;
   btSequentialImpulseConstraintSolver solver;

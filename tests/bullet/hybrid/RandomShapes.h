@@ -4,6 +4,8 @@
 #include <btBulletCollisionCommon.h>
 
 #include <cstdint>
+#include <cstdio>
+#include <cstdlib>
 #include <memory>
 #include <random>
 #include <utility>
@@ -140,18 +142,43 @@ class RandomShapes {
   /// A level set of one level.
   const btHybridLevelSet& oneLevel(btCollisionShape* shape) {
     levels_.push_back(std::make_unique<btHybridLevelSet>());
-    levels_.back()->addLevel(shape);
+    addLevel(*levels_.back(), shape);
     return *levels_.back();
   }
 
+  /// `coarse` holds `fine`.
   const btHybridLevelSet& twoLevels(btCollisionShape* coarse, btCollisionShape* fine) {
     levels_.push_back(std::make_unique<btHybridLevelSet>());
-    levels_.back()->addLevel(coarse);
-    levels_.back()->addLevel(fine);
+    addLevel(*levels_.back(), coarse);
+    addLevel(*levels_.back(), fine);
     return *levels_.back();
+  }
+
+  /// Three boxes that overlap each other, and hold a shape together.
+  btCompoundShape* boxesAround(const btCollisionShape& shape) {
+    btVector3 low;
+    btVector3 high;
+    shape.getAabb(btTransform::getIdentity(), low, high);
+    const btVector3 half = 0.51F * (high - low);
+    const btVector3 center = 0.5F * (low + high);
+    auto* boxes = make<btCompoundShape>();
+    auto* slab = make<btBoxShape>(btVector3(0.4F * half.x(), half.y(), half.z()));
+    for (const float side : {-0.6F, 0.0F, 0.6F}) {
+      const btVector3 place = center + btVector3(side * half.x(), 0, 0);
+      boxes->addChildShape(btTransform(btQuaternion::getIdentity(), place), slab);
+    }
+    return boxes;
   }
 
   Random random;
+
+  /// Levels that are refused are a mistake of the test.
+  static void addLevel(btHybridLevelSet& levels, btCollisionShape* shape) {
+    const char* mistake = levels.addLevel(shape);
+    if (mistake == nullptr) return;
+    std::fprintf(stderr, "a test's levels are wrong: %s\n", mistake);
+    std::abort();
+  }
 
  private:
   // A hull caches its bounds with the margin that it has at the time.

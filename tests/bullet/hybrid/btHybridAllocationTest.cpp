@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <new>
 
@@ -35,6 +36,10 @@ void* operator new(std::size_t size) {
 void* operator new[](std::size_t size) {
   return operator new(size);
 }
+// The standard library's temporary buffers come from this one.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  return counted(size);
+}
 void operator delete(void* memory) noexcept {
   std::free(memory);
 }
@@ -61,6 +66,13 @@ btDefaultCollisionConstructionInfo bigPools() {
   return info;
 }
 
+/// Of a call that returns what is wrong.
+void require(const char* mistake) {
+  if (mistake == nullptr) return;
+  std::fprintf(stderr, "%s\n", mistake);
+  std::abort();
+}
+
 /// A clump of hybrids that keeps moving a little, over and over in the same way.
 class Swaying {
  public:
@@ -72,9 +84,9 @@ class Swaying {
                              i / 4 == 0 ? -0.3F : 0.3F);
       middle->addChildShape(btTransform(btQuaternion::getIdentity(), corner), octant);
     }
-    levels.addLevel(shapes_.make<btBoxShape>(btVector3(0.7F, 0.7F, 0.7F)));
-    levels.addLevel(middle);
-    levels.addLevel(shapes_.plainCompound(20, 1));
+    require(levels.addLevel(shapes_.make<btBoxShape>(btVector3(0.7F, 0.7F, 0.7F))));
+    require(levels.addLevel(middle));
+    require(levels.addLevel(shapes_.plainCompound(20, 1)));
     for (int i = 0; i < count; ++i) {
       rest_.push_back(shapes_.random.pose(0.8F));
       btRigidBody::btRigidBodyConstructionInfo info(1, nullptr, levels.getLevelShape(3), btVector3(1, 1, 1));

@@ -243,12 +243,9 @@ TEST_P(PairShapeChanges, PairsDispatchedByHandSeeAChangeAtOnce) {
   expectAlike(twins, false);
 }
 
-TEST_P(PairShapeChanges, AnotherWorldOnTheDispatcherSeesAChangeAtOnce) {
+TEST_P(PairShapeChanges, ADispatchBetweenTwoStepsSeesAChangeAtOnce) {
   RandomShapes shapes(1);
-  ScriptedWorld idle;
-  btDbvtBroadphase broadphase;
-  btSequentialImpulseConstraintSolver solver;
-  btDiscreteDynamicsWorld plain(&idle.dispatcher, &broadphase, &solver, &idle.configuration);
+  ScriptedWorld w;
   auto* form = shapes.make<btCompoundShape>();
   auto* partner = shapes.make<btCompoundShape>();
   for (btCompoundShape* shape : {form, partner}) {
@@ -257,13 +254,31 @@ TEST_P(PairShapeChanges, AnotherWorldOnTheDispatcherSeesAChangeAtOnce) {
   btHybridRigidBody hybrid(ScriptedWorld::info(1, form, {0, 0, 0}), &shapes.oneLevel(form));
   btRigidBody other(ScriptedWorld::info(1, partner, kBesideAnEdge));
   hybrid.setWorldTransform(turnedAt({0, 0, 0}));
-  for (btRigidBody* body : {static_cast<btRigidBody*>(&hybrid), &other}) plain.addRigidBody(body);
-  plain.performDiscreteCollisionDetection();
-  EXPECT_EQ(idle.world.getCollisionMemory().m_pairs, 1);
-  EXPECT_EQ(idle.dispatcher.getNumManifolds(), 0);
+  for (btRigidBody* body : {static_cast<btRigidBody*>(&hybrid), &other}) w.world.addRigidBody(body);
+  w.world.performDiscreteCollisionDetection();
+  EXPECT_EQ(w.world.getCollisionMemory().m_pairs, 1);
+  EXPECT_EQ(w.dispatcher.getNumManifolds(), 0);
 
   partner->updateChildTransform(0, at({-0.26F, -0.26F, 0}));
+  w.dispatcher.dispatchAllCollisionPairs(w.broadphase.getOverlappingPairCache(), w.world.getDispatchInfo(),
+                                         &w.dispatcher);
+  EXPECT_EQ(w.dispatcher.getNumManifolds(), 1);
+  for (btRigidBody* body : {static_cast<btRigidBody*>(&hybrid), &other}) w.world.removeRigidBody(body);
+}
+
+TEST_P(PairShapeChanges, AnotherWorldOnTheDispatcherHasBulletsAlgorithms) {
+  RandomShapes shapes(1);
+  ScriptedWorld idle;
+  btDbvtBroadphase broadphase;
+  btSequentialImpulseConstraintSolver solver;
+  btDiscreteDynamicsWorld plain(&idle.dispatcher, &broadphase, &solver, &idle.configuration);
+  auto* form = shapes.make<btCompoundShape>();
+  form->addChildShape(at({0, 0, 0}), shapes.make<btBoxShape>(kHalfMetre));
+  btHybridRigidBody hybrid(ScriptedWorld::info(1, form, {0, 0, 0}), &shapes.oneLevel(form));
+  btRigidBody other(ScriptedWorld::info(1, form, {0.9F, 0, 0}));
+  for (btRigidBody* body : {static_cast<btRigidBody*>(&hybrid), &other}) plain.addRigidBody(body);
   plain.performDiscreteCollisionDetection();
+  EXPECT_EQ(idle.world.getCollisionMemory().m_pairs, 0);
   EXPECT_EQ(idle.dispatcher.getNumManifolds(), 1);
   for (btRigidBody* body : {static_cast<btRigidBody*>(&hybrid), &other}) plain.removeRigidBody(body);
 }

@@ -22,7 +22,7 @@ std::unique_ptr<Physics> makeWorld(WorldKind kind, bool profiling = true) {
   return makeBulletPhysics(def);
 }
 
-BodyId create(Physics& physics, const BodyDef& def) {
+BodyId createIn(Physics& physics, const BodyDef& def) {
   const Result<BodyId> body = physics.createBody(def);
   EXPECT_TRUE(body) << body.error().message;
   return *body;
@@ -32,7 +32,7 @@ BodyId create(Physics& physics, const BodyDef& def) {
 void fillWithJointsAndContacts(Physics& physics) {
   BodyDef ground = bodyAt({}, Plane{});
   ground.motion = Motion::kStatic;
-  create(physics, ground);
+  createIn(physics, ground);
   for (int chain = 0; chain < 4; ++chain) {
     BodyId previous{};
     for (int link = 0; link < 6; ++link) {
@@ -41,7 +41,7 @@ void fillWithJointsAndContacts(Physics& physics) {
       BodyDef def = bodyAt(at, link % 2 == 0 ? Shape{Box{Vec3(0.2F)}} : Shape{Sphere{0.2F}});
       def.mayRest = true;
       def.material.rollingFriction = 0.1F;
-      const BodyId body = create(physics, def);
+      const BodyId body = createIn(physics, def);
       if (link > 0) {
         JointDef joint;
         joint.bodyA = previous;
@@ -55,7 +55,7 @@ void fillWithJointsAndContacts(Physics& physics) {
       previous = body;
     }
   }
-  for (int i = 0; i < 10; ++i) create(physics, bodyAt({1.5F, 0.5F + 1.01F * static_cast<float>(i), 2.0F}));
+  for (int i = 0; i < 10; ++i) createIn(physics, bodyAt({1.5F, 0.5F + 1.01F * static_cast<float>(i), 2.0F}));
 }
 
 double stage(const Physics& physics, Stage which) {
@@ -107,8 +107,8 @@ TEST(BulletWorld, FinestPolicyWithTheEnginesCollisionIsTheStandardWorld) {
   for (Physics* physics : {standard.get(), hybrid.get()}) {
     BodyDef ground = bodyAt({}, Plane{});
     ground.motion = Motion::kStatic;
-    create(*physics, ground);
-    create(*physics, bodyAt({0.0F, 3.0F, 0.0F}, cubeLevels()));
+    createIn(*physics, ground);
+    createIn(*physics, bodyAt({0.0F, 3.0F, 0.0F}, cubeLevels()));
   }
   for (int i = 0; i < 200; ++i) {
     standard->step(kStep);
@@ -121,7 +121,7 @@ TEST(BulletWorld, StagesDoNotTakeMoreThanTheStep) {
   using Clock = std::chrono::steady_clock;
   auto physics = makeWorld(WorldKind::kHybrid);
   fillWithJointsAndContacts(*physics);
-  create(*physics, bodyAt({9.0F, 3.0F, 0.0F}, cubeLevels()));
+  createIn(*physics, bodyAt({9.0F, 3.0F, 0.0F}, cubeLevels()));
   for (int i = 0; i < 100; ++i) {
     const auto start = Clock::now();
     physics->step(kStep);
@@ -140,8 +140,8 @@ TEST(BulletWorld, NoJointsNoJointTime) {
   auto physics = makeWorld(WorldKind::kStandard);
   BodyDef ground = bodyAt({}, Plane{});
   ground.motion = Motion::kStatic;
-  create(*physics, ground);
-  create(*physics, bodyAt({0.0F, 0.5F, 0.0F}));
+  createIn(*physics, ground);
+  createIn(*physics, bodyAt({0.0F, 0.5F, 0.0F}));
   physics->step(kStep);
   EXPECT_EQ(stage(*physics, Stage::kNoncontactConstraints), 0.0);
   EXPECT_EQ(stage(*physics, Stage::kPlan), 0.0);
@@ -181,8 +181,8 @@ TEST(BulletWorld, NewContactsAddUpToThoseThereIfNoneIsLost) {
   auto physics = makeWorld(WorldKind::kStandard);
   BodyDef ground = bodyAt({}, Plane{});
   ground.motion = Motion::kStatic;
-  create(*physics, ground);
-  for (int i = 0; i < 5; ++i) create(*physics, bodyAt({3.0F * static_cast<float>(i), 0.6F, 0.0F}));
+  createIn(*physics, ground);
+  for (int i = 0; i < 5; ++i) createIn(*physics, bodyAt({3.0F * static_cast<float>(i), 0.6F, 0.0F}));
   std::uint32_t added = 0;
   for (int i = 0; i < 120; ++i) {
     physics->step(kStep);
@@ -199,7 +199,7 @@ TEST(BulletWorld, HashTellsLevelsApart) {
     def.switching.switching = Switching::kBody;
     def.switching.policy = policy;
     auto physics = makeBulletPhysics(def);
-    create(*physics, bodyAt({}, cubeLevels()));
+    createIn(*physics, bodyAt({}, cubeLevels()));
     return physics->stateHash();
   };
   EXPECT_NE(hashWith(Policy::kCoarsest), hashWith(Policy::kFinest));
@@ -211,7 +211,7 @@ TEST(BulletWorld, PolicyDecidesWhereBodiesBegin) {
   def.switching.switching = Switching::kBody;
   def.switching.policy = Policy::kCoarsest;
   auto coarsest = makeBulletPhysics(def);
-  const BodyId body = create(*coarsest, bodyAt({}, cubeLevels()));
+  const BodyId body = createIn(*coarsest, bodyAt({}, cubeLevels()));
   EXPECT_EQ(coarsest->level(body), 1);
   for (int i = 0; i < 100; ++i) coarsest->step(kStep);
   EXPECT_EQ(coarsest->level(body), 1);
@@ -219,7 +219,7 @@ TEST(BulletWorld, PolicyDecidesWhereBodiesBegin) {
 
   def.world = WorldKind::kStandard;
   auto standard = makeBulletPhysics(def);
-  EXPECT_EQ(standard->level(create(*standard, bodyAt({}, cubeLevels()))), 2);
+  EXPECT_EQ(standard->level(createIn(*standard, bodyAt({}, cubeLevels()))), 2);
 }
 
 namespace {
@@ -235,7 +235,7 @@ std::uint32_t requestsOnApproach(std::uint32_t loadFinePairs) {
   for (const float side : {-1.0F, 1.0F}) {
     BodyDef ship = bodyAt({3.0F * side, 0.0F, 0.0F}, cubeLevels());
     ship.linearVelocity = {-2.0F * side, 0.0F, 0.0F};
-    create(*physics, ship);
+    createIn(*physics, ship);
   }
   std::uint32_t requests = 0;
   for (int i = 0; i < 70; ++i) {
@@ -259,7 +259,7 @@ TEST(BulletWorld, EventsOfCallsBetweenStepsBelongToTheNextStep) {
   def.world = WorldKind::kHybrid;
   def.switching.policy = Policy::kNone;
   auto physics = makeBulletPhysics(def);
-  const BodyId body = create(*physics, bodyAt({}, cubeLevels()));
+  const BodyId body = createIn(*physics, bodyAt({}, cubeLevels()));
   physics->step(kStep);
   EXPECT_TRUE(physics->requestLevel(body, 1, Scope::kGlobal));
   physics->retractRequest(body);
@@ -278,7 +278,7 @@ TEST(BulletWorld, EventsOfCallsBetweenStepsBelongToTheNextStep) {
 
 TEST(BulletWorld, RequestOfADestroyedBodyIsRetracted) {
   auto physics = makeWorld(WorldKind::kHybrid);
-  const BodyId body = create(*physics, bodyAt({}, cubeLevels()));
+  const BodyId body = createIn(*physics, bodyAt({}, cubeLevels()));
   EXPECT_TRUE(physics->requestLevel(body, 1, Scope::kLocal));
   physics->destroyBody(body);
   physics->step(kStep);

@@ -3,6 +3,12 @@
 
 #include <cstdio>
 
+// Calls that can be misused return what is wrong, or 0.
+static bool isRefused(const char* mistake) {
+  if (mistake != nullptr) std::printf("%s\n", mistake);
+  return mistake != nullptr;
+}
+
 // One body of two levels falls onto another, and goes coarse while it lies on it: nothing moves.
 int main() {
   btDefaultCollisionConfiguration configuration;
@@ -10,19 +16,15 @@ int main() {
   btDbvtBroadphase broadphase;
   btSequentialImpulseConstraintSolver solver;
   btHybridDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
-  world.setBudgetMilliseconds(4);
-  if (const char* mistake = world.addPolicy("contact-time:steps=30")) {
-    std::printf("%s\n", mistake);
+  if (isRefused(world.setBudgetMilliseconds(4)) || isRefused(world.addPolicy("contact-time:steps=30")))
     return 1;
-  }
   btBoxShape plank({0.5F, 0.1F, 0.5F});
   btCompoundShape detailed;
   detailed.addChildShape(btTransform(btQuaternion::getIdentity(), {0, 0.3F, 0}), &plank);
   detailed.addChildShape(btTransform(btQuaternion::getIdentity(), {0, -0.3F, 0}), &plank);
   btBoxShape box({0.6F, 0.5F, 0.6F});
   btHybridLevelSet levels;
-  levels.addLevel(&box);
-  levels.addLevel(&detailed);
+  if (isRefused(levels.addLevel(&box)) || isRefused(levels.addLevel(&detailed))) return 1;
   btStaticPlaneShape plane({0, 1, 0}, 0);
   btRigidBody ground(0, nullptr, &plane);
   btHybridRigidBody lower({1, nullptr, nullptr, {0.1F, 0.1F, 0.1F}}, &levels);

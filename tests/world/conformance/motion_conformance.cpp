@@ -91,7 +91,7 @@ TEST_P(PhysicsConformance, PoseAndVelocityAreThoseOfTheDefinition) {
 namespace {
 
 /// Two boxes of equal volume: one along x from the origin, one along y from the origin.
-Compound letterL() {
+Compound thinLetterL() {
   Compound shape;
   shape.parts.push_back({Box{{1.0F, 0.1F, 0.1F}}, {{1.0F, 0.0F, 0.0F}, kNoRotation}});
   shape.parts.push_back({Box{{0.1F, 1.0F, 0.1F}}, {{0.0F, 1.0F, 0.0F}, kNoRotation}});
@@ -115,7 +115,7 @@ Mat3 letterLInertia() {
 
 TEST_P(PhysicsConformance, CenterOfMassMovesOnAStraightLine) {
   startWithGravity(Vec3(0.0F));
-  BodyDef def = bodyAt({1.0F, 2.0F, 3.0F}, letterL());
+  BodyDef def = bodyAt({1.0F, 2.0F, 3.0F}, thinLetterL());
   def.linearVelocity = {1.0F, 0.5F, 0.0F};
   def.angularVelocity = {1.0F, 2.0F, 3.0F};
   const BodyId body = add(def);
@@ -137,7 +137,7 @@ TEST_P(PhysicsConformance, CenterOfMassMovesOnAStraightLine) {
 
 TEST_P(PhysicsConformance, ProductsOfInertiaCount) {
   startWithGravity(Vec3(0.0F));
-  BodyDef def = bodyAt(Vec3(0.0F), letterL());
+  BodyDef def = bodyAt(Vec3(0.0F), thinLetterL());
   def.mass = 2.0F;
   const BodyId body = add(def);
   const Vec3 torque{3.0F, 0.0F, 0.0F};
@@ -157,7 +157,7 @@ TEST_P(PhysicsConformance, KineticEnergyOfMovingAndTurningBodies) {
   add(ball);
   EXPECT_NEAR(physics().kineticEnergy(), 25.0 + 0.4, 1e-4);  // m v^2 / 2 + (2/5 m r^2) w^2 / 2
 
-  BodyDef letter = bodyAt({5.0F, 0.0F, 0.0F}, letterL());
+  BodyDef letter = bodyAt({5.0F, 0.0F, 0.0F}, thinLetterL());
   letter.pose.rotation = turn(1.0F, {1, 2, 3});
   letter.angularVelocity = letter.pose.rotation * Vec3(1.0F, 2.0F, 3.0F);
   add(letter);

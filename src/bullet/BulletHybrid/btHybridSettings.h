@@ -1,0 +1,16 @@
+#ifndef BT_HYBRID_SETTINGS_H
+#define BT_HYBRID_SETTINGS_H
+
+#include "BulletHybrid/btHybridDynamicsWorld.h"
+
+/// What the program's settings act as: their documentation says what is done with values that make no sense.
+btHybridSwitchingInfo btHybridEffective(const btHybridSwitchingInfo& info);
+btHybridPairSwitchingInfo btHybridEffective(const btHybridPairSwitchingInfo& info);
+
+/// 0, or what is wrong with it and how to mend it.
+const char* btHybridCheckBudget(double milliseconds);
+const char* btHybridCheckBudgetUnits(double units);
+const char* btHybridCheckReplay(const double* units, int count);
+const char* btHybridCheckFocus(const btVector3& eye, const btVector3& target, btScalar fieldOfView);
+
+#endif  // BT_HYBRID_SETTINGS_H
