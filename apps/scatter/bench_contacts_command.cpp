@@ -55,7 +55,7 @@ ExitStatus tryShapes(const BenchContactsArguments& arguments) {
   }
   const ExitStatus status = report(arguments.bench, table + rowOf(all), csv);
   const bool differs = all.missed > 0 || all.extra > 0;
-  return status == ExitStatus::kOk && differs ? ExitStatus::kFailedCheck : status;
+  return status == ExitStatus::kOk && differs ? ExitStatus::kFailed : status;
 }
 
 Result<std::vector<RunOptions>> makeSurvey(const BenchContactsArguments& arguments) {
@@ -93,7 +93,7 @@ ExitStatus verify(const BenchContactsArguments& arguments) {
     }
   }
   const bool missed = totalOf(*scenes).missed > 0;
-  return status == ExitStatus::kOk && missed ? ExitStatus::kFailedCheck : status;
+  return status == ExitStatus::kOk && missed ? ExitStatus::kFailed : status;
 }
 
 }  // namespace

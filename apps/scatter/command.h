@@ -12,9 +12,9 @@ namespace scatter::app {
 
 enum class ExitStatus : int {
   kOk = 0,
-  kFailedCheck = 1,  ///< Something went wrong while running, such as two runs that should be the same.
+  kFailed = 1,       ///< A run or a check failed, or a result could not be written because the disk is full.
   kBadInput = 2,     ///< Wrong usage, a file that cannot be read, a folder that cannot be written.
-  kInterrupted = 130,
+  kSignalled = 128,  ///< Plus the signal that ended it.
 };
 
 /// A subcommand of the program.

@@ -23,6 +23,8 @@ struct CompareArguments {
   std::vector<std::string> worlds{"standard", "hybrid"};
   int repeat = 1;
   std::optional<std::string> out;
+  bool resume = false;
+  bool anew = false;
   std::string commandLine;
 };
 
@@ -30,7 +32,6 @@ Result<Comparison> compareWithProgress(const CompareOptions& options, bool quiet
   ProgressLine line(quiet);
   return compareWorlds(options, [&](const CompareProgress& progress) {
     started = true;
-    throwIfInterrupted();
     line.update(fmt::format("{}, {} world, run {} of {}", options.runs.front().scene, progress.label,
                             progress.run + 1, progress.runs),
                 progress.inside);
@@ -51,7 +52,7 @@ ExitStatus reportContactChecks(const Comparison& comparison) {
       fmt::print("{}", formatContactCheck(summary));
     }
     if (summary.contactCheck.missed > 0) {
-      status = ExitStatus::kFailedCheck;
+      status = ExitStatus::kFailed;
     }
   }
   return status;
@@ -63,19 +64,22 @@ ExitStatus compare(const CompareArguments& arguments) {
     return refuse(runs.error());
   }
   for (RunOptions& run : *runs) {
-    run.keepEvents = true;
+    run.stop = [] { return interruptingSignal() != 0; };
   }
   const std::string out = arguments.out.value_or("out/" + runs->front().scene);
   if (auto writable = checkOutput(out); !writable) {
     return refuse(writable.error());
   }
   bool started = false;
-  const auto comparison = compareWithProgress(
-      {.runs = std::move(*runs), .repeat = arguments.repeat, .commandLine = arguments.commandLine},
-      arguments.run.quiet, started);
+  const auto comparison = compareWithProgress({.runs = std::move(*runs),
+                                               .repeat = arguments.repeat,
+                                               .commandLine = arguments.commandLine,
+                                               .out = out,
+                                               .resume = arguments.resume,
+                                               .anew = arguments.anew},
+                                              arguments.run.quiet, started);
   if (!comparison) {
-    printError(comparison.error().message);
-    return started ? ExitStatus::kFailedCheck : ExitStatus::kBadInput;
+    return endedBy(comparison.error(), started);
   }
   if (auto written = writeComparison(*comparison, out); !written) {
     return refuse(written.error());
@@ -110,6 +114,13 @@ Command addCompareCommand(CLI::App& program, std::string commandLine) {
       ->capture_default_str();
   command->add_option("--out", arguments->out, "The folder for data, figures and report [out/SCENE]")
       ->type_name("DIR");
+  CLI::Option* resume = command->add_flag(
+      "--resume", arguments->resume,
+      "Go on with the same comparison that was cut short in that folder: runs that are whole are kept");
+  command
+      ->add_flag("--anew", arguments->anew,
+                 "Give up the runs of a comparison that was cut short in that folder")
+      ->excludes(resume);
   return {command, [arguments] { return compare(*arguments); }};
 }
 

@@ -8,8 +8,8 @@ namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
 
-void mark(int /*signal*/) {
-  interrupted = 1;
+void mark(int signal) {
+  interrupted = signal;
 }
 
 }  // namespace
@@ -20,6 +20,10 @@ void catchInterrupts() {
   action.sa_flags = static_cast<int>(SA_RESETHAND);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+}
+
+int interruptingSignal() {
+  return interrupted;
 }
 
 void throwIfInterrupted() {

@@ -59,7 +59,7 @@ ExitStatus run(const LevelsCheckArguments& arguments) {
     passed = passed && *one;
   }
   if (!passed) printError(arguments.file + ": the levels do not enclose what they should; see above");
-  return passed ? ExitStatus::kOk : ExitStatus::kFailedCheck;
+  return passed ? ExitStatus::kOk : ExitStatus::kFailed;
 }
 
 }  // namespace

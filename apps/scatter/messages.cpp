@@ -5,6 +5,8 @@
 
 #include <memory>
 
+#include "interrupt.h"
+
 namespace scatter::app {
 
 namespace {
@@ -46,12 +48,21 @@ void printNotes(const std::vector<std::string>& messages) {
 
 ExitStatus refuse(const Error& error) {
   printError(error.message);
-  return ExitStatus::kBadInput;
+  return error.kind == ErrorKind::kDiskFull ? ExitStatus::kFailed : ExitStatus::kBadInput;
 }
 
 ExitStatus failed(const Error& error) {
   printError(error.message);
-  return ExitStatus::kFailedCheck;
+  return ExitStatus::kFailed;
+}
+
+ExitStatus endedBy(const Error& error, bool started) {
+  const ExitStatus status = started ? failed(error) : refuse(error);
+  return interruptingSignal() != 0 ? signalStatus() : status;
+}
+
+ExitStatus signalStatus() {
+  return static_cast<ExitStatus>(static_cast<int>(ExitStatus::kSignalled) + interruptingSignal());
 }
 
 }  // namespace scatter::app

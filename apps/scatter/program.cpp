@@ -19,9 +19,10 @@ namespace {
 
 constexpr const char* kFooter =
     "\nscatter COMMAND --help shows what a command takes.\n"
-    "Exit status: 0 done, 1 a run or a check failed, 2 wrong usage or input.\n"
-    "Models are looked for in the folders of $SCATTER_MODEL_PATH first, scene files in those of\n"
-    "$SCATTER_SCENE_PATH.";
+    "Exit status: 0 done; 1 a run or a check failed, or the disk is full; 2 wrong\n"
+    "usage or input; 130 interrupted.\n"
+    "Models are looked for in the folders of $SCATTER_MODEL_PATH first, scene files\n"
+    "in those of $SCATTER_SCENE_PATH.";
 
 std::string version() {
   const BuildInfo build = buildInfo();
@@ -110,7 +111,7 @@ std::optional<ExitStatus> parse(CLI::App& program, int argc, const char* const* 
 
 ExitStatus cannotPrint() {
   printError("cannot write to standard output; is the disk full?");
-  return ExitStatus::kBadInput;
+  return ExitStatus::kFailed;
 }
 
 ExitStatus execute(const std::vector<Command>& commands) {
@@ -124,13 +125,13 @@ ExitStatus execute(const std::vector<Command>& commands) {
     return given->execute();
   } catch (const Interrupted&) {
     printError("interrupted; no files were written");
-    return ExitStatus::kInterrupted;
+    return signalStatus();
   } catch (const std::exception& error) {
     if (std::ferror(stdout) != 0) {
       return cannotPrint();
     }
     printError(error.what());
-    return ExitStatus::kFailedCheck;
+    return ExitStatus::kFailed;
   }
 }
 

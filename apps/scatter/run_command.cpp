@@ -28,6 +28,7 @@ ExitStatus run(const RunCommandArguments& arguments) {
     return refuse(runs.error());
   }
   RunOptions& options = runs->front();
+  options.stop = [] { return interruptingSignal() != 0; };
   if (arguments.out) {
     options.out = *arguments.out;
     if (auto prepared = prepareOutputFolder(*options.out); !prepared) {
@@ -39,16 +40,15 @@ ExitStatus run(const RunCommandArguments& arguments) {
     ProgressLine line(arguments.run.quiet);
     return runScene(options, [&](const RunProgress& progress) {
       started = true;
-      throwIfInterrupted();
       line.update(fmt::format("{}, {} world", options.scene, options.label), progress);
     });
   }();
   if (!result) {
-    printError(result.error().message);
-    return started ? ExitStatus::kFailedCheck : ExitStatus::kBadInput;
+    return endedBy(result.error(), started);
   }
   const Summary& summary = result->summary;
   fmt::print("{}", formatSummary(summary));
+  fmt::print("{}", formatBudget(*result));
   if (summary.fidelity.every > 0) {
     fmt::print("\n{}", formatFidelity(summary.fidelity));
   }
@@ -59,7 +59,11 @@ ExitStatus run(const RunCommandArguments& arguments) {
     fmt::print("\nevery frame: {0}/frames.csv\nlevel events: {0}/events.csv\nthe summary: {0}/summary.json\n",
                *arguments.out);
   }
-  return summary.contactCheck.missed > 0 ? ExitStatus::kFailedCheck : ExitStatus::kOk;
+  if (!summary.stopped.empty()) {
+    printError("this run is not whole: " + summary.stopped);
+    return signalStatus();
+  }
+  return summary.contactCheck.missed > 0 ? ExitStatus::kFailed : ExitStatus::kOk;
 }
 
 }  // namespace
@@ -74,7 +78,8 @@ Command addRunCommand(CLI::App& program) {
       ->type_name("NAME")
       ->capture_default_str();
   command
-      ->add_option("--out", arguments->out, "Write frames.csv, events.csv and summary.json into this folder")
+      ->add_option("--out", arguments->out,
+                   "Write frames.csv, events.csv and summary.json into this folder, frame by frame")
       ->type_name("DIR");
   return {command, [arguments] { return run(*arguments); }};
 }

@@ -89,7 +89,7 @@ ExitStatus view(const Arguments& arguments) {
   const auto seen = viewer::runViewer(**renderer, *def);
   if (!seen) {
     printError(seen.error().message);
-    return ExitStatus::kFailedCheck;
+    return ExitStatus::kFailed;
   }
   for (std::size_t i = 0; i < seen->frames.size(); ++i) {
     fmt::print("{}: {} frames, state hash {:016x}\n", def->worlds[i].label, seen->frames[i],

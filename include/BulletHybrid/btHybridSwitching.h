@@ -69,8 +69,12 @@ struct btHybridPairStepInfo
 	double m_plannedUnits;
 	double m_budgetUnits;  ///< 0 without a budget
 
+	/// Of a step that took more than its budget, about: what it would have cost if every pair had been as coarse as it may
+	/// be where the bodies were. 0 of other steps.
+	double m_floorUnits;
+
 	btHybridPairStepInfo()
-	    : m_pairs(0), m_finestPairs(0), m_creditedPairs(0), m_touchingPairs(0), m_touchingFinest(0), m_requests(0), m_switchesCoarser(0), m_switchesFiner(0), m_creditSwitches(0), m_retractions(0), m_reusedPairs(0), m_blockedTries(0), m_separationQueries(0), m_audits(0), m_unsafeSwitches(0), m_units(0), m_plannedUnits(0), m_budgetUnits(0)
+	    : m_pairs(0), m_finestPairs(0), m_creditedPairs(0), m_touchingPairs(0), m_touchingFinest(0), m_requests(0), m_switchesCoarser(0), m_switchesFiner(0), m_creditSwitches(0), m_retractions(0), m_reusedPairs(0), m_blockedTries(0), m_separationQueries(0), m_audits(0), m_unsafeSwitches(0), m_units(0), m_plannedUnits(0), m_budgetUnits(0), m_floorUnits(0)
 	{
 	}
 };

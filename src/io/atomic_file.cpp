@@ -1,14 +1,13 @@
 #include "io/atomic_file.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cassert>
 #include <cerrno>
-#include <cstdlib>
 #include <system_error>
 #include <utility>
+
+#include "io/temporary_file.h"
 
 namespace scatter {
 
@@ -16,23 +15,18 @@ namespace {
 
 constexpr std::size_t kBufferBytes = 1U << 16U;
 
-// What open() would have given a new file; mkstemp() lets only the owner read.
-mode_t newFileMode() {
-  const mode_t mask = umask(0);
-  umask(mask);
-  return 0666U & ~mask;
-}
-
 }  // namespace
 
 tl::unexpected<Error> cannotWrite(const std::filesystem::path& file, int errorNumber) {
-  return fail("cannot write " + file.string() + ": " + std::generic_category().message(errorNumber) +
-              "; free some space there, or choose another folder");
+  const bool full = errorNumber == ENOSPC || errorNumber == EDQUOT || errorNumber == EFBIG;
+  return tl::unexpected<Error>({.message = "cannot write " + file.string() + ": " +
+                                           std::generic_category().message(errorNumber) +
+                                           "; free some space there, or choose another folder",
+                                .kind = full ? ErrorKind::kDiskFull : ErrorKind::kInput});
 }
 
 Result<std::unique_ptr<AtomicFile>> AtomicFile::create(std::filesystem::path file) {
-  std::string name = (file.parent_path() / ('.' + file.filename().string() + ".XXXXXX")).string();
-  const int descriptor = mkostemp(name.data(), O_CLOEXEC);
+  auto [name, descriptor] = makeTemporaryBeside(file);
   if (descriptor < 0) {
     return cannotWrite(file, errno);
   }
@@ -60,7 +54,7 @@ Result<void> AtomicFile::commit() {
   if (auto flushed = flush(); !flushed) {
     return flushed;
   }
-  if (fchmod(descriptor_, newFileMode()) != 0 || fsync(descriptor_) != 0) {
+  if (fsync(descriptor_) != 0) {
     return giveUp(errno);
   }
   // Some file systems report a full disk only here.

@@ -1,6 +1,9 @@
 #include <scatter/lab/comparison.h>
 
+#include "lab/comparison_folder.h"
+
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -132,6 +135,100 @@ std::vector<std::size_t> orderOf(int repeat, std::size_t worlds) {
   return order;
 }
 
+Result<std::optional<lab::ComparisonFolder>> openComparisonFolder(const CompareOptions& options) {
+  if (!options.out) {
+    return std::nullopt;
+  }
+  auto folder = lab::ComparisonFolder::open(options);
+  if (!folder) {
+    return tl::unexpected(folder.error());
+  }
+  return std::optional(std::move(*folder));
+}
+
+using CompareListener = std::function<void(const CompareProgress&)>;
+
+// The runs of a comparison, one after the other.
+class ComparisonRunner {
+ public:
+  ComparisonRunner(Comparison& comparison, std::optional<lab::ComparisonFolder>& folder,
+                   const CompareListener& listener)
+      : comparison_(comparison), folder_(folder), listener_(listener) {
+    report_.runs = comparison.options.repeat * static_cast<int>(comparison.options.runs.size());
+  }
+
+  Result<void> runAll() {
+    const std::size_t worlds = comparison_.worlds.size();
+    for (int repeat = 0; repeat < comparison_.options.repeat; ++repeat) {
+      for (const std::size_t world : orderOf(repeat, worlds)) {
+        if (auto added = add(world, repeat); !added) {
+          return added;
+        }
+        ++report_.run;
+      }
+    }
+    return {};
+  }
+
+ private:
+  Result<void> add(std::size_t world, int repeat) {
+    auto run = finishedRun(world, repeat);
+    if (run && !*run) {
+      run = makeRun(world, repeat).map([](Run made) { return std::optional(std::move(made)); });
+    }
+    if (!run) {
+      return tl::unexpected(run.error());
+    }
+    comparison_.worlds[world].repeats.push_back(std::move(**run));
+    return checkSameHashes(comparison_.worlds[world]);
+  }
+
+  Result<std::optional<Run>> finishedRun(std::size_t world, int repeat) const {
+    return folder_ ? folder_->finishedRun(world, repeat) : std::optional<Run>();
+  }
+
+  Result<Run> makeRun(std::size_t world, int repeat) {
+    RunOptions options = comparison_.options.runs[world];
+    if (folder_) {
+      options.out = folder_->runFolder(world, repeat);
+    }
+    report_.label = options.label;
+    Result<void> begun;
+    auto run = runScene(options, [&](const RunProgress& inside) {
+      if (folder_ && begun) {
+        begun = folder_->begin(*options.out);
+      }
+      report_.inside = inside;
+      if (listener_) {
+        listener_(report_);
+      }
+    });
+    if (!run) {
+      return tl::unexpected(Error{.message = run.error().message + keptRuns(), .kind = run.error().kind});
+    }
+    if (!begun) {
+      return tl::unexpected(begun.error());
+    }
+    if (!run->summary.stopped.empty()) {
+      return fail("run " + std::to_string(report_.run + 1) + " of " + std::to_string(report_.runs) + ", " +
+                  options.label + " world, is not whole: " + run->summary.stopped + keptRuns());
+    }
+    return run;
+  }
+
+  [[nodiscard]] std::string keptRuns() const {
+    if (!folder_ || report_.run == 0) {
+      return {};
+    }
+    return "; the runs before it are kept in " + comparison_.options.out->string() + ": go on with --resume";
+  }
+
+  Comparison& comparison_;
+  std::optional<lab::ComparisonFolder>& folder_;
+  const CompareListener& listener_;
+  CompareProgress report_;
+};
+
 }  // namespace
 
 Result<Comparison> compareWorlds(const CompareOptions& options,
@@ -140,29 +237,14 @@ Result<Comparison> compareWorlds(const CompareOptions& options,
   if (!resolved) {
     return tl::unexpected(resolved.error());
   }
+  auto folder = openComparisonFolder(*resolved);
+  if (!folder) {
+    return tl::unexpected(folder.error());
+  }
   Comparison comparison{.options = std::move(*resolved), .worlds = {}};
-  const auto& runs = comparison.options.runs;
-  comparison.worlds.resize(runs.size());
-  CompareProgress report{
-      .label = {}, .run = 0, .runs = comparison.options.repeat * static_cast<int>(runs.size()), .inside = {}};
-  for (int repeat = 0; repeat < comparison.options.repeat; ++repeat) {
-    for (const std::size_t index : orderOf(repeat, runs.size())) {
-      report.label = runs[index].label;
-      auto run = runScene(runs[index], [&](const RunProgress& inside) {
-        report.inside = inside;
-        if (progress) {
-          progress(report);
-        }
-      });
-      if (!run) {
-        return tl::unexpected(run.error());
-      }
-      comparison.worlds[index].repeats.push_back(std::move(*run));
-      if (auto same = checkSameHashes(comparison.worlds[index]); !same) {
-        return tl::unexpected(same.error());
-      }
-      ++report.run;
-    }
+  comparison.worlds.resize(comparison.options.runs.size());
+  if (auto ran = ComparisonRunner(comparison, *folder, progress).runAll(); !ran) {
+    return tl::unexpected(ran.error());
   }
   const ComparedWorld& first = comparison.worlds.front();
   for (ComparedWorld& world : comparison.worlds) {

@@ -3,9 +3,13 @@
 #include <scatter/lab/figures.h>
 #include <scatter/lab/output_folder.h>
 
+#include "io/atomic_file.h"
+#include "lab/comparison_folder.h"
 #include "lab/report_html.h"
 #include "lab/run_files.h"
 #include "lab/summary_json.h"
+
+#include <system_error>
 
 namespace scatter {
 
@@ -55,11 +59,13 @@ lab::Json comparisonJson(const Comparison& comparison) {
   for (const ComparedWorld& world : comparison.worlds) {
     worlds.push_back(worldJson(world));
   }
-  return {{"scene", first.scene},
+  return {{"complete", true},
+          {"scene", first.scene},
           {"command_line", comparison.options.commandLine},
           {"repeat", comparison.options.repeat},
           {"build", lab::buildJson(first.build)},
           {"machine", lab::machineJson(first.machine)},
+          {lab::kComparedKey, lab::comparisonIdentity(comparison.options)},
           {"worlds", std::move(worlds)}};
 }
 
@@ -82,6 +88,26 @@ Result<void> writeFiguresAndReport(const Comparison& comparison, const fs::path&
   return writeFile(folder / "report.html", *html);
 }
 
+// What was written while it ran is copied, as that has the events; with one repeat it is in its place.
+Result<void> placeTypicalRun(const ComparedWorld& world, const fs::path& staged, const fs::path& folder) {
+  const Run& run = world.run();
+  if (!run.options.out) {
+    return lab::writeRunFiles(staged / world.label(), run.table,
+                              run.options.keepEvents ? &run.events : nullptr, run.summary);
+  }
+  if (*run.options.out == folder / world.label()) {
+    return {};
+  }
+  std::error_code error;
+  fs::create_directory(staged / world.label(), error);
+  for (const char* name : {"frames.csv", "events.csv", "summary.json"}) {
+    if (!error) {
+      fs::copy_file(*run.options.out / name, staged / world.label() / name, error);
+    }
+  }
+  return error ? cannotWrite(folder / world.label(), error.value()) : Result<void>();
+}
+
 }  // namespace
 
 Result<void> writeComparison(const Comparison& comparison, const fs::path& folder) {
@@ -90,11 +116,8 @@ Result<void> writeComparison(const Comparison& comparison, const fs::path& folde
     return tl::unexpected(staged.error());
   }
   for (const ComparedWorld& world : comparison.worlds) {
-    const Run& run = world.run();
-    const auto written = lab::writeRunFiles(staged->path() / world.label(), run.table,
-                                            run.options.keepEvents ? &run.events : nullptr, run.summary);
-    if (!written) {
-      return written;
+    if (auto placed = placeTypicalRun(world, staged->path(), folder); !placed) {
+      return placed;
     }
   }
   const std::string json =

@@ -1,5 +1,6 @@
 #include "lab/comparison_table.h"
 
+#include "lab/budget_report.h"
 #include "lab/repeats.h"
 #include "lab/text.h"
 #include "lab/text_table.h"
@@ -21,29 +22,33 @@ struct TimeFigure {
 };
 
 constexpr TimeFigure kTimeFigures[] = {
-    {"physics CPU ms, peak", &Summary::physicsCpuMs, &TimeStatistics::peak, &ComparedWorld::physicsCpuMs,
+    {"CPU ms, peak", &Summary::physicsCpuMs, &TimeStatistics::peak, &ComparedWorld::physicsCpuMs,
      &TimeRatios::peak},
-    {"physics CPU ms, p99", &Summary::physicsCpuMs, &TimeStatistics::p99, &ComparedWorld::physicsCpuMs,
+    {"CPU ms, p99", &Summary::physicsCpuMs, &TimeStatistics::p99, &ComparedWorld::physicsCpuMs,
      &TimeRatios::p99},
-    {"physics CPU ms, median", &Summary::physicsCpuMs, &TimeStatistics::median, &ComparedWorld::physicsCpuMs,
+    {"CPU ms, median", &Summary::physicsCpuMs, &TimeStatistics::median, &ComparedWorld::physicsCpuMs,
      &TimeRatios::median},
-    {"physics CPU ms, total", &Summary::physicsCpuMs, &TimeStatistics::total, &ComparedWorld::physicsCpuMs,
+    {"CPU ms, total", &Summary::physicsCpuMs, &TimeStatistics::total, &ComparedWorld::physicsCpuMs,
      &TimeRatios::total},
-    {"physics CPU ms, mean of last 100", &Summary::physicsCpuMs, &TimeStatistics::lastHundred,
+    {"CPU ms, last 100 mean", &Summary::physicsCpuMs, &TimeStatistics::lastHundred,
      &ComparedWorld::physicsCpuMs, &TimeRatios::lastHundred},
-    {"physics wall ms, peak", &Summary::physicsMs, &TimeStatistics::peak, &ComparedWorld::physicsMs,
+    {"wall ms, peak", &Summary::physicsMs, &TimeStatistics::peak, &ComparedWorld::physicsMs,
      &TimeRatios::peak},
-    {"physics wall ms, total", &Summary::physicsMs, &TimeStatistics::total, &ComparedWorld::physicsMs,
+    {"wall ms, total", &Summary::physicsMs, &TimeStatistics::total, &ComparedWorld::physicsMs,
      &TimeRatios::total},
 };
 
 lab::ComparisonRow timeRow(const Comparison& comparison, const TimeFigure& time) {
-  lab::ComparisonRow row{.name = time.name, .values = {}, .ratios = {}};
+  lab::ComparisonRow row{.name = time.name, .values = {}, .ratios = {}, .extremes = {}};
   for (const ComparedWorld& world : comparison.worlds) {
     row.values.push_back(lab::readableNumber(
         lab::medianOver(world, [&time](const Summary& run) { return run.*time.channel.*time.figure; })));
     if (&world != &comparison.worlds.front()) {
-      row.ratios.push_back(lab::ratioText(world.*time.ratios.*time.ratio, comparison.options.repeat > 1));
+      const Spread& ratio = world.*time.ratios.*time.ratio;
+      row.ratios.push_back(lab::ratioText(ratio, false));
+      if (comparison.options.repeat > 1) {
+        row.extremes.push_back(lab::extremesText(ratio));
+      }
     }
   }
   return row;
@@ -57,7 +62,7 @@ std::string wholeNumber(double value) {
 
 // `values` has one for each world.
 lab::ComparisonRow valueRow(std::string name, const std::vector<double>& values, Format format) {
-  lab::ComparisonRow row{.name = std::move(name), .values = {}, .ratios = {}};
+  lab::ComparisonRow row{.name = std::move(name), .values = {}, .ratios = {}, .extremes = {}};
   for (std::size_t i = 0; i < values.size(); ++i) {
     row.values.push_back(format(values[i]));
     if (i > 0) {
@@ -108,11 +113,9 @@ struct FidelityFigure {
 };
 
 constexpr FidelityFigure kFidelityFigures[] = {
-    {"visible overlaps, mean", [](const FidelityStatistics& run) { return run.visibleOverlapMean; }},
-    {"visible overlaps per 100 touching",
-     [](const FidelityStatistics& run) { return run.visibleOverlapPer100; }},
-    {"contact gap p95, % of length",
-     [](const FidelityStatistics& run) { return run.contactGapP95Percent(); }},
+    {"overlaps seen, mean", [](const FidelityStatistics& run) { return run.visibleOverlapMean; }},
+    {"overlaps, per 100 touching", [](const FidelityStatistics& run) { return run.visibleOverlapPer100; }},
+    {"contact gap p95, % length", [](const FidelityStatistics& run) { return run.contactGapP95Percent(); }},
     {"touching finely %, mean", [](const FidelityStatistics& run) { return 100.0 * run.finestShareMean; }},
     {"touching finely %, worst", [](const FidelityStatistics& run) { return 100.0 * run.finestShareWorst; }},
     {"largest jump, m", [](const FidelityStatistics& run) { return run.largestJump; }},
@@ -145,10 +148,21 @@ std::vector<std::string> headerOf(const Comparison& comparison) {
   for (const ComparedWorld& world : comparison.worlds) {
     header.push_back(world.label());
   }
-  for (std::size_t i = 1; i < comparison.worlds.size(); ++i) {
-    header.push_back(comparison.worlds[i].label() + "/" + comparison.worlds.front().label());
-  }
   return header;
+}
+
+// A row's line, and below it that of the extremes if there are any.
+void addLines(const lab::ComparisonRow& row, std::vector<std::vector<std::string>>& lines) {
+  std::vector<std::string> cells{row.name, row.values.front()};
+  for (std::size_t i = 0; i < row.ratios.size(); ++i) {
+    cells.push_back(row.values[i + 1] + (row.ratios[i] == "-" ? "" : " (" + row.ratios[i] + ")"));
+  }
+  lines.push_back(std::move(cells));
+  if (!row.extremes.empty()) {
+    std::vector<std::string> below{"", ""};
+    below.insert(below.end(), row.extremes.begin(), row.extremes.end());
+    lines.push_back(std::move(below));
+  }
 }
 
 }  // namespace
@@ -179,26 +193,39 @@ std::vector<lab::ComparisonRow> lab::comparisonRows(const Comparison& comparison
 
 std::string lab::comparisonNote(const Comparison& comparison) {
   const std::string frames = std::to_string(comparison.options.runs.front().frames);
+  const std::string ratios = " In brackets: as a part of the " + comparison.worlds.front().label() + " world";
+  const std::string clock = clockSentence(comparison);
   if (comparison.options.repeat == 1) {
     return "One run of " + frames + " frames in each world; repeat it to see how much the times vary." +
-           clockSentence(comparison);
+           ratios + "." + clock;
   }
-  const std::string clock = clockSentence(comparison);
   return "Medians of " + std::to_string(comparison.options.repeat) + " interleaved repeats of " + frames +
-         " frames; in brackets the smallest and the largest ratio. " +
+         " frames." + ratios + ", and of ratios of times the smallest and the largest. " +
          (clock.empty() ? "Counts are the same in all repeats."
                         : "Counts of the other worlds are the same in all repeats." + clock);
 }
 
+std::vector<std::string> lab::budgetNotes(const Comparison& comparison) {
+  std::vector<std::string> notes;
+  for (const ComparedWorld& world : comparison.worlds) {
+    std::string note = budgetSentence(world.run());
+    if (!note.empty()) {
+      notes.push_back(std::move(note));
+    }
+  }
+  return notes;
+}
+
 std::string formatTable(const Comparison& comparison) {
   std::vector<std::vector<std::string>> lines{headerOf(comparison)};
-  for (lab::ComparisonRow& row : lab::comparisonRows(comparison)) {
-    std::vector<std::string> cells{std::move(row.name)};
-    cells.insert(cells.end(), row.values.begin(), row.values.end());
-    cells.insert(cells.end(), row.ratios.begin(), row.ratios.end());
-    lines.push_back(std::move(cells));
+  for (const lab::ComparisonRow& row : lab::comparisonRows(comparison)) {
+    addLines(row, lines);
   }
-  return lab::textTable(lines) + lab::comparisonNote(comparison) + '\n';
+  std::string text = lab::textTable(lines) + lab::wrapped(lab::comparisonNote(comparison));
+  for (const std::string& note : lab::budgetNotes(comparison)) {
+    text += lab::wrapped(note);
+  }
+  return text;
 }
 
 }  // namespace scatter

@@ -24,8 +24,7 @@ std::string extraShare(const ContactCheck& check) {
   if (check.expected == 0) {
     return "-";
   }
-  return lab::fixedNumber(100.0 * static_cast<double>(check.extra) / static_cast<double>(check.expected), 2) +
-         " %";
+  return lab::fixedNumber(100.0 * static_cast<double>(check.extra) / static_cast<double>(check.expected), 2);
 }
 
 Cells rowOf(const std::string& scene, std::uint64_t frames, const ContactCheck& check) {
@@ -74,8 +73,8 @@ ContactCheck totalOf(const std::vector<SceneContacts>& scenes) {
 }
 
 std::string formatContacts(const std::vector<SceneContacts>& scenes) {
-  std::vector<Cells> lines{{"scene", "frames", "verified", "child pairs", "expected", "missed", "extra",
-                            "doubtful", "extra share"}};
+  std::vector<Cells> lines{
+      {"scene", "frames", "verified", "child pairs", "expected", "missed", "extra", "doubtful", "extra %"}};
   std::uint64_t frames = 0;
   for (const SceneContacts& scene : scenes) {
     lines.push_back(rowOf(scene.scene, scene.frames, scene.check));
@@ -83,11 +82,11 @@ std::string formatContacts(const std::vector<SceneContacts>& scenes) {
   }
   lines.push_back(rowOf("all", frames, totalOf(scenes)));
   return lab::textTable(lines) +
-         "Expected: child pairs in contact in the engine's own collision world at the same places. Missed: "
-         "of "
-         "those,\nwithout a contact in the world. Extra: in contact in the world and not in the "
-         "engine.\nDoubtful, "
-         "in none of these: rounding decides, or the engine is proven wrong.\n";
+         lab::wrapped(
+             "Expected: child pairs in contact in the engine's own collision world at the same places. "
+             "Missed: of "
+             "those, without a contact in the world. Extra: in contact in the world and not in the engine. "
+             "Doubtful, in none of these: rounding decides, or the engine is proven wrong.");
 }
 
 std::string contactsCsv(const std::vector<SceneContacts>& scenes) {

@@ -1,6 +1,7 @@
+#include <scatter/io/file.h>
 #include <scatter/lab/event_csv.h>
 
-#include "io/atomic_file.h"
+#include "io/growing_file.h"
 #include "lab/names.h"
 
 #include <cassert>
@@ -10,6 +11,8 @@
 namespace scatter {
 
 namespace {
+
+constexpr const char* kHeader = "frame,kind,scope,policy,body,other,from,to,on_credit\n";
 
 std::string rowOf(std::uint64_t frame, const LevelEvent& event) {
   std::string row = std::to_string(frame) + ',' + lab::nameOf(event.kind) + ',' + lab::nameOf(event.scope);
@@ -26,17 +29,14 @@ std::string rowOf(std::uint64_t frame, const LevelEvent& event) {
 }  // namespace
 
 Result<EventCsv> EventCsv::create(const std::filesystem::path& file) {
-  auto output = AtomicFile::create(file);
+  auto output = GrowingFile::create(file);
   if (!output) {
     return tl::unexpected(output.error());
-  }
-  if (auto written = (*output)->write("frame,kind,scope,policy,body,other,from,to,on_credit\n"); !written) {
-    return tl::unexpected(written.error());
   }
   return EventCsv(std::move(*output));
 }
 
-EventCsv::EventCsv(std::unique_ptr<AtomicFile> file) : file_(std::move(file)) {}
+EventCsv::EventCsv(std::unique_ptr<GrowingFile> file) : file_(std::move(file)) {}
 
 EventCsv::EventCsv(EventCsv&&) noexcept = default;
 EventCsv& EventCsv::operator=(EventCsv&&) noexcept = default;
@@ -44,29 +44,30 @@ EventCsv::~EventCsv() = default;
 
 Result<void> EventCsv::write(std::uint64_t frame, std::span<const LevelEvent> events) {
   assert(file_);
-  std::string rows;
+  std::string rows = hasHeader_ ? "" : kHeader;
   for (const LevelEvent& event : events) {
     rows += rowOf(frame, event);
   }
-  return rows.empty() ? Result<void>() : file_->write(rows);
+  auto added = file_->add(rows);
+  hasHeader_ = hasHeader_ || added.has_value();
+  return added;
+}
+
+void EventCsv::dropLast() noexcept {
+  file_->dropLast();
 }
 
 Result<void> EventCsv::finish() {
   assert(file_);
-  return std::exchange(file_, nullptr)->commit();
+  return (hasHeader_ ? Result<void>() : write(0, {})).and_then([&] { return file_->finish(); });
 }
 
 Result<void> writeEventCsv(const std::filesystem::path& file, const std::vector<FrameEvent>& events) {
-  auto csv = EventCsv::create(file);
-  if (!csv) {
-    return tl::unexpected(csv.error());
-  }
+  std::string text = kHeader;
   for (const FrameEvent& item : events) {
-    if (auto written = csv->write(item.frame, {&item.event, 1}); !written) {
-      return written;
-    }
+    text += rowOf(item.frame, item.event);
   }
-  return csv->finish();
+  return writeFile(file, text);
 }
 
 }  // namespace scatter

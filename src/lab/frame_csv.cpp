@@ -1,7 +1,7 @@
 #include <scatter/io/file.h>
 #include <scatter/lab/frame_csv.h>
 
-#include "io/atomic_file.h"
+#include "io/growing_file.h"
 #include "lab/text.h"
 
 #include <cassert>
@@ -31,18 +31,15 @@ std::string headerOf(const std::vector<Channel>& channels) {
 }  // namespace
 
 Result<FrameCsv> FrameCsv::create(const std::filesystem::path& file, const FrameData& data) {
-  auto output = AtomicFile::create(file);
+  auto output = GrowingFile::create(file);
   if (!output) {
     return tl::unexpected(output.error());
   }
-  if (auto written = (*output)->write(headerOf(data.channels())); !written) {
-    return tl::unexpected(written.error());
-  }
-  return FrameCsv(std::move(*output), data.channels().size());
+  return FrameCsv(std::move(*output), headerOf(data.channels()), data.channels().size());
 }
 
-FrameCsv::FrameCsv(std::unique_ptr<AtomicFile> file, std::size_t channels)
-    : file_(std::move(file)), channels_(channels) {}
+FrameCsv::FrameCsv(std::unique_ptr<GrowingFile> file, std::string header, std::size_t channels)
+    : file_(std::move(file)), header_(std::move(header)), channels_(channels) {}
 
 FrameCsv::FrameCsv(FrameCsv&&) noexcept = default;
 FrameCsv& FrameCsv::operator=(FrameCsv&&) noexcept = default;
@@ -58,12 +55,16 @@ Result<void> FrameCsv::write(const FrameData& data) {
     line +=
         channel.kind == ChannelKind::kHash ? lab::hexNumber(data.hash(id)) : cellOf(channel, data.value(id));
   }
-  return file_->write(line + '\n');
+  auto added = file_->add(header_ + line + '\n');
+  if (added) {
+    header_.clear();
+  }
+  return added;
 }
 
 Result<void> FrameCsv::finish() {
   assert(file_);
-  return std::exchange(file_, nullptr)->commit();
+  return file_->add(std::exchange(header_, {})).and_then([&] { return file_->finish(); });
 }
 
 Result<void> writeFrameCsv(const std::filesystem::path& file, const FrameTable& table) {

@@ -1,10 +1,14 @@
 #include <scatter/io/file.h>
 #include <scatter/lab/frame_csv.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace scatter {
 
@@ -46,10 +50,83 @@ std::optional<double> numberAt(std::string_view line, std::size_t index) {
   return whole && std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
+// The whole lines of a file; what a killed program has left of another one is left out.
+Result<std::string> readLines(const std::filesystem::path& file) {
+  auto content = readFile(file);
+  if (content) {
+    content->resize(content->rfind('\n') + 1);
+  }
+  return content;
+}
+
+std::optional<std::uint64_t> hashOf(std::string_view cell) {
+  std::uint64_t hash = 0;
+  const auto [stop, error] = std::from_chars(cell.data(), cell.data() + cell.size(), hash, 16);
+  const bool whole = error == std::errc() && stop == cell.data() + cell.size();
+  return whole ? std::optional(hash) : std::nullopt;
+}
+
+// An empty cell is a frame without a sample.
+std::optional<double> valueOf(const Channel& channel, std::string_view cell) {
+  if (cell.empty() && channel.sampled) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  double number = 0.0;
+  const auto [stop, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
+  const bool whole = error == std::errc() && stop == cell.data() + cell.size();
+  return whole ? std::optional(number) : std::nullopt;
+}
+
+bool readRow(std::string_view line, std::vector<FrameColumn>& columns) {
+  for (FrameColumn& column : columns) {
+    const std::string_view cell = takeUntil(line, ',');
+    const bool isHash = column.channel.kind == ChannelKind::kHash;
+    const auto hash = isHash ? hashOf(cell) : std::nullopt;
+    const auto value = isHash ? std::nullopt : valueOf(column.channel, cell);
+    if (!hash && !value) {
+      return false;
+    }
+    if (isHash) {
+      column.hashes.push_back(*hash);
+    } else {
+      column.values.push_back(*value);
+    }
+  }
+  return line.empty();
+}
+
+bool isHeaderOf(std::string_view line, const std::vector<FrameColumn>& columns) {
+  return std::all_of(
+             columns.begin(), columns.end(),
+             [&line](const FrameColumn& column) { return takeUntil(line, ',') == column.channel.name; }) &&
+         line.empty();
+}
+
 }  // namespace
 
+Result<FrameTable> readFrameTable(const std::filesystem::path& file, const std::vector<Channel>& channels) {
+  const auto content = readLines(file);
+  if (!content) {
+    return tl::unexpected(content.error());
+  }
+  std::string_view text = *content;
+  std::vector<FrameColumn> columns;
+  for (const Channel& channel : channels) {
+    columns.push_back({.channel = channel, .values = {}, .hashes = {}});
+  }
+  if (!isHeaderOf(takeLine(text), columns)) {
+    return fail(file.string() + " has other columns than this program writes; it is another version's");
+  }
+  for (std::size_t line = 2; !text.empty(); ++line) {
+    if (!readRow(takeLine(text), columns)) {
+      return fail(file.string() + ", line " + std::to_string(line) + " is not a row of a run; run it again");
+    }
+  }
+  return FrameTable(std::move(columns));
+}
+
 Result<std::vector<double>> readFrameColumn(const std::filesystem::path& file, std::string_view column) {
-  const auto content = readFile(file);
+  const auto content = readLines(file);
   if (!content) {
     return tl::unexpected(content.error());
   }

@@ -13,6 +13,13 @@ FrameTable::FrameTable(const std::vector<Channel>& channels) {
   }
 }
 
+FrameTable::FrameTable(std::vector<FrameColumn> columns) : columns_(std::move(columns)) {
+  for (const FrameColumn& column : columns_) {
+    frames_ = std::max(column.values.size(), column.hashes.size());
+    assert(frames_ == std::max(columns_.front().values.size(), columns_.front().hashes.size()));
+  }
+}
+
 void FrameTable::append(const FrameData& data) {
   assert(data.channels().size() >= columns_.size());
   for (std::size_t i = 0; i < columns_.size(); ++i) {

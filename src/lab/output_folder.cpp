@@ -15,8 +15,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-tl::unexpected<Error> cannotUse(const fs::path& folder, const std::string& why) {
-  return fail("cannot write into folder " + folder.string() + ": " + why + "; choose another folder");
+tl::unexpected<Error> cannotUse(const fs::path& folder, const std::string& why,
+                                ErrorKind kind = ErrorKind::kInput) {
+  return tl::unexpected<Error>(
+      {.message = "cannot write into folder " + folder.string() + ": " + why + "; choose another folder",
+       .kind = kind});
+}
+
+ErrorKind kindOf(int errorNumber) {
+  return errorNumber == ENOSPC || errorNumber == EDQUOT ? ErrorKind::kDiskFull : ErrorKind::kInput;
 }
 
 // A new folder NAME.XXXXXX in `parent`; empty, with errno set, on failure.
@@ -70,8 +77,8 @@ Result<void> prepareOutputFolder(const fs::path& folder) {
   if (!staged) {
     return tl::unexpected(staged.error());
   }
-  if (!writeFile(staged->path() / "probe", "probe\n")) {
-    return cannotUse(folder, "nothing can be written there");
+  if (auto probed = writeFile(staged->path() / "probe", "probe\n"); !probed) {
+    return cannotUse(folder, "nothing can be written there", probed.error().kind);
   }
   return {};
 }
@@ -87,7 +94,8 @@ Result<StagedFolder> StagedFolder::create(const fs::path& folder) {
   }
   fs::path staging = makeTemporaryFolder(existing, "scatter-unfinished");
   if (staging.empty()) {
-    return cannotUse(folder, std::generic_category().message(errno));
+    const int code = errno;
+    return cannotUse(folder, std::generic_category().message(code), kindOf(code));
   }
   openToReaders(staging);
   return StagedFolder(folder, std::move(staging));
@@ -123,7 +131,7 @@ Result<void> StagedFolder::commit() {
     }
   }
   if (error) {
-    return cannotUse(folder_, error.message());
+    return cannotUse(folder_, error.message(), kindOf(error.value()));
   }
   discard();
   return {};

@@ -36,6 +36,7 @@ constexpr std::array kCounters{
     CounterColumn{"separation_queries", &StepCounters::separationQueries},
     CounterColumn{"cost_units", &StepCounters::costUnits},
     CounterColumn{"planned_units", &StepCounters::plannedUnits},
+    CounterColumn{"floor_units", &StepCounters::floorUnits},
     CounterColumn{"pairs_skipped", &StepCounters::pairsSkipped},
     CounterColumn{"list_rebuilds", &StepCounters::listRebuilds},
     CounterColumn{"child_pairs", &StepCounters::childPairs},

@@ -58,6 +58,18 @@ std::string describePairs(const SwitchingDef& switching) {
   return each + "Nothing limits the cost of a step: pairs are in full detail unless a policy asks otherwise.";
 }
 
+// Where a world is cheaper although it never switches, this is why.
+std::string describeCollision(const CollisionDef& collision) {
+  if (collision.narrowphase != Narrowphase::kScatter) {
+    return "All contacts are found by the engine's own algorithms. ";
+  }
+  return "Pairs of detailed objects have an algorithm of their own, which finds the contacts that the engine "
+         "finds "
+         "but skips the parts that cannot have come near each other since it last looked: what is saved in "
+         "full "
+         "detail is its doing, not that of switching. ";
+}
+
 std::string describe(const PhysicsDef& physics) {
   if (physics.world == WorldKind::kStandard) {
     return "The plain physics engine. Every object always collides in its full detail.";
@@ -65,7 +77,8 @@ std::string describe(const PhysicsDef& physics) {
   const std::string same =
       "The same engine with switching. A detailed object has several nested collision shapes, a coarse one "
       "around "
-      "finer ones, and may use a coarser one to save time. ";
+      "finer ones, and may use a coarser one to save time. " +
+      describeCollision(physics.collision);
   if (physics.switching.switching == Switching::kPair) {
     return same + describePairs(physics.switching);
   }
@@ -102,6 +115,35 @@ std::string introduction(const Comparison& comparison) {
   return text + "</dl>\n";
 }
 
+std::string ratioCell(const ComparisonRow& row, std::size_t world) {
+  if (row.extremes.empty() || row.extremes[world].empty()) {
+    return row.ratios[world];
+  }
+  return row.ratios[world] + " (" + row.extremes[world] + ")";
+}
+
+std::string rowHtml(const ComparisonRow& row) {
+  std::string text = "<tr><td>" + escaped(row.name) + "</td>";
+  for (const std::string& value : row.values) {
+    text += "<td>" + escaped(value) + "</td>";
+  }
+  for (std::size_t world = 0; world < row.ratios.size(); ++world) {
+    text += "<td>" + escaped(ratioCell(row, world)) + "</td>";
+  }
+  return text + "</tr>\n";
+}
+
+// Why the table and the figures may have two peaks of one world.
+std::string peakNote(const Comparison& comparison) {
+  if (comparison.options.repeat == 1) {
+    return {};
+  }
+  return " The table has the median of the repeats' peaks; the figures draw for each frame its median over "
+         "the "
+         "repeats, in which an interruption that hit one repeat is not seen, so that their peaks can be "
+         "lower.";
+}
+
 std::string tableHtml(const Comparison& comparison) {
   std::string text = "<table>\n<tr><th></th>";
   for (const ComparedWorld& world : comparison.worlds) {
@@ -113,18 +155,20 @@ std::string tableHtml(const Comparison& comparison) {
   }
   text += "</tr>\n";
   for (const ComparisonRow& row : comparisonRows(comparison)) {
-    text += "<tr><td>" + escaped(row.name) + "</td>";
-    for (const auto* cells : {&row.values, &row.ratios}) {
-      for (const std::string& cell : *cells) {
-        text += "<td>" + escaped(cell) + "</td>";
-      }
-    }
-    text += "</tr>\n";
+    text += rowHtml(row);
   }
-  return text + "</table>\n<p>" + escaped(comparisonNote(comparison)) +
-         " CPU time is the processor time of the physics thread; wall time also holds what other programs on "
-         "the "
-         "machine took from it. p99: 99 % of the frames took no longer.</p>\n";
+  text +=
+      "</table>\n<p>" +
+      escaped(
+          comparisonNote(comparison) +
+          " CPU ms: processor time of the physics thread in a frame; wall ms also holds what other programs "
+          "on the machine took from it. p99: 99 % of the frames took no longer." +
+          peakNote(comparison)) +
+      "</p>\n";
+  for (const std::string& note : budgetNotes(comparison)) {
+    text += element("p", note);
+  }
+  return text;
 }
 
 // Inlined pictures share one name space: every id gets the figure's name in front.

@@ -1,13 +1,11 @@
 #include <scatter/lab/run.h>
 
 #include <scatter/lab/cpu_time.h>
-#include <scatter/lab/frame_csv.h>
-#include <scatter/lab/output_folder.h>
 
 #include "lab/names.h"
+#include "lab/run_folder.h"
 #include "lab/scene_run.h"
 
-#include <system_error>
 #include <utility>
 
 namespace scatter {
@@ -19,61 +17,46 @@ bool isLabel(const std::string& label) {
   return !label.empty() && label.front() != '.' && label.find_first_not_of(kAllowed) == std::string::npos;
 }
 
-// The files of a run that grow frame by frame.
-struct RunFiles {
-  FrameCsv frames;
-  EventCsv events;
-};
-
-Result<std::optional<RunFiles>> openFiles(const RunOptions& options, const FrameData& data) {
+Result<std::optional<lab::RunFolder>> openFolder(const RunOptions& options, const FrameData& data) {
   if (!options.out) {
     return std::nullopt;
   }
-  if (auto prepared = prepareOutputFolder(*options.out); !prepared) {
-    return tl::unexpected(prepared.error());
+  auto folder = lab::RunFolder::open(*options.out, data);
+  if (!folder) {
+    return tl::unexpected(folder.error());
   }
-  std::error_code error;
-  std::filesystem::create_directories(*options.out, error);
-  auto frames = FrameCsv::create(*options.out / "frames.csv", data);
-  if (!frames) {
-    return tl::unexpected(frames.error());
-  }
-  auto events = EventCsv::create(*options.out / "events.csv");
-  if (!events) {
-    return tl::unexpected(events.error());
-  }
-  return std::optional(RunFiles{std::move(*frames), std::move(*events)});
+  return std::optional(std::move(*folder));
 }
 
-Result<void> writeFrame(RunFiles& files, const lab::SceneRun& run) {
-  const World& world = run.world();
-  return files.frames.write(run.data()).and_then([&] {
-    return files.events.write(world.frame(), world.physics().levelEvents());
-  });
+std::string afterFrame(int frame, int frames) {
+  return "after frame " + std::to_string(frame) + " of " + std::to_string(frames);
 }
 
-// A state that is no longer finite ends the loop without an error, so that what there is can be kept.
-Result<void> record(lab::SceneRun& run, std::optional<RunFiles>& files, const Progress& progress) {
-  const int frames = run.options().frames;
+// What there is can be kept whether or not this fails.
+Result<void> record(lab::SceneRun& run, std::optional<lab::RunFolder>& folder, const Progress& progress) {
+  const RunOptions& options = run.options();
   const double start = wallSeconds();
-  for (int frame = 1; frame <= frames && run.stopped().empty(); ++frame) {
+  for (int frame = 1; frame <= options.frames; ++frame) {
     run.step();
-    if (files) {
-      if (auto written = writeFrame(*files, run); !written) {
+    if (folder) {
+      if (auto written = folder->addFrame(run); !written) {
+        run.stop("its files could not be written " + afterFrame(frame - 1, options.frames) + ": " +
+                 written.error().message);
         return written;
       }
     }
     if (progress) {
-      progress({.frame = frame, .frames = frames, .seconds = wallSeconds() - start});
+      progress({.frame = frame, .frames = options.frames, .seconds = wallSeconds() - start});
+    }
+    if (!run.stopped().empty()) {
+      return fail(run.stopped());
+    }
+    if (frame < options.frames && options.stop && options.stop()) {
+      run.stop("it was interrupted " + afterFrame(frame, options.frames));
+      break;
     }
   }
   return {};
-}
-
-Result<void> finishFiles(RunFiles& files, const Run& run) {
-  return files.frames.finish().and_then([&] { return files.events.finish(); }).and_then([&] {
-    return writeSummary(*run.options.out / "summary.json", run.summary);
-  });
 }
 
 }  // namespace
@@ -131,24 +114,23 @@ Result<Run> runScene(const RunOptions& options, const Progress& progress) {
   if (!run) {
     return tl::unexpected(run.error());
   }
-  auto files = openFiles(*resolved, (*run)->data());
-  if (!files) {
-    return tl::unexpected(files.error());
+  auto folder = openFolder(*resolved, (*run)->data());
+  if (!folder) {
+    return tl::unexpected(folder.error());
   }
-  if (auto recorded = record(**run, *files, progress); !recorded) {
-    return tl::unexpected(recorded.error());
-  }
+  const auto recorded = record(**run, *folder, progress);
   Run done = (*run)->takeRun();
   if (resolved->inspect) {
     resolved->inspect((*run)->world());
   }
-  if (*files) {
-    if (auto finished = finishFiles(**files, done); !finished) {
+  if (*folder) {
+    const auto finished = (*folder)->finish(done.summary);
+    if (recorded && !finished) {
       return tl::unexpected(finished.error());
     }
   }
-  if (!done.summary.stopped.empty()) {
-    return fail(done.summary.stopped);
+  if (!recorded) {
+    return tl::unexpected(recorded.error());
   }
   return done;
 }

@@ -104,6 +104,7 @@ Summary SceneRun::summary() const {
   summary.physics = options().physics;
   summary.seed = options().seed.value_or(1);
   summary.budgetMs = options().budgetMs;
+  summary.framesAsked = static_cast<std::uint64_t>(options().frames);
   if (fidelity_) {
     summary.fidelity = fidelity_->statistics();
   }

@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace scatter::lab {
@@ -32,7 +33,11 @@ class SceneRun {
   /// To be called before an object is taken out of the world by somebody else than the scene.
   void forget(const WorldObject& object) { scene_->forget(object); }
 
-  /// Why there are no more frames, in one line: a state that is no longer finite. Empty while there can be.
+  /// There are no more frames, and this is why.
+  void stop(std::string why) { run_.summary.stopped = std::move(why); }
+
+  /// Why there are no more frames, in one line, a state that is no longer finite being one reason. Empty
+  /// while there can be.
   [[nodiscard]] const std::string& stopped() const { return run_.summary.stopped; }
 
   [[nodiscard]] World& world() { return *world_; }

@@ -185,8 +185,8 @@ std::string formatSpread(const SpreadStudy& study) {
     lines.push_back(std::move(cells));
   }
   return lab::textTable(lines) +
-         "Median (smallest-largest). Within: the median lies between the extremes of the " +
-         study.worlds.front().label + " world.\n";
+         lab::wrapped("Median (smallest-largest). Within: the median lies between the extremes of the " +
+                      study.worlds.front().label + " world.");
 }
 
 std::string spreadCsv(const SpreadStudy& study) {

@@ -3,6 +3,7 @@
 #include "lab/names.h"
 #include "lab/text.h"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace scatter::lab {
@@ -48,22 +49,6 @@ Json switchingJson(const SwitchingDef& switching) {
     json["credit_level"] = switching.creditLevel;
   }
   return json;
-}
-
-Json optionsJson(const Summary& summary) {
-  const PhysicsDef& physics = summary.physics;
-  Json options{{"world", nameOf(physics.world)},
-               {"frames", summary.frames},
-               {"seed", summary.seed},
-               {"budget_ms", summary.budgetMs},
-               {"profiling", physics.profiling},
-               {"solver_iterations", physics.solverIterations},
-               {"gravity", {physics.gravity.x, physics.gravity.y, physics.gravity.z}}};
-  if (physics.world == WorldKind::kHybrid) {
-    options["collision"] = collisionJson(physics.collision);
-    options["switching"] = switchingJson(physics.switching);
-  }
-  return options;
 }
 
 // Sums of counts are whole numbers.
@@ -148,6 +133,22 @@ Json contactsJson(const ContactCheck& check) {
 
 }  // namespace
 
+Json runOptionsJson(const Summary& summary) {
+  const PhysicsDef& physics = summary.physics;
+  Json options{{"world", nameOf(physics.world)},
+               {"frames", std::max(summary.framesAsked, summary.frames)},
+               {"seed", summary.seed},
+               {"budget_ms", summary.budgetMs},
+               {"profiling", physics.profiling},
+               {"solver_iterations", physics.solverIterations},
+               {"gravity", {physics.gravity.x, physics.gravity.y, physics.gravity.z}}};
+  if (physics.world == WorldKind::kHybrid) {
+    options["collision"] = collisionJson(physics.collision);
+    options["switching"] = switchingJson(physics.switching);
+  }
+  return options;
+}
+
 Json buildJson(const BuildInfo& build) {
   return {{"version", build.version},
           {"commit", build.commit},
@@ -167,7 +168,9 @@ Json summaryJson(const Summary& summary) {
   Json json{{"scene", summary.scene},
             {"label", summary.label},
             {"engine", summary.engine},
-            {"options", optionsJson(summary)},
+            {"complete", summary.stopped.empty()},
+            {"frames", summary.frames},
+            {"options", runOptionsJson(summary)},
             {"build", buildJson(summary.build)},
             {"machine", machineJson(summary.machine)},
             {"physics_ms", timesJson(summary.physicsMs)},

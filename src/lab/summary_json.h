@@ -10,6 +10,9 @@ namespace scatter::lab {
 using Json = nlohmann::ordered_json;
 
 [[nodiscard]] Json summaryJson(const Summary& summary);
+
+/// What was asked for: the world, frames, seed, physics.
+[[nodiscard]] Json runOptionsJson(const Summary& summary);
 [[nodiscard]] Json buildJson(const BuildInfo& build);
 [[nodiscard]] Json machineJson(const MachineInfo& machine);
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <sstream>
 
 namespace scatter::lab {
 
@@ -28,7 +29,32 @@ std::string readableNumber(double value) {
   if (size >= 10.0) {
     return fixedNumber(value, 1);
   }
+  constexpr double kLeastFixed = 0.0005;
+  if (size < kLeastFixed) {
+    std::array<char, 64> buffer{};
+    const auto end =
+        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 2);
+    return {buffer.data(), end.ptr};
+  }
   return fixedNumber(value, size >= 1.0 ? 2 : 3);
+}
+
+std::string wrapped(const std::string& text) {
+  std::string lines;
+  std::size_t width = 0;
+  std::istringstream words(text);
+  for (std::string word; words >> word; width += word.size()) {
+    if (width > 0 && width + 1 + word.size() > kTerminalWidth) {
+      lines += '\n';
+      width = 0;
+    }
+    if (width > 0) {
+      lines += ' ';
+      ++width;
+    }
+    lines += word;
+  }
+  return lines + '\n';
 }
 
 std::string hexNumber(std::uint64_t value) {

@@ -19,4 +19,10 @@ namespace scatter::lab {
 
 [[nodiscard]] std::string replaceAll(std::string text, const std::string& from, const std::string& to);
 
+/// What a terminal shows in a line.
+inline constexpr std::size_t kTerminalWidth = 80;
+
+/// Text broken into lines of at most kTerminalWidth characters where it has blanks; ends with a new line.
+[[nodiscard]] std::string wrapped(const std::string& text);
+
 }  // namespace scatter::lab

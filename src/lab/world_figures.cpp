@@ -231,8 +231,9 @@ std::string formatWorldFigures(const std::vector<WorldFigures>& worlds) {
   }
   const std::string repeats = worlds.empty() ? "0" : std::to_string(worlds.front().repeats);
   return lab::textTable(lines) +
-         "Processor time of the physics: ratios to the scene's first world, medians of " + repeats +
-         " interleaved repeats (smallest-largest); over: frames over the world's budget.\n";
+         lab::wrapped("Processor time of the physics: ratios to the scene's first world, medians of " +
+                      repeats +
+                      " interleaved repeats (smallest-largest); over: frames over the world's budget.");
 }
 
 std::string worldFiguresCsv(const std::vector<WorldFigures>& worlds) {

@@ -324,6 +324,18 @@ int Governor::planNew(const PlannedPair& pair, const CostModel& costs) {
   return level;
 }
 
+double Governor::floorUnits(std::span<const PlannedPair> pairs, const CostModel& costs) const {
+  double least = 0.0;
+  for (const PlannedPair& pair : pairs) {
+    const int level = pair.view.level;
+    if (level == 0) continue;
+    const int coarser = pair.view.touching ? middleOf(pair, def_.creditLevel) : 1;
+    const int allowed = std::min(std::max(coarser, lowest(pair)), level);
+    least += std::min(predict(pair, costs, allowed), predict(pair, costs, level));
+  }
+  return fixed_ + correction_ * least;
+}
+
 void Governor::learn(double units) {
   const double actualUnits = units + saved_;
   misses_.add(actualUnits - foreseen_);

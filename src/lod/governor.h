@@ -69,6 +69,10 @@ class Governor {
   /// After each planned step: what it did cost, fixed units included, to correct the next plans.
   void learn(double actualUnits);
 
+  /// Units that the step just made would have cost, as far as is known, had every pair been at the coarsest
+  /// level that it may have in its place, or at its own where that is cheaper.
+  [[nodiscard]] double floorUnits(std::span<const PlannedPair> pairs, const CostModel& costs) const;
+
   /// What the plan expects the step to cost; grows with each planNew().
   [[nodiscard]] double planned() const { return fixed_ + correction_ * predicted_; }
 

@@ -27,6 +27,11 @@ class UnitBudget {
   /// After a step that cost so much and took so long; only a budget of milliseconds learns.
   void learn(double units, double milliseconds);
 
+  /// A budget of milliseconds that is less than these.
+  [[nodiscard]] bool isExceededBy(double milliseconds) const {
+    return milliseconds_ > 0.0 && milliseconds > milliseconds_;
+  }
+
   [[nodiscard]] bool isLimited() const { return milliseconds_ > 0.0 || !units_.empty(); }
 
  private:

@@ -172,7 +172,7 @@ TEST_F(ProgramTest, ARecordingThatCannotBeReplayedIsRefused) {
       {"frame,budget_ms\n1,16\n", "no column budget_units"},
       {"frame,budget_units\n", "has no frames"},
       {"frame,budget_units\n1,30\n2,many\n", "line 3"},
-      {"frame,budget_units\n1,30\n2", "line 3"},
+      {"frame,budget_units\n1,30\n2\n", "line 3"},
       {"frame,budget_units\n1,-3\n", "below 0"},
       {"frame,budget_units\n1,0\n2,0\n", "had no budget"},
   };

@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 TEST_F(ProgramTest, CompareWritesDataFiguresAndReport) {
   const Outcome outcome = scatter({"compare", "duel", "--frames", "40"});
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
-  EXPECT_THAT(outcome.output, HasSubstr("hybrid/standard"));
+  EXPECT_THAT(outcome.output, testing::ContainsRegex("standard +hybrid\n"));
   EXPECT_THAT(outcome.output, HasSubstr("out/duel/report.html"));
   for (const char* file : {"standard/frames.csv", "standard/summary.json", "hybrid/frames.csv",
                            "hybrid/summary.json", "comparison.json", "report.html"}) {
@@ -32,7 +32,7 @@ TEST_F(ProgramTest, CompareTakesAnyWorldsAndRepeats) {
   const Outcome outcome = scatter({"compare", "duel", "--frames", "10", "--worlds", "finest,coarsest-body",
                                    "--repeat", "2", "--out", "x"});
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
-  EXPECT_THAT(outcome.output, HasSubstr("coarsest-body/finest"));
+  EXPECT_THAT(outcome.output, testing::ContainsRegex("finest +coarsest-body\n"));
   EXPECT_EQ(columnOf(folder / "x/coarsest-body/frames.csv", "frame").size(), 10U);
   EXPECT_NE(columnOf(folder / "x/coarsest-body/frames.csv", "state_hash"),
             columnOf(folder / "x/finest/frames.csv", "state_hash"));
@@ -49,12 +49,51 @@ TEST_F(ProgramTest, CompareTakesWorldsWithBudgets) {
       scatter({"compare", "duel", "--frames", "20", "--worlds", "standard,hybrid@5ms,hybrid@300units",
                "--repeat", "2", "--fidelity", "5", "--out", "x"});
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
-  EXPECT_THAT(outcome.output, HasSubstr("hybrid-300units/standard"));
+  EXPECT_THAT(outcome.output, testing::ContainsRegex("standard +hybrid-5ms +hybrid-300units\n"));
   EXPECT_THAT(outcome.output, HasSubstr("frames over 5.00 ms"));
-  EXPECT_THAT(outcome.output, HasSubstr("Governed by the clock, so that each run differs: hybrid-5ms."));
+  EXPECT_THAT(outcome.output,
+              testing::ContainsRegex("Governed by the clock, so that\\seach run differs:\\shybrid-5ms\\."));
   EXPECT_THAT(outcome.output, HasSubstr("touching finely %, worst"));
   EXPECT_FALSE(readText(folder / "x/hybrid-5ms/events.csv").empty());
   EXPECT_THAT(readText(folder / "x/figures/overview.svg"), HasSubstr("its budget 5.00 ms"));
+}
+
+TEST_F(ProgramTest, AnInterruptedCompareIsResumed) {
+  const std::vector<std::string> arguments{"compare",         "tower",    "--worlds",
+                                           "standard,finest", "--frames", "1500"};
+  const auto with = [&](const char* option) {
+    std::vector<std::string> more = arguments;
+    more.emplace_back(option);
+    return more;
+  };
+  const fs::path out = folder / "out/tower";
+  const Outcome cut =
+      runProgram({.arguments = arguments, .folder = folder, .interruptOnce = out / "finest/frames.csv"});
+  EXPECT_EQ(cut.status, 130) << cut.errors;
+  EXPECT_THAT(cut.errors, testing::AllOf(HasSubstr("run 2 of 2"), HasSubstr("go on with --resume")));
+  EXPECT_THAT(readText(out / "comparison.json"), HasSubstr("\"complete\": false"));
+  const std::string first = readText(out / "standard/frames.csv");
+  EXPECT_EQ(linesOf(first).size(), 1501U);
+
+  const Outcome refused = scatter(arguments);
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.errors, testing::AllOf(HasSubstr("1 finished runs"), HasSubstr("--anew")));
+
+  const Outcome resumed = scatter(with("--resume"));
+  EXPECT_EQ(resumed.status, 0) << resumed.errors;
+  EXPECT_EQ(readText(out / "standard/frames.csv"), first);
+  EXPECT_EQ(linesOf(readText(out / "finest/frames.csv")).size(), 1501U);
+  EXPECT_THAT(readText(out / "comparison.json"), HasSubstr("\"complete\": true"));
+  EXPECT_TRUE(fs::exists(out / "report.html"));
+}
+
+TEST_F(ProgramTest, TheTableFitsATerminal) {
+  const Outcome outcome = scatter({"compare", "duel", "--frames", "30", "--repeat", "2", "--worlds",
+                                   "standard,finest,coarsest,hybrid@8ms,hybrid@4ms,hybrid@2500units"});
+  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  for (const std::string& line : linesOf(outcome.output)) {
+    EXPECT_LE(line.size(), 80U) << line;
+  }
 }
 
 TEST_F(ProgramTest, TheReportSaysHowItWasMade) {

@@ -1,6 +1,7 @@
 #include "apps/program.h"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -43,6 +44,11 @@ void openAs(int descriptor, const fs::path& file) {
   if (chdir(start.folder.c_str()) != 0) {
     _exit(125);
   }
+  if (start.largestFile > 0) {
+    const rlimit limit{start.largestFile, start.largestFile};
+    signal(SIGXFSZ, SIG_IGN);
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
   for (const auto& [name, value] : start.environment) {
     setenv(name.c_str(), value.c_str(), 1);
   }
@@ -57,10 +63,9 @@ void openAs(int descriptor, const fs::path& file) {
   _exit(126);
 }
 
-bool holdsFile(const fs::path& folder) {
-  std::error_code error;
-  const fs::directory_iterator entries(folder, error);
-  return !error && entries != fs::directory_iterator();
+bool hasLines(const fs::path& file, std::size_t lines) {
+  const std::string text = fs::exists(file) ? readText(file) : "";
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) >= lines;
 }
 
 bool hasEnded(pid_t process) {
@@ -69,11 +74,11 @@ bool hasEnded(pid_t process) {
   return info.si_pid == process;
 }
 
-void interruptOnceIn(const fs::path& folder, pid_t process) {
-  while (!holdsFile(folder) && !hasEnded(process)) {
+void interruptOnce(const Start& start, pid_t process) {
+  while (!hasLines(start.interruptOnce, start.lines) && !hasEnded(process)) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
-  kill(process, SIGINT);
+  kill(process, start.signal);
 }
 
 }  // namespace
@@ -86,8 +91,8 @@ Outcome runProgram(const Start& start) {
   if (process == 0) {
     becomeProgram(start, output, errors);
   }
-  if (!start.interruptOnceIn.empty()) {
-    interruptOnceIn(start.interruptOnceIn, process);
+  if (!start.interruptOnce.empty()) {
+    interruptOnce(start, process);
   }
   int status = 0;
   waitpid(process, &status, 0);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <csignal>
+#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -21,8 +23,11 @@ struct Start {
   std::filesystem::path folder;                      ///< Where it runs.
   std::map<std::string, std::string> environment{};  ///< On top of this process's.
   std::filesystem::path outputTo{};                  ///< Instead of Outcome::output.
-  /// Sends SIGINT as soon as a file exists in this folder.
-  std::filesystem::path interruptOnceIn{};
+  /// Sends `signal` as soon as this file has so many lines.
+  std::filesystem::path interruptOnce{};
+  std::size_t lines = 1;
+  int signal = SIGINT;
+  std::size_t largestFile = 0;  ///< Bytes that fit into a file, as if the disk were full then; 0: any.
   std::filesystem::path program = SCATTER_PROGRAM;  ///< The one that this build made, or a copy of it.
 };
 

@@ -21,7 +21,7 @@ constexpr const char* kHeader =
     "contacts,"
     "new_contacts,requests,switches_coarser,switches_finer,retractions,credited_pairs,finest_pairs,"
     "touching_pairs,touching_finest_pairs,reused_pairs,blocked_tries,separation_queries,cost_units,planned_"
-    "units,"
+    "units,floor_units,"
     "pairs_skipped,list_rebuilds,child_pairs,child_pairs_asleep,bounds_rejected,axis_rejected,gjk_runs,"
     "gjk_iterations,detector_runs,budget_ms,budget_units,"
     "kinetic_energy,max_penetration,state_hash";
@@ -231,13 +231,62 @@ TEST_F(RunTest, OtherFilesInTheFolderAreLeftAlone) {
   EXPECT_TRUE(std::filesystem::exists(folder / "out/mine"));
 }
 
-TEST_F(RunTest, AnInterruptLeavesNoFiles) {
+// The rows of frames.csv, which are whole, and what summary.json says of them.
+void expectFramesUntilThen(const std::filesystem::path& out) {
+  const std::string frames = readText(out / "frames.csv");
+  ASSERT_FALSE(frames.empty());
+  EXPECT_EQ(frames.back(), '\n');
+  const std::vector<std::string> rows = columnOf(out / "frames.csv", "frame");
+  ASSERT_FALSE(rows.empty());
+  EXPECT_EQ(rows.back(), std::to_string(rows.size()));
+  EXPECT_THAT(columnOf(out / "frames.csv", "state_hash"), testing::Each(testing::SizeIs(16)));
+  EXPECT_THAT(linesOf(readText(out / "events.csv")).front(), testing::StartsWith("frame,kind"));
+  const auto summary = nlohmann::json::parse(readText(out / "summary.json"));
+  EXPECT_EQ(summary["complete"], false);
+  EXPECT_EQ(summary["options"]["frames"], 10000000);
+  EXPECT_NE(summary["stopped"], "");
+}
+
+TEST_F(RunTest, AnInterruptKeepsTheFramesUntilThen) {
   const Outcome outcome = runProgram({.arguments = {"run", "tower", "--frames", "10000000", "--out", "out"},
                                       .folder = folder,
-                                      .interruptOnceIn = folder / "out"});
+                                      .interruptOnce = folder / "out/frames.csv",
+                                      .lines = 4});
   EXPECT_EQ(outcome.status, 130);
-  EXPECT_THAT(outcome.errors, HasSubstr("scatter: interrupted"));
-  EXPECT_TRUE(std::filesystem::is_empty(folder / "out"));
+  EXPECT_THAT(outcome.errors, HasSubstr("scatter: this run is not whole: it was interrupted after frame"));
+  EXPECT_THAT(outcome.output, HasSubstr("state hash of the last frame"));
+  expectFramesUntilThen(folder / "out");
+  const auto summary = nlohmann::json::parse(readText(folder / "out/summary.json"));
+  EXPECT_EQ(summary["frames"], columnOf(folder / "out/frames.csv", "frame").size());
+}
+
+TEST_F(RunTest, AKilledRunKeepsTheFramesUntilThen) {
+  const Outcome outcome = runProgram({.arguments = {"run", "tower", "--frames", "10000000", "--out", "out"},
+                                      .folder = folder,
+                                      .interruptOnce = folder / "out/frames.csv",
+                                      .lines = 4,
+                                      .signal = SIGKILL});
+  EXPECT_EQ(outcome.status, 128 + SIGKILL);
+  expectFramesUntilThen(folder / "out");
+}
+
+TEST_F(RunTest, AFullDiskKeepsTheFramesUntilThen) {
+  const Outcome outcome = runProgram({.arguments = {"run", "tower", "--frames", "10000000", "--out", "out"},
+                                      .folder = folder,
+                                      .largestFile = 20000});
+  EXPECT_EQ(outcome.status, 1);
+  ASSERT_EQ(linesOf(outcome.errors).size(), 1U) << outcome.errors;
+  EXPECT_THAT(outcome.errors, HasSubstr("frames.csv: File too large; free some space"));
+  expectFramesUntilThen(folder / "out");
+  EXPECT_THAT(readText(folder / "out/summary.json"), HasSubstr("could not be written after frame"));
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder / "out"), {}), 3);
+}
+
+TEST_F(RunTest, ABudgetThatCannotBeKeptIsAnsweredInWords) {
+  const Outcome outcome = scatter({"run", "duel", "--frames", "50", "--budget-ms", "1e-6"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.output, HasSubstr("the budget of 1e-06 ms was exceeded in 50 of 50 frames"));
+  EXPECT_THAT(outcome.output, HasSubstr("What could not be given up"));
 }
 
 }  // namespace

@@ -87,17 +87,15 @@ TEST(FormatCollisionSteps, ShowsRatiosCountsAndMemory) {
   const std::string table = formatCollisionSteps(*comparison);
   // The fake has 4 manifolds a step in a standard world and 1 in a hybrid one, at most 25 child pairs, 2 GJK
   // runs a step, and 900 bytes a pair and 56 a child pair.
-  EXPECT_THAT(table, ContainsRegex("plain engine .* 48 +0 +0 +0 +- +-\n"));
-  EXPECT_THAT(table, ContainsRegex("warm simplex.* 12 +25 +24 +0 +900 +56.0\n"));
+  EXPECT_THAT(table, ContainsRegex("manifolds  child pairs  GJK runs\n-+\nplain engine +48 +0 +0\n"));
+  EXPECT_THAT(table, ContainsRegex("warm simplex: the default +12 +25 +24\n"));
+  EXPECT_THAT(table, ContainsRegex("detectors  B/pair  B/child pair\n-+\nplain engine +0 +- +-\n"));
+  EXPECT_THAT(table, ContainsRegex("warm simplex: the default +0 +900 +56.0\n"));
   EXPECT_THAT(table, HasSubstr("3 interleaved repeats"));
   EXPECT_THAT(table, HasSubstr("1.00 (1.00-1.00)"));
-  std::size_t lines = 0;
   for (const CollisionStep& step : collisionSteps()) {
     EXPECT_THAT(table, HasSubstr(step.what));
-    ++lines;
   }
-  // A header, a rule and a note come with them.
-  EXPECT_EQ(static_cast<std::size_t>(std::count(table.begin(), table.end(), '\n')), lines + 3);
 }
 
 TEST(CollisionStepsCsv, HasALineForEachStepWithAsManyCells) {

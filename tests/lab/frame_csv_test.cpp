@@ -47,11 +47,12 @@ class FrameCsvTest : public testing::Test {
 TEST_F(FrameCsvTest, WritesOneHeaderLineAndOneRowAFrame) {
   auto csv = FrameCsv::create(file, data);
   ASSERT_TRUE(csv);
+  EXPECT_FALSE(std::filesystem::exists(file));
   add(0.1, 1, 0xABC);
   ASSERT_TRUE(csv->write(data));
+  EXPECT_EQ(contentOf(file), "time_s,objects,state_hash\n0.1,1,0000000000000abc\n");
   add(-2.0, 3000000, 0xFEDCBA9876543210ULL);
   ASSERT_TRUE(csv->write(data));
-  EXPECT_FALSE(std::filesystem::exists(file));
   ASSERT_TRUE(csv->finish());
   EXPECT_EQ(contentOf(file),
             "time_s,objects,state_hash\n0.1,1,0000000000000abc\n-2,3000000,fedcba9876543210\n");
@@ -161,15 +162,19 @@ TEST_F(FrameCsvTest, AWholeTableGivesTheSameFile) {
   EXPECT_EQ(contentOf(folder.path() / "table.csv"), contentOf(file));
 }
 
-TEST_F(FrameCsvTest, WhatIsNotFinishedLeavesNothing) {
-  {
+TEST_F(FrameCsvTest, WhatIsNotFinishedKeepsItsFrames) {
+  for (const bool hasFrame : {false, true}) {
     auto csv = FrameCsv::create(file, data);
     ASSERT_TRUE(csv);
-    add(1, 1, 1);
-    ASSERT_TRUE(csv->write(data));
     EXPECT_EQ(folder.entries(), 1U);
+    add(1, 1, 1);
+    if (hasFrame) {
+      ASSERT_TRUE(csv->write(data));
+    }
+    csv = FrameCsv::create(folder.path() / "other.csv", data);
+    EXPECT_EQ(std::filesystem::exists(file), hasFrame);
   }
-  EXPECT_EQ(folder.entries(), 0U);
+  EXPECT_EQ(readFrameColumn(file, "objects")->size(), 1U);
 }
 
 TEST_F(FrameCsvTest, AFolderThatIsAFileIsOneClearLine) {
@@ -202,37 +207,58 @@ class FileSizeLimit {
   void (*handler_)(int) = nullptr;
 };
 
-TEST_F(FrameCsvTest, AFullDiskIsReportedAndTheTemporaryRemoved) {
+TEST_F(FrameCsvTest, AFullDiskIsReportedAndTheWholeFramesAreKept) {
   std::ofstream(file) << "an earlier run";
   auto csv = FrameCsv::create(file, data);
   ASSERT_TRUE(csv);
+  EXPECT_EQ(contentOf(file), "an earlier run");
   Result<void> written;
+  std::size_t frames = 0;
   {
     const FileSizeLimit limit(100000);
-    for (int frame = 0; frame < 100000 && written; ++frame) {
+    for (; frames < 100000 && written; ++frames) {
       add(1.0 / 3.0, 1, 1);
       written = csv->write(data);
     }
   }
   ASSERT_FALSE(written);
+  EXPECT_EQ(written.error().kind, ErrorKind::kDiskFull);
   EXPECT_THAT(written.error().message, HasSubstr(file.string()));
   EXPECT_THAT(written.error().message, Not(HasSubstr("\n")));
   EXPECT_EQ(folder.entries(), 1U);
-  EXPECT_EQ(contentOf(file), "an earlier run");
+  EXPECT_EQ(contentOf(file).back(), '\n');
+  EXPECT_EQ(readFrameColumn(file, "objects")->size(), frames - 1);
 }
 
-TEST_F(FrameCsvTest, AFullDiskAtTheVeryEndIsReportedToo) {
+TEST_F(FrameCsvTest, AFullDiskAtTheFirstFrameChangesNothing) {
   auto csv = FrameCsv::create(file, data);
   ASSERT_TRUE(csv);
   add(1, 1, 1);
-  ASSERT_TRUE(csv->write(data));
-  Result<void> finished;
   {
     const FileSizeLimit limit(10);
-    finished = csv->finish();
+    EXPECT_FALSE(csv->write(data));
   }
-  EXPECT_FALSE(finished);
-  EXPECT_EQ(folder.entries(), 0U);
+  csv = FrameCsv::create(file, data);
+  EXPECT_FALSE(std::filesystem::exists(file));
+}
+
+TEST_F(FrameCsvTest, AWholeFileIsReadBackToTheSameBits) {
+  auto csv = FrameCsv::create(file, data);
+  ASSERT_TRUE(csv);
+  FrameTable table(data.channels());
+  for (const double value : {0.1, 1e-300, 12345678.9}) {
+    add(value, 5, 0xfedcba9876543210U);
+    ASSERT_TRUE(csv->write(data));
+    table.append(data);
+  }
+  ASSERT_TRUE(csv->finish());
+  const auto read = readFrameTable(file, data.channels());
+  ASSERT_TRUE(read) << read.error().message;
+  ASSERT_EQ(read->frames(), 3U);
+  for (std::size_t i = 0; i < table.columns().size(); ++i) {
+    EXPECT_EQ(read->columns()[i].values, table.columns()[i].values);
+    EXPECT_EQ(read->columns()[i].hashes, table.columns()[i].hashes);
+  }
 }
 
 }  // namespace

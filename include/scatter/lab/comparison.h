@@ -5,16 +5,25 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace scatter {
 
 struct CompareOptions {
-  /// One for each world, the first being what the others are compared to. Labels differ; `out` is ignored.
+  /// One for each world, the first being what the others are compared to. Labels differ; their `out` is
+  /// ignored.
   std::vector<RunOptions> runs{};
   int repeat = 1;
   std::string commandLine{};  ///< For the report.
+
+  /// Where each run is written while it goes on, as RunOptions::out: LABEL, or LABEL/repeat-1 and so on if
+  /// there are several; and comparison.json, which says that the comparison is not complete. Nothing is
+  /// written without it.
+  std::optional<std::filesystem::path> out{};
+  bool resume = false;  ///< Finished runs of the same comparison in `out` are taken as they are.
+  bool anew = false;    ///< Finished runs of a comparison in `out` that was cut short are given up.
 };
 
 struct CompareProgress {
@@ -66,17 +75,19 @@ struct Comparison {
 /// Runs every world `repeat` times, interleaved, in an order that alternates (A B, B A, A B …) so that a
 /// drift of the machine hits all alike. Fails as runScene does, and if the state hashes of a world that is
 /// not governed by the clock differ between repeats: the message names the world and the first diverged
-/// frame.
+/// frame. Fails, with what is written kept, if a run's RunOptions::stop ended it; and before the first run if
+/// `out` holds finished runs of a comparison that was cut short and neither `resume` nor `anew` is set, or
+/// `resume` is set and it was another comparison (other options, build or machine).
 [[nodiscard]] Result<Comparison> compareWorlds(
     const CompareOptions& options, const std::function<void(const CompareProgress&)>& progress = {});
 
 /// A plain-text table for the terminal; ends with a new line.
 [[nodiscard]] std::string formatTable(const Comparison& comparison);
 
-/// Writes LABEL/frames.csv, LABEL/events.csv if the run kept its events, and LABEL/summary.json of each
-/// world's typical repeat, comparison.json, figures/*.svg and *.png, and report.html, whole or not at all;
-/// files of other names in an existing folder are left alone. Call prepareOutputFolder() before a long run to
-/// know that this will work.
+/// Writes LABEL/frames.csv, LABEL/events.csv and LABEL/summary.json of each world's typical repeat
+/// (events.csv only if the run kept its events or has been written with CompareOptions::out),
+/// comparison.json, figures/*.svg and *.png, and report.html, whole or not at all; files of other names in an
+/// existing folder are left alone. Call prepareOutputFolder() before a long run to know that this will work.
 [[nodiscard]] Result<void> writeComparison(const Comparison& comparison, const std::filesystem::path& folder);
 
 }  // namespace scatter

@@ -6,17 +6,17 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace scatter {
 
-class AtomicFile;
+class GrowingFile;
 
 /// Streams frames to a CSV file: one header line, one row a frame, real numbers in the shortest form that
 /// reads back to the same bits, hashes as 16 hexadecimal digits, whatever the locale. The file appears under
-/// its name only in finish(); until then it has a temporary name beside it, which is removed on any error
-/// and when this is destroyed.
+/// its name, in the place of an earlier one, with the first frame, and always holds whole frames.
 class FrameCsv {
  public:
   /// Writes the header of the channels that `data` has now; later ones are left out.
@@ -26,26 +26,33 @@ class FrameCsv {
   FrameCsv& operator=(FrameCsv&&) noexcept;
   ~FrameCsv();
 
-  /// Adds the current frame.
+  /// Adds the current frame, or nothing and fails.
   [[nodiscard]] Result<void> write(const FrameData& data);
 
-  /// Moves the file to its name; nothing may be written afterwards.
+  /// Waits until all is on the disk; without a frame there is a file with a header. Nothing may be written
+  /// afterwards.
   [[nodiscard]] Result<void> finish();
 
  private:
-  explicit FrameCsv(std::unique_ptr<AtomicFile> file, std::size_t channels);
+  FrameCsv(std::unique_ptr<GrowingFile> file, std::string header, std::size_t channels);
 
-  std::unique_ptr<AtomicFile> file_;
+  std::unique_ptr<GrowingFile> file_;
+  std::string header_;  // until the first frame
   std::size_t channels_;
 };
 
 /// The same file from a whole run at once.
 [[nodiscard]] Result<void> writeFrameCsv(const std::filesystem::path& file, const FrameTable& table);
 
-/// One column of such a file, which must be real or integer and filled in every frame. Fails if the file
-/// cannot be read, has no such column, no frames, or a cell in it that is no finite number; the message names
-/// the file and the line.
+/// One column of such a file, which must be real or integer and filled in every frame. A last line without an
+/// end is that of a program that was killed, and left out. Fails if the file cannot be read, has no such
+/// column, no frames, or a cell in it that is no finite number; the message names the file and the line.
 [[nodiscard]] Result<std::vector<double>> readFrameColumn(const std::filesystem::path& file,
                                                           std::string_view column);
+
+/// A whole file. Its columns must be `channels`, in that order; fails on anything that FrameCsv does not
+/// write.
+[[nodiscard]] Result<FrameTable> readFrameTable(const std::filesystem::path& file,
+                                                const std::vector<Channel>& channels);
 
 }  // namespace scatter

@@ -22,6 +22,9 @@ class FrameTable {
   FrameTable() = default;
   explicit FrameTable(const std::vector<Channel>& channels);
 
+  /// Columns of one length.
+  explicit FrameTable(std::vector<FrameColumn> columns);
+
   /// Adds the current frame of `data`, which must have this table's channels first.
   void append(const FrameData& data);
 

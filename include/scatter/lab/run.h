@@ -37,9 +37,13 @@ struct RunOptions {
   /// Whether the run's events are kept in memory, in Run::events.
   bool keepEvents = false;
 
-  /// Where frames.csv, events.csv and summary.json go; made if it does not exist. Nothing is written without
-  /// it.
+  /// Where frames.csv, events.csv and summary.json go; made if it does not exist. They are there from the
+  /// first frame on, in the place of an earlier run's, and have every whole frame, however the program ends.
+  /// Nothing is written without it.
   std::optional<std::filesystem::path> out{};
+
+  /// Asked after every frame but the last whether the run is to end there; may be empty.
+  std::function<bool()> stop{};
 
   /// Called with the world after the last frame.
   std::function<void(const World&)> inspect{};
@@ -72,9 +76,14 @@ struct RunProgress {
 using Progress = std::function<void(const RunProgress&)>;
 
 /// Builds the scene in a new world and runs it, one fixed step a frame, with Scene::update before each.
-/// Fails on an unknown scene, a scene or engine that cannot be made, a folder that cannot be written, and a
-/// state that is no longer finite (the files then keep the frames until there).
+/// Fails on an unknown scene, a scene or engine that cannot be made, a folder that cannot be written, a disk
+/// that becomes full and a state that is no longer finite (the files then keep the frames until there). A run
+/// that RunOptions::stop ended is no failure; its summary says so.
 [[nodiscard]] Result<Run> runScene(const RunOptions& options, const Progress& progress = {});
+
+/// How a run's budget was kept, in words, as lines for a terminal: in how many frames it was not, by how
+/// much, and what could not have been given up in them. Empty if the world has no budget.
+[[nodiscard]] std::string formatBudget(const Run& run);
 
 /// `options` with the registered scene, its frames and summary, and the label filled in; fails on what
 /// runScene() would refuse before it starts.

@@ -55,7 +55,8 @@ struct Summary {
   std::string engine;
   PhysicsDef physics;
   std::uint64_t seed = 0;
-  std::uint64_t frames = 0;
+  std::uint64_t frames = 0;       ///< That there are.
+  std::uint64_t framesAsked = 0;  ///< That there were to be; 0 if that was open.
   double budgetMs = 0.0;
   TimeStatistics physicsMs;     ///< Wall time.
   TimeStatistics physicsCpuMs;  ///< Processor time of the physics thread.

@@ -54,6 +54,7 @@ struct StepCounters {
   std::uint32_t separationQueries = 0;    ///< Direct queries, for switches and for audits of credit.
   std::uint32_t costUnits = 0;            ///< What the step cost in the governor's units.
   std::uint32_t plannedUnits = 0;         ///< What it was planned to cost.
+  std::uint32_t floorUnits = 0;  ///< What of it could not be given up, about; 0 where the budget was kept.
 
   // The pair algorithm's work; zero without it.
   std::uint32_t pairsSkipped = 0;      ///< Pairs left at once: neither body has moved enough.

@@ -444,6 +444,8 @@ void btHybridPlanner::finish()
 	m_stepInfo.m_plannedUnits = m_plans ? m_governor.planned() : 0;
 	// Steps of a replayed run may have had none.
 	m_stepInfo.m_budgetUnits = std::isfinite(m_budgetUnits) ? m_budgetUnits : 0;
+	if (hasBudget() && m_units > m_budgetUnits)
+		m_stepInfo.m_floorUnits = m_governor.floorUnits(m_planned, m_costs);
 	m_lastStepInfo = m_stepInfo;
 	m_stepInfo = btHybridPairStepInfo();
 }
@@ -460,6 +462,8 @@ void btHybridPlanner::finishPair(int pair)
 
 void btHybridPlanner::takeTime(double milliseconds)
 {
+	if (m_budget.isExceededBy(milliseconds))
+		m_lastStepInfo.m_floorUnits = m_governor.floorUnits(m_planned, m_costs);
 	m_budget.learn(m_units, milliseconds);
 }
 

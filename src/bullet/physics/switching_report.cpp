@@ -40,6 +40,7 @@ void addPairCounts(const btHybridPairStepInfo& info, StepCounters& counters) {
   counters.reusedPairs = count(info.m_reusedPairs);
   counters.costUnits = whole(info.m_units);
   counters.plannedUnits = whole(info.m_plannedUnits);
+  counters.floorUnits = whole(info.m_floorUnits);
 }
 
 }  // namespace scatter

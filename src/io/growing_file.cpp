@@ -1,0 +1,78 @@
+#include "io/growing_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cassert>
+#include <cerrno>
+#include <string>
+#include <utility>
+
+#include "io/atomic_file.h"
+#include "io/temporary_file.h"
+
+namespace scatter {
+
+Result<std::unique_ptr<GrowingFile>> GrowingFile::create(std::filesystem::path file) {
+  auto [name, descriptor] = makeTemporaryBeside(file);
+  if (descriptor < 0) {
+    return cannotWrite(file, errno);
+  }
+  return std::unique_ptr<GrowingFile>(new GrowingFile(std::move(file), std::move(name), descriptor));
+}
+
+GrowingFile::GrowingFile(std::filesystem::path file, std::filesystem::path temporary, int descriptor)
+    : file_(std::move(file)), temporary_(std::move(temporary)), descriptor_(descriptor) {}
+
+GrowingFile::~GrowingFile() {
+  close(descriptor_);
+  if (!temporary_.empty()) {
+    unlink(temporary_.c_str());
+  }
+}
+
+Result<void> GrowingFile::add(std::string_view text) {
+  sizeBefore_ = size_;
+  if (text.empty()) {
+    return {};
+  }
+  int code = writeAll(text);
+  if (code == 0 && !temporary_.empty()) {
+    code = rename(temporary_.c_str(), file_.c_str()) == 0 ? 0 : errno;
+  }
+  size_ += static_cast<off_t>(text.size());
+  if (code != 0) {
+    dropLast();
+    return cannotWrite(file_, code);
+  }
+  temporary_.clear();
+  return {};
+}
+
+void GrowingFile::dropLast() noexcept {
+  size_ = sizeBefore_;
+  // What cannot be cut off stays as a last line without an end, which readers leave out.
+  [[maybe_unused]] const int ignored = ftruncate(descriptor_, size_);
+  lseek(descriptor_, size_, SEEK_SET);
+}
+
+Result<void> GrowingFile::finish() {
+  if (fsync(descriptor_) != 0) {
+    return cannotWrite(file_, errno);
+  }
+  return {};
+}
+
+int GrowingFile::writeAll(std::string_view text) const {
+  while (!text.empty()) {
+    const ssize_t written = ::write(descriptor_, text.data(), text.size());
+    if (written < 0 && errno != EINTR) {
+      return errno;
+    }
+    text.remove_prefix(written > 0 ? static_cast<std::size_t>(written) : 0);
+  }
+  return 0;
+}
+
+}  // namespace scatter

@@ -1,0 +1,105 @@
+#include "lab/budget_report.h"
+
+#include "lab/text.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace scatter::lab {
+
+namespace {
+
+/// A budget as one number a frame, and what the frame took, in the same unit.
+struct BudgetUse {
+  std::vector<double> allowed;
+  const std::vector<double>* taken = nullptr;
+  std::string unit;
+};
+
+struct Overrun {
+  std::size_t frames = 0;
+  std::size_t belowFloor = 0;  ///< Frames in which the budget was less than what could not be given up.
+  double most = 0.0;           ///< That a frame took.
+  std::vector<double> floors;  ///< Of the frames that have one.
+};
+
+bool hasBudget(const PhysicsDef& physics) {
+  const BudgetDef& budget = physics.switching.budget;
+  return physics.world == WorldKind::kHybrid && physics.switching.switching == Switching::kPair &&
+         (budget.milliseconds > 0.0 || budget.units > 0.0);
+}
+
+BudgetUse budgetUse(const Run& run) {
+  const BudgetDef& budget = run.options.physics.switching.budget;
+  const bool byClock = budget.milliseconds > 0.0;
+  return {.allowed = std::vector<double>(run.table.frames(), byClock ? budget.milliseconds : budget.units),
+          .taken = &run.table.values(byClock ? "physics_cpu_ms" : "cost_units"),
+          .unit = byClock ? " ms" : " units"};
+}
+
+// What a unit took in the frame is what the floor's units would have taken.
+double floorOf(const Run& run, const BudgetUse& use, std::size_t frame) {
+  const double units = run.table.values("floor_units")[frame];
+  const double cost = run.table.values("cost_units")[frame];
+  return cost > 0.0 ? std::min(units / cost, 1.0) * (*use.taken)[frame] : 0.0;
+}
+
+Overrun overrunOf(const Run& run, const BudgetUse& use) {
+  Overrun overrun;
+  for (std::size_t frame = 0; frame < use.allowed.size(); ++frame) {
+    const double taken = (*use.taken)[frame];
+    if (taken <= use.allowed[frame]) {
+      continue;
+    }
+    ++overrun.frames;
+    overrun.most = std::max(overrun.most, taken);
+    const double floor = floorOf(run, use, frame);
+    if (floor > 0.0) {
+      overrun.floors.push_back(floor);
+      overrun.belowFloor += floor > use.allowed[frame] ? 1 : 0;
+    }
+  }
+  return overrun;
+}
+
+std::string floorSentence(const Overrun& overrun, const std::string& unit) {
+  if (overrun.floors.empty()) {
+    return {};
+  }
+  const auto [least, most] = std::minmax_element(overrun.floors.begin(), overrun.floors.end());
+  return " What could not be given up in them (bodies, broadphase, all pairs as coarse as they may be) took "
+         "about " +
+         readableNumber(medianOf(overrun.floors)) + unit + " (" + readableNumber(*least) + " to " +
+         readableNumber(*most) + unit + "): more than the budget in " + std::to_string(overrun.belowFloor) +
+         " of them.";
+}
+
+}  // namespace
+
+std::string budgetSentence(const Run& run) {
+  if (!hasBudget(run.options.physics) || run.table.frames() == 0) {
+    return {};
+  }
+  const BudgetUse use = budgetUse(run);
+  const std::string budget =
+      run.options.label + ": the budget of " + readableNumber(use.allowed.front()) + use.unit;
+  const Overrun overrun = overrunOf(run, use);
+  const std::string frames = std::to_string(use.allowed.size());
+  if (overrun.frames == 0) {
+    return budget + " was kept in all " + frames + " frames.";
+  }
+  return budget + " was exceeded in " + std::to_string(overrun.frames) + " of " + frames +
+         " frames; the dearest took " + readableNumber(overrun.most) + use.unit + "." +
+         floorSentence(overrun, use.unit);
+}
+
+}  // namespace scatter::lab
+
+namespace scatter {
+
+std::string formatBudget(const Run& run) {
+  const std::string sentence = lab::budgetSentence(run);
+  return sentence.empty() ? sentence : lab::wrapped(sentence);
+}
+
+}  // namespace scatter
