@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <numeric>
 #include <utility>
 
 #include "interrupt.h"
@@ -48,6 +49,12 @@ Result<RunOptions> makeBenchRun(const BenchArguments& arguments, const std::stri
     return tl::unexpected(runs.error());
   }
   return std::move(runs->front());
+}
+
+std::vector<std::uint64_t> seedsUpTo(int count) {
+  std::vector<std::uint64_t> seeds(static_cast<std::size_t>(count));
+  std::iota(seeds.begin(), seeds.end(), std::uint64_t{1});
+  return seeds;
 }
 
 Result<void> prepareCsv(const BenchArguments& arguments) {

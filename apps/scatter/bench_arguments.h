@@ -7,6 +7,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "command.h"
 #include "messages.h"
@@ -29,6 +30,9 @@ void addSceneArgument(CLI::App& command, std::string& scene);
 /// scene.
 [[nodiscard]] Result<RunOptions> makeBenchRun(const BenchArguments& arguments, const std::string& scene,
                                               const std::string& world);
+
+/// 1 to `count`.
+[[nodiscard]] std::vector<std::uint64_t> seedsUpTo(int count);
 
 /// Proves, before the long run, that the CSV file can be written; nothing to do without one.
 [[nodiscard]] Result<void> prepareCsv(const BenchArguments& arguments);

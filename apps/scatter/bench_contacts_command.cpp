@@ -103,7 +103,7 @@ Command addBenchContactsCommand(CLI::App& bench) {
       "contacts", "Compare the contacts of hybrid bodies with the engine's own; status 1 if any is missed");
   auto arguments = std::make_shared<BenchContactsArguments>();
   command->add_option("--scenes", arguments->scenes, "Where to look")
-      ->type_name("NAME,NAME…")
+      ->type_name("NAME,NAME")
       ->delimiter(',')
       ->capture_default_str();
   command->add_option("--world", arguments->world, "A hybrid world of `scatter list`")

@@ -1,6 +1,7 @@
 #include <scatter/io/file.h>
 #include <scatter/lab/fidelity_study.h>
 #include <scatter/lab/output_folder.h>
+#include <scatter/lab/spread_study.h>
 #include <spdlog/fmt/fmt.h>
 
 #include <CLI/CLI.hpp>
@@ -21,26 +22,58 @@ struct BenchFidelityArguments {
   std::string scene;
   std::vector<std::string> budgets{"2", "3", "5", "8", "12"};
   int repeat = 1;
+  int seeds = 3;
   std::optional<int> fidelityEvery;
   std::optional<std::string> out;
 };
 
-// Full detail first: what budgets are compared to.
-Result<CompareOptions> makeComparison(const BenchFidelityArguments& arguments) {
-  std::vector<std::string> worlds{"finest"};
+Result<std::vector<RunOptions>> makeWorlds(const BenchFidelityArguments& arguments, const char* first) {
+  std::vector<std::string> names{first};
   for (const std::string& budget : arguments.budgets) {
-    worlds.push_back("hybrid@" + budget + "ms");
+    names.push_back("hybrid@" + budget + "ms");
   }
-  CompareOptions options{.repeat = arguments.repeat};
-  for (const std::string& world : worlds) {
-    auto run = makeBenchRun(arguments.bench, arguments.scene, world);
+  std::vector<RunOptions> worlds;
+  for (const std::string& name : names) {
+    auto run = makeBenchRun(arguments.bench, arguments.scene, name);
     if (!run) {
       return tl::unexpected(run.error());
     }
-    run->fidelityEvery = arguments.fidelityEvery.value_or(kFidelityEvery);
-    options.runs.push_back(std::move(*run));
+    worlds.push_back(std::move(*run));
   }
-  return options;
+  return worlds;
+}
+
+// Full detail first: what budgets are compared to.
+Result<CompareOptions> makeComparison(const BenchFidelityArguments& arguments) {
+  auto worlds = makeWorlds(arguments, "finest");
+  if (!worlds) {
+    return tl::unexpected(worlds.error());
+  }
+  for (RunOptions& run : *worlds) {
+    run.fidelityEvery = arguments.fidelityEvery.value_or(kFidelityEvery);
+  }
+  return CompareOptions{.runs = std::move(*worlds), .repeat = arguments.repeat};
+}
+
+// The plain engine first: by how much its piles differ from seed to seed is the measure for all others.
+Result<ExitStatus> studyPiles(const BenchFidelityArguments& arguments, const std::filesystem::path& out) {
+  if (arguments.seeds == 0) {
+    return ExitStatus::kOk;
+  }
+  auto worlds = makeWorlds(arguments, "standard");
+  if (!worlds) {
+    return tl::unexpected(worlds.error());
+  }
+  const auto piles = studySpread({.worlds = std::move(*worlds), .seeds = seedsUpTo(arguments.seeds)},
+                                 benchProgress(arguments.bench, arguments.scene));
+  if (!piles) {
+    return tl::unexpected(piles.error());
+  }
+  fmt::print("\n{}the piles:   {}/spread.csv\n", formatSpread(*piles), out.string());
+  if (auto written = writeFile(out / "spread.csv", spreadCsv(*piles)); !written) {
+    return refuse(written.error());
+  }
+  return ExitStatus::kOk;
 }
 
 Result<void> prepare(const BenchFidelityArguments& arguments, const std::string& out) {
@@ -85,7 +118,11 @@ ExitStatus study(const BenchFidelityArguments& arguments) {
   if (auto written = write(worlds, out); !written) {
     return refuse(written.error());
   }
-  return status;
+  const auto piles = studyPiles(arguments, out);
+  if (!piles) {
+    return failed(piles.error());
+  }
+  return *piles == ExitStatus::kOk ? status : *piles;
 }
 
 }  // namespace
@@ -97,10 +134,17 @@ Command addBenchFidelityCommand(CLI::App& bench) {
   auto arguments = std::make_shared<BenchFidelityArguments>();
   command->add_option("SCENE", arguments->scene, "The scene's name, as `scatter list` shows it")->required();
   command->add_option("--budgets", arguments->budgets, "Milliseconds that a frame's physics is governed to")
-      ->type_name("MS,MS…")
+      ->type_name("MS,MS")
       ->delimiter(',')
       ->capture_default_str();
   addRepeatArgument(*command, arguments->repeat);
+  command
+      ->add_option(
+          "--seeds", arguments->seeds,
+          "Seeds over which the pile's size and energy are compared with the standard world's; 0: not")
+      ->check(CLI::Range(0, 1000))
+      ->type_name("N")
+      ->capture_default_str();
   addFidelityArgument(*command, arguments->fidelityEvery);
   command->add_option("--out", arguments->out, "The folder for numbers and figure [out/SCENE-fidelity]")
       ->type_name("DIR");

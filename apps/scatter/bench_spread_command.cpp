@@ -26,9 +26,7 @@ Result<SpreadOptions> makeStudy(const BenchSpreadArguments& arguments) {
     }
     options.worlds.push_back(std::move(*run));
   }
-  for (int seed = 1; seed <= arguments.seeds; ++seed) {
-    options.seeds.push_back(static_cast<std::uint64_t>(seed));
-  }
+  options.seeds = seedsUpTo(arguments.seeds);
   return options;
 }
 
@@ -57,7 +55,7 @@ Command addBenchSpreadCommand(CLI::App& bench) {
   addSceneArgument(*command, arguments->scene);
   command
       ->add_option("--worlds", arguments->worlds, "What to compare; the first one's extremes are the measure")
-      ->type_name("NAME,NAME…")
+      ->type_name("NAME,NAME")
       ->delimiter(',')
       ->capture_default_str();
   command->add_option("--seeds", arguments->seeds, "Seeds from 1 to this")

@@ -84,13 +84,13 @@ Command addBenchWorldsCommand(CLI::App& bench) {
       bench.add_subcommand("worlds", "What worlds take on many scenes, as ratios to the first world");
   auto arguments = std::make_shared<BenchWorldsArguments>();
   command->add_option("--scenes", arguments->scenes, "Where to measure; all: every registered scene")
-      ->type_name("NAME,NAME…")
+      ->type_name("NAME,NAME")
       ->delimiter(',')
       ->capture_default_str();
   command
       ->add_option("--worlds", arguments->worlds,
                    "What to compare, the first being what the others are compared to; see `scatter list`")
-      ->type_name("NAME,NAME…")
+      ->type_name("NAME,NAME")
       ->delimiter(',')
       ->capture_default_str();
   addRepeatArgument(*command, arguments->repeat);

@@ -103,7 +103,7 @@ Command addCompareCommand(CLI::App& program, std::string commandLine) {
   command
       ->add_option("--worlds", arguments->worlds,
                    "What to compare, the first being what the others are compared to; see `scatter list`")
-      ->type_name("NAME,NAME…")
+      ->type_name("NAME,NAME")
       ->delimiter(',')
       ->capture_default_str();
   command

@@ -4,9 +4,11 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <string>
 
 #include "choices.h"
 #include "command.h"
+#include "lab/text.h"
 #include "lod/policy_catalog.h"
 
 namespace scatter::app {
@@ -14,48 +16,54 @@ namespace scatter::app {
 namespace {
 
 template <class Choice>
-void printChoices(const char* heading, const std::vector<Choice>& choices) {
-  fmt::print("\n{}\n", heading);
+std::string describeChoices(const char* heading, const std::vector<Choice>& choices) {
+  std::string text = fmt::format("\n{}\n", heading);
   for (const Choice& choice : choices) {
-    fmt::print("  {:<13}  {}{}\n", choice.name, choice.summary,
-               &choice == &choices.front() && choices.size() > 1 ? " (default)" : "");
+    text += fmt::format("  {:<13}  {}{}\n", choice.name, choice.summary,
+                        &choice == &choices.front() && choices.size() > 1 ? " (default)" : "");
   }
+  return text;
 }
 
 // The parameters of a policy, each on a line of its own.
-void printParameters(const lod::PolicyInfo& policy) {
+std::string describeParameters(const lod::PolicyInfo& policy) {
+  std::string text;
   for (const lod::ParameterInfo& parameter : policy.parameters) {
-    fmt::print("  {:<13}    {}={:g}{}{}: {}\n", "", parameter.name, parameter.standard,
-               parameter.unit.empty() ? "" : " ", parameter.unit, parameter.meaning);
+    text += fmt::format("  {:<13}  {}={:g}{}{}:  {}\n", "", parameter.name, parameter.standard,
+                        parameter.unit.empty() ? "" : " ", parameter.unit, parameter.meaning);
   }
+  return text;
 }
 
-void printPolicies() {
-  fmt::print("\nPolicies of a hybrid world (--policy), one of\n");
+std::string describePolicies() {
+  std::string text = "\nPolicies of a hybrid world (--policy), one of\n";
   for (const PolicyChoice& choice : policyChoices()) {
-    fmt::print("  {:<13}  {}\n", choice.name, choice.summary);
+    text += fmt::format("  {:<13}  {}\n", choice.name, choice.summary);
   }
-  fmt::print("and with pair switching any of these, with parameters as in --policy speed:from=5,held\n");
+  text += "and with pair switching any of these, with parameters as in --policy speed:from=5,held\n";
   for (const lod::PolicyInfo& policy : lod::knownPolicies()) {
-    fmt::print("  {:<13}  {} ({})\n", policy.name, policy.summary, lod::nameOf(policy.scope));
-    printParameters(policy);
+    text += fmt::format("  {:<13}  {} ({})\n", policy.name, policy.summary, lod::nameOf(policy.scope)) +
+            describeParameters(policy);
   }
+  return text;
 }
 
-void printScenes() {
-  fmt::print("Scenes (frames of 1/60 s)\n");
+std::string describeScenes() {
+  std::string text = "Scenes (frames of 1/60 s)\n";
   for (const auto& scene : SceneRegistry::instance().all()) {
-    fmt::print("  {:<13}  {} ({} frames)\n", scene->name, scene->summary, scene->frames);
+    text += fmt::format("  {:<13}  {} ({} frames)\n", scene->name, scene->summary, scene->frames);
   }
+  return text;
 }
 
 ExitStatus list() {
-  printScenes();
-  printChoices("Worlds (--world)", worldChoices());
-  printChoices("Switching modes of a hybrid world (--switching)", switchingChoices());
-  printPolicies();
-  printChoices("Collision of hybrid bodies in a hybrid world (--collision)", collisionChoices());
-  printChoices("Engines (--engine)", engineChoices());
+  const std::string text =
+      describeScenes() + describeChoices("Worlds (--world)", worldChoices()) +
+      describeChoices("Switching modes of a hybrid world (--switching)", switchingChoices()) +
+      describePolicies() +
+      describeChoices("Collision of hybrid bodies in a hybrid world (--collision)", collisionChoices()) +
+      describeChoices("Engines (--engine)", engineChoices());
+  fmt::print("{}", lab::fitTerminal(text));
   return ExitStatus::kOk;
 }
 

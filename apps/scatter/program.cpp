@@ -7,9 +7,12 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <memory>
 #include <optional>
+#include <utility>
 
 #include "interrupt.h"
+#include "lab/text.h"
 #include "messages.h"
 #include "unknown_name.h"
 
@@ -23,6 +26,14 @@ constexpr const char* kFooter =
     "usage or input; 130 interrupted.\n"
     "Models are looked for in the folders of $SCATTER_MODEL_PATH first, scene files\n"
     "in those of $SCATTER_SCENE_PATH.";
+
+/// CLI11 does not break lines.
+class TerminalFormatter final : public CLI::Formatter {
+ public:
+  std::string make_help(const CLI::App* command, std::string name, CLI::AppFormatMode mode) const override {
+    return lab::fitTerminal(CLI::Formatter::make_help(command, std::move(name), mode));
+  }
+};
 
 std::string version() {
   const BuildInfo build = buildInfo();
@@ -158,6 +169,7 @@ std::string commandLineOf(int argc, const char* const* argv) {
 int runProgram(int argc, const char* const* argv, const AddCommands& addCommands) {
   CLI::App program{"Scatter: nested collision levels that switch safely at run time", "scatter"};
   program.footer(kFooter);
+  program.formatter(std::make_shared<TerminalFormatter>());
   program.set_version_flag("--version", version(), "Show the version, build and compiler");
   const std::vector<Command> commands = addCommands(program, commandLineOf(argc, argv));
   const auto other = std::find_if(commands.begin(), commands.end(), [&](const Command& command) {

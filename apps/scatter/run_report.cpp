@@ -72,8 +72,14 @@ std::string formatFidelity(const FidelityStatistics& fidelity) {
     text += fmt::format("  {} below the finest    {:.1f} % of touching pairs\n", below,
                         100.0 * fidelity.share(below));
   }
-  return text + fmt::format("  largest jump          {:.4f} m (frame {})\n", fidelity.largestJump,
-                            fidelity.largestJumpFrame);
+  return text +
+         fmt::format(
+             "  impact, from frame {}: {:.1f} % touch finely, gap p95 {:.3f} m, {:.2f} overlaps per 100\n"
+             "  largest jump          {:.4f} m (frame {})\n"
+             "  pile at the end       radius {:.3f} m, kinetic energy {:.4g} J\n",
+             fidelity.impactFrame, 100.0 * fidelity.impactFinestShare, fidelity.impactContactGapP95,
+             fidelity.impactVisibleOverlapPer100, fidelity.largestJump, fidelity.largestJumpFrame,
+             fidelity.pileRadius, fidelity.kineticEnergyEnd);
 }
 
 std::string formatContactCheck(const Summary& summary) {

@@ -165,7 +165,7 @@ void addSwitchingArguments(CLI::App& command, SwitchingArguments& arguments) {
                       "of `scatter list`, with parameters: speed:from=5,to=20 [{} for pairs, {} for "
                       "bodies]",
                       namesOf(policyChoices()), policyChoices().front().name, policyChoices()[1].name))
-      ->type_name("NAME,NAME…")
+      ->type_name("NAME,NAME")
       ->delimiter(',');
   addBudgetArguments(command, arguments);
   addCreditArguments(command, arguments);

@@ -99,7 +99,7 @@ namespace scatter {
 
 std::string formatBudget(const Run& run) {
   const std::string sentence = lab::budgetSentence(run);
-  return sentence.empty() ? sentence : lab::wrapped(sentence);
+  return sentence.empty() ? sentence : lab::fitTerminal(sentence);
 }
 
 }  // namespace scatter

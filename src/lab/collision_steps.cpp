@@ -123,9 +123,9 @@ std::string formatCollisionSteps(const Comparison& comparison) {
     lines.push_back(rowOf(comparison.worlds[i], collisionSteps()[i].what, comparison.options.repeat > 1));
   }
   return lab::textTable(lines) +
-         lab::wrapped("Processor time of the physics, medians of " +
-                      std::to_string(comparison.options.repeat) +
-                      " interleaved repeats (smallest-largest ratio). Counts are the most in any frame.");
+         lab::fitTerminal("Processor time of the physics, medians of " +
+                          std::to_string(comparison.options.repeat) +
+                          " interleaved repeats (smallest-largest ratio). Counts are the most in any frame.");
 }
 
 std::string collisionStepsCsv(const Comparison& comparison) {

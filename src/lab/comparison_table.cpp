@@ -118,7 +118,12 @@ constexpr FidelityFigure kFidelityFigures[] = {
     {"contact gap p95, % length", [](const FidelityStatistics& run) { return run.contactGapP95Percent(); }},
     {"touching finely %, mean", [](const FidelityStatistics& run) { return 100.0 * run.finestShareMean; }},
     {"touching finely %, worst", [](const FidelityStatistics& run) { return 100.0 * run.finestShareWorst; }},
+    {"impact: touching finely %",
+     [](const FidelityStatistics& run) { return 100.0 * run.impactFinestShare; }},
+    {"impact: gap p95, m", [](const FidelityStatistics& run) { return run.impactContactGapP95; }},
     {"largest jump, m", [](const FidelityStatistics& run) { return run.largestJump; }},
+    {"pile radius at end, m", [](const FidelityStatistics& run) { return run.pileRadius; }},
+    {"energy, last 100 mean, J", [](const FidelityStatistics& run) { return run.kineticEnergyEnd; }},
 };
 
 void addFidelityRows(const Comparison& comparison, std::vector<lab::ComparisonRow>& rows) {
@@ -221,9 +226,9 @@ std::string formatTable(const Comparison& comparison) {
   for (const lab::ComparisonRow& row : lab::comparisonRows(comparison)) {
     addLines(row, lines);
   }
-  std::string text = lab::textTable(lines) + lab::wrapped(lab::comparisonNote(comparison));
+  std::string text = lab::textTable(lines) + lab::fitTerminal(lab::comparisonNote(comparison));
   for (const std::string& note : lab::budgetNotes(comparison)) {
-    text += lab::wrapped(note);
+    text += lab::fitTerminal(note);
   }
   return text;
 }

@@ -82,7 +82,7 @@ std::string formatContacts(const std::vector<SceneContacts>& scenes) {
   }
   lines.push_back(rowOf("all", frames, totalOf(scenes)));
   return lab::textTable(lines) +
-         lab::wrapped(
+         lab::fitTerminal(
              "Expected: child pairs in contact in the engine's own collision world at the same places. "
              "Missed: of "
              "those, without a contact in the world. Extra: in contact in the world and not in the engine. "

@@ -3,13 +3,18 @@
 #include <scatter/lab/recorder.h>
 #include <scatter/lab/summary.h>
 
+#include "lab/mean_of_last.h"
 #include "lab/model_length.h"
+#include "lab/pile_size.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace scatter {
 
@@ -35,8 +40,21 @@ namespace {
 
 constexpr double kGapShare = 0.95;
 
+// As many as the end of a run is judged by. Of the fleet, the time from the first contacts to the densest
+// pile.
+constexpr std::uint64_t kImpactFrames = 100;
+
 ChannelId addSampled(FrameData& data, const char* name, const char* unit, ChannelKind kind) {
   return data.addChannel({.name = name, .unit = unit, .kind = kind, .sampled = true});
+}
+
+template <class Shares>
+double meanShare(const Shares& shares) {
+  double sum = 0.0;
+  for (const auto& share : shares) {
+    sum += share.finest;
+  }
+  return sum / static_cast<double>(shares.size());
 }
 
 double meanLength(const World& world) {
@@ -86,6 +104,7 @@ void FidelityRecorder::afterStep() {
     skipStep();
   }
   measureJumps();
+  energies_.push_back(world_.physics().kineticEnergy());
   const StepCounters& counters = world_.physics().counters();
   countFinestShare(counters.touchingFinestPairs, counters.touchingPairs);
 }
@@ -105,6 +124,10 @@ void FidelityRecorder::sample() {
   data_.set(touching_, sample.touchingPairs);
   data_.set(finest_, finest);
 
+  samples_.push_back({.frame = world_.frame(),
+                      .visible = sample.visibleOverlapPairs,
+                      .touching = sample.touchingPairs,
+                      .firstGap = gaps_.size()});
   ++statistics_.samples;
   visibleTotal_ += sample.visibleOverlapPairs;
   statistics_.visibleOverlapPeak =
@@ -126,8 +149,7 @@ void FidelityRecorder::countFinestShare(std::uint32_t finest, std::uint32_t touc
     return;
   }
   const double share = static_cast<double>(finest) / touching;
-  shareTotal_ += share;
-  ++shares_;
+  shares_.push_back({.frame = world_.frame(), .finest = share});
   if (statistics_.finestShareWorstFrame == 0 || share < statistics_.finestShareWorst) {
     statistics_.finestShareWorst = share;
     statistics_.finestShareWorstFrame = world_.frame();
@@ -170,10 +192,43 @@ FidelityStatistics FidelityRecorder::statistics() const {
   statistics.contactGaps = gaps_.size();
   statistics.contactGapP95 = nearestRank(gaps_, kGapShare);
   statistics.contactGapMax = nearestRank(gaps_, 1.0);
-  if (shares_ > 0) {
-    statistics.finestShareMean = shareTotal_ / static_cast<double>(shares_);
+  if (!shares_.empty()) {
+    statistics.finestShareMean = meanShare(shares_);
   }
+  addImpact(statistics);
+  statistics.pileRadius = pileSize(world_).radius;
+  statistics.kineticEnergyEnd = meanOfLast(energies_);
   return statistics;
+}
+
+void FidelityRecorder::addImpact(FidelityStatistics& statistics) const {
+  if (energies_.empty()) {
+    return;
+  }
+  const auto most = std::max_element(energies_.begin(), energies_.end());
+  const auto first = static_cast<std::uint64_t>(most - energies_.begin()) + 1;
+  const auto isImpact = [first](std::uint64_t frame) {
+    return frame >= first && frame < first + kImpactFrames;
+  };
+  std::vector<Share> shares;
+  std::copy_if(shares_.begin(), shares_.end(), std::back_inserter(shares),
+               [&](const Share& share) { return isImpact(share.frame); });
+  std::vector<double> gaps;
+  double visible = 0.0;
+  double touching = 0.0;
+  for (std::size_t i = 0; i < samples_.size(); ++i) {
+    if (isImpact(samples_[i].frame)) {
+      const std::size_t end = i + 1 < samples_.size() ? samples_[i + 1].firstGap : gaps_.size();
+      gaps.insert(gaps.end(), gaps_.begin() + static_cast<std::ptrdiff_t>(samples_[i].firstGap),
+                  gaps_.begin() + static_cast<std::ptrdiff_t>(end));
+      visible += samples_[i].visible;
+      touching += samples_[i].touching;
+    }
+  }
+  statistics.impactFrame = first;
+  statistics.impactFinestShare = shares.empty() ? 1.0 : meanShare(shares);
+  statistics.impactContactGapP95 = nearestRank(std::move(gaps), kGapShare);
+  statistics.impactVisibleOverlapPer100 = touching > 0.0 ? 100.0 * visible / touching : 0.0;
 }
 
 }  // namespace lab

@@ -29,6 +29,21 @@ class FidelityRecorder {
   void sample();
   void countFinestShare(std::uint32_t finest, std::uint32_t touching);
   void measureJumps();
+  void addImpact(FidelityStatistics& statistics) const;
+
+  /// Of a frame that was sampled.
+  struct Sample {
+    std::uint64_t frame = 0;
+    std::uint32_t visible = 0;
+    std::uint32_t touching = 0;
+    std::size_t firstGap = 0;  ///< In gaps_, up to the next sample's.
+  };
+
+  /// Of a frame with touching pairs.
+  struct Share {
+    std::uint64_t frame = 0;
+    double finest = 0.0;
+  };
 
   World& world_;
   FrameData& data_;
@@ -40,8 +55,9 @@ class FidelityRecorder {
   FidelityStatistics statistics_;
   std::uint64_t visibleTotal_ = 0;
   std::vector<double> gaps_;
-  double shareTotal_ = 0.0;
-  std::uint64_t shares_ = 0;
+  std::vector<Sample> samples_;
+  std::vector<Share> shares_;
+  std::vector<double> energies_;                  ///< Kinetic, by frame.
   std::vector<std::pair<BodyId, Vec3>> centers_;  ///< Before the step, by body.
 };
 

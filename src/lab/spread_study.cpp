@@ -1,13 +1,12 @@
 #include <scatter/lab/spread_study.h>
 
+#include "lab/mean_of_last.h"
+#include "lab/pile_size.h"
 #include "lab/text.h"
 #include "lab/text_table.h"
 
-#include <glm/geometric.hpp>
-
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <utility>
 
 namespace scatter {
@@ -26,51 +25,23 @@ enum Quantity : std::size_t {
   kQuantityCount
 };
 
-struct PileSize {
-  double radius = 0.0;
-  double medianDistance = 0.0;
-};
-
-PileSize pileSize(const World& world) {
-  std::vector<glm::dvec3> centers;
-  glm::dvec3 mean(0.0);
-  for (const auto& object : world.objects()) {
-    if (dynamic_cast<const HybridObject*>(object.get()) != nullptr) {
-      centers.emplace_back(object->state().centerOfMass);
-      mean += centers.back();
-    }
-  }
-  if (centers.empty()) {
-    return {};
-  }
-  mean /= static_cast<double>(centers.size());
-  std::vector<double> distances;
-  double squares = 0.0;
-  for (const glm::dvec3& center : centers) {
-    distances.push_back(glm::length(center - mean));
-    squares += distances.back() * distances.back();
-  }
-  return {.radius = std::sqrt(squares / static_cast<double>(centers.size())),
-          .medianDistance = medianOf(std::move(distances))};
-}
-
-std::vector<double> measure(const Run& run, const PileSize& pile) {
+std::vector<double> measure(const Run& run, const lab::PileSize& pile) {
   const auto& depths = run.table.values("max_penetration");
   const auto& energies = run.table.values("kinetic_energy");
   std::vector<double> values(kQuantityCount);
   values[kDeepest] = nearestRank(depths, 1.0);
   values[kP99] = nearestRank(depths, 0.99);
   values[kEnergyPeak] = nearestRank(energies, 1.0);
-  values[kEnergyEnd] = energies.back();
+  values[kEnergyEnd] = lab::meanOfLast(energies);
   values[kRadius] = pile.radius;
   values[kMedianDistance] = pile.medianDistance;
   return values;
 }
 
 Result<std::vector<double>> runOnce(RunOptions options, std::uint64_t seed, const Progress& progress) {
-  PileSize pile;
+  lab::PileSize pile;
   options.seed = seed;
-  options.inspect = [&pile](const World& world) { pile = pileSize(world); };
+  options.inspect = [&pile](const World& world) { pile = lab::pileSize(world); };
   const auto run = runScene(options, progress);
   if (!run) {
     return tl::unexpected(run.error());
@@ -118,7 +89,7 @@ const std::vector<SpreadQuantity>& spreadQuantities() {
       {"deepest_penetration", "m", "deepest penetration"},
       {"p99_penetration", "m", "deepest of a frame, p99"},
       {"kinetic_energy_peak", "J", "kinetic energy, peak"},
-      {"kinetic_energy_end", "J", "kinetic energy at the end"},
+      {"kinetic_energy_end", "J", "kinetic energy, last 100"},
       {"pile_radius", "m", "pile radius (RMS)"},
       {"pile_median_distance", "m", "pile radius (median)"},
   };
@@ -185,8 +156,8 @@ std::string formatSpread(const SpreadStudy& study) {
     lines.push_back(std::move(cells));
   }
   return lab::textTable(lines) +
-         lab::wrapped("Median (smallest-largest). Within: the median lies between the extremes of the " +
-                      study.worlds.front().label + " world.");
+         lab::fitTerminal("Median (smallest-largest). Within: the median lies between the extremes of the " +
+                          study.worlds.front().label + " world.");
 }
 
 std::string spreadCsv(const SpreadStudy& study) {

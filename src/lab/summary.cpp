@@ -1,6 +1,7 @@
 #include <scatter/io/file.h>
 #include <scatter/lab/summary.h>
 
+#include "lab/mean_of_last.h"
 #include "lab/summary_json.h"
 
 #include <algorithm>
@@ -21,15 +22,15 @@ bool isCounter(const Channel& channel) {
   return channel.kind == ChannelKind::kInteger && channel.name != "frame" && !channel.sampled;
 }
 
-constexpr std::ptrdiff_t kLastFrames = 100;
+}  // namespace
 
-double meanOf(const std::vector<double>& values) {
+double lab::meanOfLast(const std::vector<double>& values) {
+  constexpr std::ptrdiff_t kLastFrames = 100;
+  const auto first = values.end() - std::min<std::ptrdiff_t>(kLastFrames, std::ssize(values));
   return values.empty()
              ? 0.0
-             : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+             : std::accumulate(first, values.end(), 0.0) / static_cast<double>(values.end() - first);
 }
-
-}  // namespace
 
 double nearestRank(std::vector<double> values, double share) {
   assert(share >= 0.0 && share <= 1.0);
@@ -56,13 +57,12 @@ double medianOf(std::vector<double> values) {
 TimeStatistics timeStatistics(const std::vector<double>& milliseconds, double budgetMs) {
   const auto over = std::count_if(milliseconds.begin(), milliseconds.end(),
                                   [budgetMs](double value) { return value > budgetMs; });
-  const auto last = milliseconds.end() - std::min<std::ptrdiff_t>(kLastFrames, std::ssize(milliseconds));
   return {.peak = nearestRank(milliseconds, 1.0),
           .p999 = nearestRank(milliseconds, 0.999),
           .p99 = nearestRank(milliseconds, 0.99),
           .median = nearestRank(milliseconds, 0.5),
           .total = std::accumulate(milliseconds.begin(), milliseconds.end(), 0.0),
-          .lastHundred = meanOf({last, milliseconds.end()}),
+          .lastHundred = lab::meanOfLast(milliseconds),
           .framesOverBudget = static_cast<std::uint64_t>(over)};
 }
 

@@ -102,7 +102,14 @@ Json fidelityJson(const FidelityStatistics& fidelity) {
             {"worst", fidelity.finestShareWorst},
             {"worst_frame", fidelity.finestShareWorstFrame}}},
           {"largest_jump", fidelity.largestJump},
-          {"largest_jump_frame", fidelity.largestJumpFrame}};
+          {"largest_jump_frame", fidelity.largestJumpFrame},
+          {"impact",
+           {{"first_frame", fidelity.impactFrame},
+            {"finest_share", fidelity.impactFinestShare},
+            {"contact_gap_p95", fidelity.impactContactGapP95},
+            {"visible_overlaps_per_100_touching", fidelity.impactVisibleOverlapPer100}}},
+          {"pile_radius", fidelity.pileRadius},
+          {"kinetic_energy_last_100_mean", fidelity.kineticEnergyEnd}};
 }
 
 Json memoryJson(const CollisionMemory& memory) {

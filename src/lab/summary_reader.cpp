@@ -42,6 +42,13 @@ FidelityStatistics fidelityOf(const Json& json) {
   finest.at("worst_frame").get_to(fidelity.finestShareWorstFrame);
   json.at("largest_jump").get_to(fidelity.largestJump);
   json.at("largest_jump_frame").get_to(fidelity.largestJumpFrame);
+  const Json& impact = json.at("impact");
+  impact.at("first_frame").get_to(fidelity.impactFrame);
+  impact.at("finest_share").get_to(fidelity.impactFinestShare);
+  impact.at("contact_gap_p95").get_to(fidelity.impactContactGapP95);
+  impact.at("visible_overlaps_per_100_touching").get_to(fidelity.impactVisibleOverlapPer100);
+  json.at("pile_radius").get_to(fidelity.pileRadius);
+  json.at("kinetic_energy_last_100_mean").get_to(fidelity.kineticEnergyEnd);
   return fidelity;
 }
 

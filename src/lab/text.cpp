@@ -1,11 +1,54 @@
 #include "lab/text.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <sstream>
 
 namespace scatter::lab {
+
+namespace {
+
+// Of UTF-8: bytes that begin a character.
+std::size_t columnsOf(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char byte) { return (byte & 0xC0) != 0x80; }));
+}
+
+// Where a line that was broken goes on.
+std::size_t hangingIndent(const std::string& line) {
+  const std::size_t begin = line.find_first_not_of(' ');
+  const std::size_t gap = line.find("  ", begin);
+  const std::size_t description = gap == std::string::npos ? gap : line.find_first_not_of(' ', gap);
+  const std::size_t indent =
+      description == std::string::npos ? begin : columnsOf(line.substr(0, description));
+  return indent < kTerminalWidth / 2 ? indent : begin;
+}
+
+std::string brokenLine(const std::string& line) {
+  const std::string indent(hangingIndent(line), ' ');
+  std::string text = line.substr(0, line.find_first_not_of(' '));
+  std::size_t width = text.size();
+  for (std::size_t at = text.size(); at < line.size();) {
+    const std::size_t next = std::min(line.find_first_not_of(' ', at), line.size());
+    const std::size_t end = std::min(line.find(' ', next), line.size());
+    const std::string word = line.substr(next, end - next);
+    if (width + (next - at) + columnsOf(word) <= kTerminalWidth) {
+      text += std::string(next - at, ' ');
+      width += next - at;
+    } else {
+      text += '\n' + indent;
+      width = indent.size();
+    }
+    text += word;
+    width += columnsOf(word);
+    at = end;
+  }
+  return text;
+}
+
+}  // namespace
 
 std::string shortestNumber(double value) {
   std::array<char, 64> buffer{};
@@ -39,22 +82,13 @@ std::string readableNumber(double value) {
   return fixedNumber(value, size >= 1.0 ? 2 : 3);
 }
 
-std::string wrapped(const std::string& text) {
-  std::string lines;
-  std::size_t width = 0;
-  std::istringstream words(text);
-  for (std::string word; words >> word; width += word.size()) {
-    if (width > 0 && width + 1 + word.size() > kTerminalWidth) {
-      lines += '\n';
-      width = 0;
-    }
-    if (width > 0) {
-      lines += ' ';
-      ++width;
-    }
-    lines += word;
+std::string fitTerminal(const std::string& text) {
+  std::string fitting;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    fitting += (columnsOf(line) > kTerminalWidth ? brokenLine(line) : line) + '\n';
   }
-  return lines + '\n';
+  return fitting;
 }
 
 std::string hexNumber(std::uint64_t value) {

@@ -22,7 +22,9 @@ namespace scatter::lab {
 /// What a terminal shows in a line.
 inline constexpr std::size_t kTerminalWidth = 80;
 
-/// Text broken into lines of at most kTerminalWidth characters where it has blanks; ends with a new line.
-[[nodiscard]] std::string wrapped(const std::string& text);
+/// Text whose lines have at most kTerminalWidth characters, if it has blanks to break them at. What is too
+/// long goes on below: in a line of a list, where the description begins (behind two blanks or more); in any
+/// other line, where the line begins. Ends with a new line.
+[[nodiscard]] std::string fitTerminal(const std::string& text);
 
 }  // namespace scatter::lab

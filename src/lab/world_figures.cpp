@@ -45,6 +45,10 @@ void addFidelity(const ComparedWorld& world, WorldFigures& figures) {
   figures.finestShareMean = median([](const Statistics& run) { return run.finestShareMean; });
   figures.finestShareWorst = median([](const Statistics& run) { return run.finestShareWorst; });
   figures.largestJump = median([](const Statistics& run) { return run.largestJump; });
+  figures.impactFinestShare = median([](const Statistics& run) { return run.impactFinestShare; });
+  figures.impactContactGapP95 = median([](const Statistics& run) { return run.impactContactGapP95; });
+  figures.pileRadius = median([](const Statistics& run) { return run.pileRadius; });
+  figures.kineticEnergyEnd = median([](const Statistics& run) { return run.kineticEnergyEnd; });
 }
 
 bool anyFidelity(const std::vector<WorldFigures>& worlds) {
@@ -72,14 +76,18 @@ struct FidelityColumn {
   double scale;  ///< In a table.
 };
 
-constexpr std::array<FidelityColumn, 7> kFidelityColumns{{
+constexpr std::array<FidelityColumn, 11> kFidelityColumns{{
     {"visible_overlap_mean", "overlaps", &WorldFigures::visibleOverlapMean, 1.0},
     {"visible_overlap_per_100_touching", "per 100", &WorldFigures::visibleOverlapPer100, 1.0},
     {"contact_gap_p95_m", "gap p95 m", &WorldFigures::contactGapP95, 1.0},
     {"contact_gap_p95_percent", "gap p95 %", &WorldFigures::contactGapP95Percent, 1.0},
     {"finest_share_mean", "finest %", &WorldFigures::finestShareMean, 100.0},
     {"finest_share_worst", "worst %", &WorldFigures::finestShareWorst, 100.0},
+    {"impact_finest_share", "impact %", &WorldFigures::impactFinestShare, 100.0},
+    {"impact_contact_gap_p95_m", "impact gap m", &WorldFigures::impactContactGapP95, 1.0},
     {"largest_jump_m", "jump m", &WorldFigures::largestJump, 1.0},
+    {"pile_radius_m", "radius m", &WorldFigures::pileRadius, 1.0},
+    {"kinetic_energy_end_j", "energy J", &WorldFigures::kineticEnergyEnd, 1.0},
 }};
 
 // Days and hours of the clock that everyone shares, such as "2024-05-01T12:00:00Z".
@@ -231,9 +239,9 @@ std::string formatWorldFigures(const std::vector<WorldFigures>& worlds) {
   }
   const std::string repeats = worlds.empty() ? "0" : std::to_string(worlds.front().repeats);
   return lab::textTable(lines) +
-         lab::wrapped("Processor time of the physics: ratios to the scene's first world, medians of " +
-                      repeats +
-                      " interleaved repeats (smallest-largest); over: frames over the world's budget.");
+         lab::fitTerminal("Processor time of the physics: ratios to the scene's first world, medians of " +
+                          repeats +
+                          " interleaved repeats (smallest-largest); over: frames over the world's budget.");
 }
 
 std::string worldFiguresCsv(const std::vector<WorldFigures>& worlds) {

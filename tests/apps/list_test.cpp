@@ -41,6 +41,23 @@ TEST_F(ProgramTest, EveryCommandHasHelp) {
               testing::AllOf(HasSubstr("list"), HasSubstr("run"), HasSubstr("compare"), HasSubstr("bench")));
 }
 
+TEST_F(ProgramTest, WhatIsReadFitsATerminal) {
+  const std::vector<std::vector<std::string>> calls{{"list"},
+                                                    {"--help"},
+                                                    {"run", "--help"},
+                                                    {"compare", "--help"},
+                                                    {"convert", "--help"},
+                                                    {"levels", "build", "--help"},
+                                                    {"levels", "show", "--help"},
+                                                    {"bench", "--help"},
+                                                    {"bench", "fidelity", "--help"}};
+  for (const auto& call : calls) {
+    for (const std::string& line : linesOf(scatter(call).output)) {
+      EXPECT_LE(line.size(), 80U) << testing::PrintToString(call) << '\n' << line;
+    }
+  }
+}
+
 TEST_F(ProgramTest, TheWindowIsListedWhereverItIsBuilt) {
   EXPECT_THAT(scatter({"--help"}).output, testing::ContainsRegex("\n  view +Open a scene in a window"));
   EXPECT_EQ(scatter({"--help", "view"}).status, 0);

@@ -71,6 +71,17 @@ TEST(Fidelity, TheFinestShareIsThatOfEveryFrameIfThePhysicsCountsIt) {
   EXPECT_EQ(fidelity.finestShareWorstFrame, 7U);
 }
 
+TEST(Fidelity, TheImpactFollowsTheMostKineticEnergy) {
+  // The fake's energy grows with every step, so that the last one is the impact: a sample, with 10 of 13.
+  const FidelityStatistics fidelity = fidelityRun(10, 5).summary.fidelity;
+  EXPECT_EQ(fidelity.impactFrame, 10U);
+  EXPECT_DOUBLE_EQ(fidelity.impactFinestShare, 10.0 / 13.0);
+  EXPECT_EQ(fidelity.impactContactGapP95, 3.0);
+  EXPECT_DOUBLE_EQ(fidelity.impactVisibleOverlapPer100, 200.0 / 13.0);
+  // Without a sample there is nothing to say.
+  EXPECT_EQ(fidelityRun(12, 5).summary.fidelity.impactFinestShare, 1.0);
+}
+
 TEST(Fidelity, AJumpIsWhatVelocityDoesNotExplain) {
   const auto run = fidelityRun(9, 3, {.jumpStep = 4});
   EXPECT_NEAR(run.summary.fidelity.largestJump, 0.5, 1e-6);
@@ -138,6 +149,7 @@ class LengthScene final : public Scene {
     for (const float half : {1.0F, 2.0F, 0.0F}) {
       BodyDef def;
       def.name = "body";
+      def.pose.position.x = half;
       if (half > 0.0F) {
         LevelSetDef levels{.name = "box", .levels = {}, .mass = {}};
         levels.levels = {Level{{{Box{Vec3(half + 1.0F)}, {}}}}, Level{{{Box{Vec3(half, 0.5F, 0.5F)}, {}}}}};
@@ -163,6 +175,18 @@ TEST(Fidelity, GapsAreInPercentOfTheMeanLengthOfTheHybrids) {
   EXPECT_DOUBLE_EQ(run->summary.fidelity.contactGapP95Percent(), 100.0);
 }
 
+TEST(Fidelity, ThePileIsMeasuredAtTheEnd) {
+  const FidelityStatistics fidelity = fidelityRun(4, 2).summary.fidelity;
+  EXPECT_DOUBLE_EQ(fidelity.kineticEnergyEnd, (1.0 + 2.0 + 3.0 + 4.0) / 4.0 / 3.0);
+  RunOptions options = test::fakeRun(WorldKind::kHybrid, 2);
+  options.makeScene = [] { return std::make_unique<LengthScene>(); };
+  options.fidelityEvery = 1;
+  const auto run = runScene(options);
+  ASSERT_TRUE(run);
+  // Of the two hybrids, one metre apart.
+  EXPECT_DOUBLE_EQ(run->summary.fidelity.pileRadius, 0.5);
+}
+
 TEST(Fidelity, IsInTheSummary) {
   const auto run = fidelityRun(12, 5, {.jumpStep = 4});
   test::TemporaryFolder folder;
@@ -174,6 +198,8 @@ TEST(Fidelity, IsInTheSummary) {
   EXPECT_EQ(json["touching_by_level"][1]["touching_pairs"], 6);
   EXPECT_EQ(json["finest_share"]["worst_frame"], 5);
   EXPECT_EQ(json["largest_jump_frame"], 4);
+  EXPECT_EQ(json["impact"]["first_frame"], 12);
+  EXPECT_EQ(json["kinetic_energy_last_100_mean"], run.summary.fidelity.kineticEnergyEnd);
 }
 
 }  // namespace

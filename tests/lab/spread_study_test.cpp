@@ -81,7 +81,7 @@ TEST(StudySpread, GivesMedianAndExtremesOverTheSeeds) {
   EXPECT_TRUE(study->isWithin(1, deepest));
   EXPECT_FALSE(study->isWithin(2, deepest));
   // The fake's energy is a third of the step: 6 / 3 at the end, which is the peak.
-  EXPECT_DOUBLE_EQ(study->worlds[0].spreads[indexOf("kinetic_energy_end")].median, 2.0);
+  EXPECT_DOUBLE_EQ(study->worlds[0].spreads[indexOf("kinetic_energy_end")].median, 7.0 / 6.0);
   EXPECT_DOUBLE_EQ(study->worlds[0].spreads[indexOf("kinetic_energy_peak")].median, 2.0);
 }
 
@@ -132,7 +132,7 @@ TEST(FormatSpread, SaysWhatLiesWithinTheFirstWorldsExtremes) {
   EXPECT_THAT(table,
               ContainsRegex("deepest penetration, m +0.600 \\(0.500-0.700\\) +0.750 \\(0.650-0.850\\) +no"));
   EXPECT_THAT(table,
-              ContainsRegex("kinetic energy at the end, J +2.00 \\(2.00-2.00\\) +2.00 \\(2.00-2.00\\) +yes"));
+              ContainsRegex("kinetic energy, last 100, J +1.17 \\(1.17-1.17\\) +1.17 \\(1.17-1.17\\) +yes"));
   const std::string csv = spreadCsv(*study);
   EXPECT_THAT(csv, testing::StartsWith("world,seed,deepest_penetration,"));
   EXPECT_THAT(csv, ContainsRegex("\nstandard,1,0.5,0.5,"));

@@ -36,6 +36,19 @@ struct FidelityStatistics {
   double largestJump = 0.0;
   std::uint64_t largestJumpFrame = 0;
 
+  /// The impact: the hundred frames that follow the one with the most kinetic energy, which counts from 1; 0
+  /// without frames. Its share of touching pairs at their finest level, and of its samples the rest; a run
+  /// that is mostly at rest hides it in its means.
+  std::uint64_t impactFrame = 0;
+  double impactFinestShare = 1.0;
+  double impactContactGapP95 = 0.0;  ///< Metres.
+  double impactVisibleOverlapPer100 = 0.0;
+
+  /// After the last frame: the root mean square distance, metres, of the hybrids' centres of mass from their
+  /// mean; and the mean kinetic energy, joules, of the last hundred frames.
+  double pileRadius = 0.0;
+  double kineticEnergyEnd = 0.0;
+
   [[nodiscard]] std::uint64_t touchingPairs() const;    ///< Of all samples.
   [[nodiscard]] double share(std::size_t below) const;  ///< Of those, so many levels below the finest.
   [[nodiscard]] double contactGapP95Percent() const;    ///< Of `length`.

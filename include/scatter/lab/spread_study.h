@@ -16,9 +16,10 @@ struct SpreadQuantity {
   std::string what;  ///< A few words.
 };
 
-/// deepest_penetration and p99_penetration over the frames; kinetic_energy_peak and kinetic_energy_end;
-/// pile_radius and pile_median_distance: the root mean square and the median distance of the hybrids'
-/// centres of mass from their mean after the last frame, zero without hybrids.
+/// deepest_penetration and p99_penetration over the frames; kinetic_energy_peak and kinetic_energy_end
+/// (the mean of the last hundred frames); pile_radius and pile_median_distance: the root mean square and the
+/// median distance of the hybrids' centres of mass from their mean after the last frame, zero without
+/// hybrids.
 [[nodiscard]] const std::vector<SpreadQuantity>& spreadQuantities();
 
 struct SpreadOptions {

@@ -29,6 +29,10 @@ struct WorldFigures {
   double finestShareMean = 0.0;   ///< 0 to 1.
   double finestShareWorst = 0.0;  ///< 0 to 1.
   double largestJump = 0.0;       ///< Metres.
+  double impactFinestShare = 0.0;
+  double impactContactGapP95 = 0.0;
+  double pileRadius = 0.0;
+  double kineticEnergyEnd = 0.0;
 };
 
 [[nodiscard]] std::vector<WorldFigures> worldFigures(const Comparison& comparison);

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <scatter/world/world.h>
+
+namespace scatter::lab {
+
+/// How far the hybrids' centres of mass are from their mean, metres; zero without hybrids.
+struct PileSize {
+  double radius = 0.0;  ///< Root mean square.
+  double medianDistance = 0.0;
+};
+
+[[nodiscard]] PileSize pileSize(const World& world);
+
+}  // namespace scatter::lab
