@@ -23,24 +23,25 @@ set(CPACK_DEBIAN_PROGRAMS_PACKAGE_NAME scatter)
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_RECOMMENDS gnuplot-nox)
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SUGGESTS "scatter-view, libscatter-dev")
-set(CPACK_DEBIAN_PROGRAMS_DESCRIPTION "lab for collision overload in physics simulations
-The program runs scenes in plain Bullet worlds and in worlds whose bodies have nested collision levels that switch safely at run
-time. It counts and times every stage, draws figures, and makes nested levels from meshes.")
+set(CPACK_DEBIAN_PROGRAMS_DESCRIPTION "The program scatter runs scenes in plain Bullet worlds and in worlds whose
+bodies have nested collision levels that switch safely at run time. It counts
+and times every stage, draws figures, and makes nested levels from meshes.")
 
 set(CPACK_DEBIAN_WINDOW_PACKAGE_NAME scatter-view)
 set(CPACK_DEBIAN_WINDOW_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_WINDOW_PACKAGE_DEPENDS "scatter (= ${PROJECT_VERSION})")
-set(CPACK_DEBIAN_WINDOW_DESCRIPTION "window of scatter, a lab for collision overload
-The command \"scatter view\" starts it: it shows one world, or two side by side, with their levels and contacts.")
+set(CPACK_DEBIAN_WINDOW_PACKAGE_RECOMMENDS libgl1-mesa-dri)
+set(CPACK_DEBIAN_WINDOW_DESCRIPTION "The window, which the program scatter starts. It shows one world, or two worlds
+side by side, with their levels and contacts.")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libscatter-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
     "libassimp-dev, libbullet-dev, libexpected-dev, libglm-dev, libpugixml-dev, libqhull-dev, pkg-config")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS "scatter (= ${PROJECT_VERSION})")
-set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "nested collision levels for Bullet that switch safely at run time
-BulletHybrid is for programs that use Bullet directly, and needs nothing else; BulletHybridFiles loads their level files. scatter is
-the library behind the program scatter.")
+set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "BulletHybrid is for programs that use Bullet directly, and needs nothing else;
+BulletHybridFiles loads their level files. scatter is the library behind the
+program of that name.")
 
 # Debian wants each package's licence in a place of its own.
 foreach(component IN LISTS CPACK_COMPONENTS_ALL)

@@ -14,7 +14,8 @@ endfunction()
 
 expect_field(scatter Version "^${VERSION}\n$")
 expect_field(scatter Maintainer "^Scatter maintainers <")
-expect_field(scatter Description "^lab for collision overload")
+expect_field(scatter Description "^Nested collision levels.*The program scatter")
+expect_field(libscatter-dev Description "BulletHybridFiles")
 # What the program links; Bullet's packages are named by their version.
 expect_field(scatter Depends "libbullet.*libc6.*libpugixml")
 expect_field(libscatter-dev Depends "libbullet-dev.*libglm-dev.*libqhull-dev")
