@@ -206,7 +206,7 @@ TEST(HybridModel, StaysEmptyIfAFileIsWrong) {
     return said != nullptr ? said : "";
   };
   Document sticksOut;
-  sticksOut.extra = coarser(boxLevel(1, "0.2 2 2"), "margin=\"0.01\" count=\"2\"");
+  sticksOut.extra = coarser(boxLevel(1, "0.2 2 2"), R"(margin="0.01" count="2")");
   EXPECT_THAT(mistake(sticksOut), testing::AllOf(testing::StartsWith(path), testing::HasSubstr("sticks out"),
                                                  testing::Not(testing::HasSubstr("\n"))));
   Document flat;
@@ -226,8 +226,8 @@ class Encounter {
  public:
   explicit Encounter(const btHybridModel& model) {
     world_.setGravity({0, 0, 0});
-    for (const int side : {-1, 1}) {
-      const btTransform pose(btQuaternion::getIdentity(), btVector3(btScalar(4 * side), 0.1F * side, 0));
+    for (const btScalar side : {-1.0F, 1.0F}) {
+      const btTransform pose(btQuaternion::getIdentity(), btVector3(4.0F * side, 0.1F * side, 0));
       auto body = std::make_unique<btHybridRigidBody>(model.getConstructionInfo(pose), &model.getLevels());
       body->setLinearVelocity({-3.0F * side, 0, 0});
       world_.addRigidBody(body.get());
