@@ -29,7 +29,7 @@ ExitStatus becomeWindow(std::vector<std::string> words) {
   execv(window.c_str(), argv.data());
   if (errno == ENOENT) {
     printError("the window is not built: there is no " + window +
-               "; ./run view builds it, or the target scatter-view");
+               "; ./run view builds it, and of Debian packages scatter-view has it");
   } else {
     printError("cannot start " + window + ": " + std::strerror(errno));
   }

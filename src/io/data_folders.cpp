@@ -26,13 +26,15 @@ std::vector<fs::path> dataFolders(const DataKind& kind) {
   if (const char* list = std::getenv(kind.variable)) {
     addSearchPath(list, folders);
   }
-  folders.emplace_back(kind.source);
+  const fs::path shared = fs::path("share") / "scatter" / kind.folder;
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   if (!error) {
-    folders.push_back(program.parent_path().parent_path() / "share" / "scatter" / kind.folder);
+    folders.push_back(program.parent_path().parent_path() / shared);
   }
+  folders.emplace_back(kind.source);
   folders.emplace_back(kind.installed);
+  folders.push_back("/usr" / shared);
   return folders;
 }
 

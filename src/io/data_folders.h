@@ -10,14 +10,15 @@ namespace scatter::io {
 /// Where files of one kind lie, such as models.
 struct DataKind {
   const char* variable;   ///< An environment variable with folders, separated by colons.
-  const char* source;     ///< The folder in the source tree.
   const char* folder;     ///< The name of the folder below `share/scatter`.
+  const char* source;     ///< The folder in the source tree.
   const char* installed;  ///< The folder in the install prefix.
   const char* extension;  ///< Such as ".dae".
 };
 
-/// Best first: those of the variable, the source tree's, that beside the program's `bin` folder, so that an
-/// installed tree can be moved, and that in the install prefix.
+/// Best first: those of the variable, that beside the program's `bin` folder, so that an installed tree has
+/// its own wherever it is moved to, the source tree's, that in the install prefix, and that of a system's
+/// package.
 [[nodiscard]] std::vector<std::filesystem::path> dataFolders(const DataKind& kind);
 
 /// The names of the files in these folders, without extension, sorted.

@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr io::DataKind kModels{"SCATTER_MODEL_PATH", SCATTER_SOURCE_MODEL_DIR, "models",
+constexpr io::DataKind kModels{"SCATTER_MODEL_PATH", "models", SCATTER_SOURCE_MODEL_DIR,
                                SCATTER_INSTALL_MODEL_DIR, ".dae"};
 
 std::string joined(const std::vector<std::string>& names) {

@@ -7,7 +7,7 @@
 namespace scatter {
 namespace {
 
-constexpr io::DataKind kScenes{"SCATTER_SCENE_PATH", SCATTER_SOURCE_SCENE_DIR, "scenes",
+constexpr io::DataKind kScenes{"SCATTER_SCENE_PATH", "scenes", SCATTER_SOURCE_SCENE_DIR,
                                SCATTER_INSTALL_SCENE_DIR, ".toml"};
 
 }  // namespace

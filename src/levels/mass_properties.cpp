@@ -11,6 +11,7 @@
 
 #include "levels/part_check.h"
 #include "levels/part_geometry.h"
+#include "levels/point_inertia.h"
 
 namespace scatter {
 namespace levels {
@@ -73,11 +74,6 @@ Result<SolidMoments> momentsOf(const ConvexPart& part) {
   if (!std::isfinite(volume) || !(volume > 0.0F))
     return fail("volume is too small or too large for single precision");
   return moments;
-}
-
-/// Inertia of a unit mass at `offset` from the axis point (the parallel axis theorem).
-glm::dmat3 pointInertia(const glm::dvec3& offset) {
-  return glm::dmat3(glm::dot(offset, offset)) - glm::outerProduct(offset, offset);
 }
 
 bool hasFiniteValues(const MassProperties& mass) {

@@ -7,7 +7,7 @@
 #include <glm/vec3.hpp>
 #include <utility>
 
-#include "scenes/shape_measures.h"
+#include "levels/point_inertia.h"
 
 namespace scatter {
 namespace {
@@ -31,8 +31,8 @@ RigidMotion motionOfGibs(const Breakable& object, const std::vector<double>& mas
   glm::dmat3 inertia(0.0);
   for (std::size_t i = 0; i < masses.size(); ++i) {
     const MassProperties& gib = object.gibs[i]->mass();
-    inertia +=
-        masses[i] * (glm::dmat3(gib.inertia) + pointInertia(glm::dvec3(gib.centerOfMass) - motion.center));
+    const glm::dvec3 out = glm::dvec3(gib.centerOfMass) - motion.center;
+    inertia += masses[i] * (glm::dmat3(gib.inertia) + levels::pointInertia(out));
   }
   motion.center = glm::dvec3(state.pose.position) + rotation * motion.center;
   const glm::dmat3 wholeInertia =

@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "scenes/document_mass.h"
+#include "io/document_mass.h"
 
 namespace scatter {
 namespace {
@@ -36,9 +36,6 @@ class Maker {
 
  private:
   Result<Shape> solid(const DocumentModel& model, float mass);
-  Result<std::shared_ptr<const LevelSet>> withMass(const DocumentModel& model,
-                                                   const std::vector<ConvexPart>& parts,
-                                                   const std::optional<MassProperties>& mass);
   std::vector<ConvexPart> convexParts(const DocumentModel& model, bool meshes);
   void setMaterial(const DocumentModel& model, Material& material);
   void addStaticShapes(const DocumentModel& model, const BodyDef& common);
@@ -62,17 +59,15 @@ bool hasPlane(const DocumentModel& model) {
 }
 
 void Maker::setMaterial(const DocumentModel& model, Material& material) {
-  std::optional<std::size_t> index = model.material;
+  const std::optional<std::size_t> index = io::documentMaterial(model);
+  if (!index) return;
   for (const DocumentShape& shape : model.shapes) {
-    if (!shape.material) continue;
-    if (index && *index != *shape.material) {
+    if (shape.material && *shape.material != *index) {
       warnings_.add("model \"" + model.name + "\": a body has one material; \"" +
                     document_.materials[*index].name + "\" is taken for all its shapes");
       break;
     }
-    index = shape.material;
   }
-  if (!index) return;
   const DocumentMaterial& given = document_.materials[*index];
   if (given.staticFriction != given.dynamicFriction) {
     warnings_.add("material \"" + given.name +
@@ -121,31 +116,15 @@ std::vector<ConvexPart> Maker::convexParts(const DocumentModel& model, bool mesh
   return parts;
 }
 
-Result<std::shared_ptr<const LevelSet>> Maker::withMass(const DocumentModel& model,
-                                                        const std::vector<ConvexPart>& parts,
-                                                        const std::optional<MassProperties>& mass) {
-  LevelSetDef def;
-  def.name = model.name;
-  def.mass = mass;
-  if (!model.levels) {
-    def.levels = {Level{parts}};
-    return LevelSet::create(std::move(def));
-  }
-  def.hullMargin = model.levels->hullMargin();
-  for (int level = 1; level <= model.levels->count(); ++level)
-    def.levels.push_back(model.levels->level(level));
-  return LevelSet::create(std::move(def));
-}
-
 Result<Shape> Maker::solid(const DocumentModel& model, float mass) {
   const std::vector<ConvexPart> parts =
       model.levels ? model.levels->finest().parts : convexParts(model, true);
   const auto known = levels_.find({&model, mass});
   if (known != levels_.end()) return known->second;
-  const auto properties = documentMassProperties(model, parts, mass);
+  const auto properties = io::documentMassProperties(model, parts, mass);
   if (!properties) return tl::unexpected(properties.error());
   if (*properties) {
-    auto levels = withMass(model, parts, *properties);
+    auto levels = io::levelsWithMass(model, parts, *properties);
     if (!levels) return tl::unexpected(levels.error());
     levels_.emplace(std::pair(&model, mass), *levels);
     return std::move(*levels);
@@ -205,7 +184,7 @@ Result<void> Maker::add(const DocumentBody& body) {
     addStaticShapes(model, common);
   } else {
     BodyDef def = common;
-    const auto mass = documentMass(model, body);
+    const auto mass = io::documentMass(model, body);
     if (!mass) return fail("body \"" + body.name + "\": " + mass.error().message);
     def.mass = *mass;
     if (def.motion == Motion::kDynamic && !(def.mass > 0.0F)) {

@@ -1,5 +1,4 @@
-#include <scatter/io/collada.h>
-#include <scatter/io/gltf.h>
+#include <scatter/io/model_file.h>
 #include <scatter/io/scene_library.h>
 #include <scatter/world/scene.h>
 
@@ -41,8 +40,8 @@ bool isGltf(const std::string& extension) {
   return extension == ".gltf" || extension == ".glb";
 }
 
-Result<SceneInfo> readDocument(const fs::path& path, const std::string& extension) {
-  const auto document = isGltf(extension) ? readGltfDocument(path) : readColladaDocument(path);
+Result<SceneInfo> readDocumentScene(const fs::path& path) {
+  const auto document = readDocument(path);
   if (!document) return tl::unexpected(document.error());
   auto made = planDocument(*document, path.string());
   if (!made) return tl::unexpected(made.error());
@@ -71,7 +70,7 @@ class FileSource final : public SceneSource {
     if (!claims(name)) return findSceneFile(name).and_then(readScene);
     const std::string extension = extensionOf(name);
     if (extension == ".toml") return readScene(name);
-    if (extension == ".dae" || isGltf(extension)) return readDocument(name, extension);
+    if (extension == ".dae" || isGltf(extension)) return readDocumentScene(name);
     return fail("the scene \"" + name +
                 "\" is not the name of a scene, and no file that ends in .toml, .dae, .gltf or .glb");
   }

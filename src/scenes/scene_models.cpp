@@ -1,58 +1,17 @@
 #include "scenes/scene_models.h"
 
 #include <scatter/io/collada.h>
-#include <scatter/io/gltf.h>
+#include <scatter/io/model_file.h>
 #include <scatter/io/model_library.h>
 
 #include <utility>
 
-#include "scenes/document_mass.h"
-
 namespace scatter {
 namespace {
 
-Result<std::shared_ptr<const LevelSet>> levelsOf(const DocumentModel& model) {
-  if (model.levels) return model.levels;
-  LevelSetDef def;
-  def.name = model.name;
-  def.levels.emplace_back();
-  for (const DocumentShape& shape : model.shapes) {
-    const auto* convex = std::get_if<ConvexShape>(&shape.geometry);
-    if (convex == nullptr) return fail("a model is made of convex shapes, not of planes or meshes");
-    def.levels.front().parts.push_back({.shape = *convex, .pose = shape.pose});
-  }
-  return LevelSet::create(std::move(def));
-}
-
-/// The one rigid body of a document.
-Result<Model> modelOf(const PhysicsDocument& document) {
-  if (document.models.size() != 1) {
-    return fail("a model file has one rigid body, not " + std::to_string(document.models.size()));
-  }
-  const DocumentModel& given = document.models.front();
-  Model model;
-  model.name = given.name;
-  model.mesh = given.mesh;
-  auto levels = levelsOf(given);
-  if (!levels) return tl::unexpected(levels.error());
-  model.levels = std::move(*levels);
-  const auto mass = documentMass(given, {});
-  if (!mass) return tl::unexpected(mass.error());
-  model.mass = *mass;
-  const auto material = given.material ? given.material : given.shapes.front().material;
-  if (material) {
-    model.friction = document.materials[*material].dynamicFriction;
-    model.restitution = document.materials[*material].restitution;
-  }
-  return model;
-}
-
 Result<Model> readModel(const std::filesystem::path& file) {
   if (file.extension() == ".dae") return readCollada(file);
-  const auto document = readGltfDocument(file);
-  if (!document) return tl::unexpected(document.error());
-  auto model = modelOf(*document);
-  return model ? std::move(model) : fail(file.string() + ": " + model.error().message);
+  return readModelFile(file).map([](FileModel read) { return std::move(read.model); });
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 #include <limits>
 
 #include "levels/part_geometry.h"
@@ -79,10 +78,6 @@ ConvexPart scaledPart(const ConvexPart& part, float factor) {
   ConvexPart scaled = part;
   std::visit([factor](auto& shape) { scale(shape, factor); }, scaled.shape);
   return scaled;
-}
-
-glm::dmat3 pointInertia(const glm::dvec3& at) {
-  return glm::dmat3(glm::dot(at, at)) - glm::outerProduct(at, at);
 }
 
 }  // namespace scatter

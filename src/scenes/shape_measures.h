@@ -4,9 +4,6 @@
 #include <scatter/levels/level_set.h>
 #include <scatter/math.h>
 
-#include <glm/mat3x3.hpp>
-#include <glm/vec3.hpp>
-
 namespace scatter {
 
 /// How far a convex shape reaches from its own origin, without a collision margin.
@@ -24,8 +21,5 @@ struct Heights {
 
 /// The part, its size `factor` times what it was, about its middle.
 [[nodiscard]] ConvexPart scaledPart(const ConvexPart& part, float factor);
-
-/// The inertia of a point mass of one kilogram, about the origin.
-[[nodiscard]] glm::dmat3 pointInertia(const glm::dvec3& at);
 
 }  // namespace scatter

@@ -3,3 +3,4 @@ file(REMOVE_RECURSE ${PREFIX} ${PREFIX}-first)
 execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${PREFIX}-first
                 COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET)
 file(RENAME ${PREFIX}-first ${PREFIX})
+file(COPY_FILE ${PREFIX}/share/scatter/scenes/tower.toml ${PREFIX}/share/scatter/scenes/only_installed.toml)

@@ -259,6 +259,7 @@ TEST(FileScene, TakesAModelFromGltf) {
   model.name = "brick";
   model.shapes = {{.geometry = ConvexShape(Box{{1.0F, 0.5F, 0.25F}}), .material = 0}};
   model.mass = 6.0F;
+  model.massFrame = DocumentMassFrame{.pose = {{0.25F, 0.0F, 0.0F}}};
   document.models = {model};
   document.bodies = {{.name = "brick"}};
   const auto written = writeGltfDocument(document, folder / "brick.glb");
@@ -272,7 +273,9 @@ TEST(FileScene, TakesAModelFromGltf) {
   const BodyDef& brick = world.find("a")->def();
   EXPECT_EQ(brick.mass, 6.0F);
   EXPECT_EQ(brick.material.friction, 0.25F);
-  EXPECT_NEAR(std::get<std::shared_ptr<const LevelSet>>(brick.shape)->mass().volume, 1.0F, 1e-5F);
+  const MassProperties& mass = std::get<std::shared_ptr<const LevelSet>>(brick.shape)->mass();
+  EXPECT_NEAR(mass.volume, 1.0F, 1e-5F);
+  EXPECT_EQ(mass.centerOfMass, Vec3(0.25F, 0.0F, 0.0F));
 }
 
 }  // namespace

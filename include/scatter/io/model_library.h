@@ -11,9 +11,9 @@
 
 namespace scatter {
 
-/// The folders that hold models, best first: those of $SCATTER_MODEL_PATH (separated by colons), the
-/// source tree's `models`, and `share/scatter/models` beside the program's `bin` folder and in the
-/// install prefix.
+/// The folders that hold models, best first: those of $SCATTER_MODEL_PATH (separated by colons),
+/// `share/scatter/models` beside the program's `bin` folder, the source tree's `models`, and
+/// `share/scatter/models` in the install prefix and in /usr.
 [[nodiscard]] std::vector<std::filesystem::path> modelFolders();
 
 /// The names that findModel knows, sorted.

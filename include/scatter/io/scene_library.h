@@ -9,9 +9,9 @@
 
 namespace scatter {
 
-/// The folders that hold scene files, best first: those of $SCATTER_SCENE_PATH (separated by colons), the
-/// source tree's `scenes`, and `share/scatter/scenes` beside the program's `bin` folder and in the install
-/// prefix.
+/// The folders that hold scene files, best first: those of $SCATTER_SCENE_PATH (separated by colons),
+/// `share/scatter/scenes` beside the program's `bin` folder, the source tree's `scenes`, and
+/// `share/scatter/scenes` in the install prefix and in /usr.
 [[nodiscard]] std::vector<std::filesystem::path> sceneFolders();
 
 /// The names of the scene files in these folders, without ".toml", sorted.

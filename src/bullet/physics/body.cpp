@@ -2,7 +2,7 @@
 
 #include <BulletHybrid/btHybridRigidBody.h>
 
-#include "bullet/physics/conversions.h"
+#include "bullet/shapes/conversions.h"
 
 namespace scatter {
 

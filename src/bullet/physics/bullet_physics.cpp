@@ -8,13 +8,13 @@
 
 #include "bullet/physics/collision_report.h"
 #include "bullet/physics/contact_summary.h"
-#include "bullet/physics/conversions.h"
 #include "bullet/physics/fidelity.h"
 #include "bullet/physics/joints.h"
 #include "bullet/physics/ray.h"
 #include "bullet/physics/state_hash.h"
 #include "bullet/physics/switching_report.h"
 #include "bullet/physics/validation.h"
+#include "bullet/shapes/conversions.h"
 
 namespace scatter {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "bullet/physics/conversions.h"
+#include "bullet/shapes/conversions.h"
 
 namespace scatter {
 

@@ -6,7 +6,7 @@
 #include <BulletDynamics/ConstraintSolver/btPoint2PointConstraint.h>
 #include <BulletDynamics/ConstraintSolver/btSliderConstraint.h>
 
-#include "bullet/physics/conversions.h"
+#include "bullet/shapes/conversions.h"
 
 namespace scatter {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "bullet/physics/conversions.h"
 #include "bullet/physics/level_listener.h"
+#include "bullet/shapes/conversions.h"
 
 namespace scatter {
 

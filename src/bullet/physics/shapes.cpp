@@ -1,71 +1,17 @@
 #include "bullet/physics/shapes.h"
 
-#include <BulletCollision/CollisionShapes/btBoxShape.h>
 #include <BulletCollision/CollisionShapes/btBvhTriangleMeshShape.h>
-#include <BulletCollision/CollisionShapes/btCapsuleShape.h>
-#include <BulletCollision/CollisionShapes/btCompoundShape.h>
-#include <BulletCollision/CollisionShapes/btConvexHullShape.h>
-#include <BulletCollision/CollisionShapes/btCylinderShape.h>
-#include <BulletCollision/CollisionShapes/btSphereShape.h>
 #include <BulletCollision/CollisionShapes/btStaticPlaneShape.h>
 #include <BulletCollision/CollisionShapes/btTriangleIndexVertexArray.h>
 
 #include <glm/geometric.hpp>
 #include <type_traits>
 
-#include "bullet/physics/conversions.h"
-#include "bullet/physics/principal_axes.h"
+#include "bullet/shapes/conversions.h"
 
 namespace scatter {
 
 namespace {
-
-std::unique_ptr<btCollisionShape> convert(const Box& box, float) {
-  return std::make_unique<btBoxShape>(toBullet(box.halfExtents));
-}
-
-std::unique_ptr<btCollisionShape> convert(const Sphere& sphere, float) {
-  return std::make_unique<btSphereShape>(sphere.radius);
-}
-
-std::unique_ptr<btCollisionShape> convert(const Capsule& capsule, float) {
-  return std::make_unique<btCapsuleShape>(capsule.radius, 2.0F * capsule.halfHeight);
-}
-
-std::unique_ptr<btCollisionShape> convert(const Cylinder& cylinder, float) {
-  return std::make_unique<btCylinderShape>(btVector3(cylinder.radius, cylinder.halfHeight, cylinder.radius));
-}
-
-std::unique_ptr<btCollisionShape> convert(const ConvexHull& hull, float margin) {
-  auto shape = std::make_unique<btConvexHullShape>();
-  for (const Vec3& vertex : hull.vertices) shape->addPoint(toBullet(vertex), /*recalculateLocalAabb=*/false);
-  shape->setMargin(margin);
-  shape->recalcLocalAabb();
-  return shape;
-}
-
-std::unique_ptr<btCollisionShape> convert(const ConvexShape& shape, float hullMargin) {
-  return std::visit([hullMargin](const auto& concrete) { return convert(concrete, hullMargin); }, shape);
-}
-
-/// Whether the part is the same with its pose left out, up to rounding.
-bool isInPlace(const ConvexPart& part) {
-  constexpr float kRounding = 1e-6F;
-  const Quat& turn = part.pose.rotation;
-  return glm::length(part.pose.position) < kRounding &&
-         (glm::length(Vec3(turn.x, turn.y, turn.z)) < kRounding ||
-          std::holds_alternative<Sphere>(part.shape));
-}
-
-/// A hull with its pose in its vertices; other parts as they are.
-ConvexPart withPoseApplied(const ConvexPart& part) {
-  const auto* hull = std::get_if<ConvexHull>(&part.shape);
-  if (hull == nullptr) return part;
-  ConvexHull placed;
-  placed.vertices.reserve(hull->vertices.size());
-  for (const Vec3& vertex : hull->vertices) placed.vertices.push_back(part.pose(vertex));
-  return {std::move(placed), Transform{}};
-}
 
 /// The message about the only part of a shape that the caller does not know as parts.
 std::string withoutPart(const std::string& message) {
@@ -75,32 +21,13 @@ std::string withoutPart(const std::string& message) {
 
 }  // namespace
 
-void BulletShapeBuilder::setMass(BulletShape& shape, const MassProperties& mass) {
-  const PrincipalAxes axes = principalAxes(mass.inertia);
-  shape.center_ = {mass.centerOfMass, axes.rotation};
-  shape.inertia_ = axes.moments;
+void BulletShapeBuilder::setParts(BulletShape& shape, const std::vector<ConvexPart>& parts) {
+  shape.finest_ = shape.parts_.add(parts, shape.mass_.center, kHullMargin);
 }
 
 void BulletShapeBuilder::setFinest(BulletShape& shape, std::unique_ptr<btCollisionShape> finest) {
   shape.finest_ = finest.get();
-  shape.owned_.push_back(std::move(finest));
-}
-
-void BulletShapeBuilder::setParts(BulletShape& shape, const std::vector<ConvexPart>& parts,
-                                  float hullMargin) {
-  const Transform toCenter = shape.center_.inverse();
-  // A compound around a single part would cost a tree for nothing.
-  if (parts.size() == 1) {
-    const ConvexPart only = withPoseApplied({parts[0].shape, toCenter * parts[0].pose});
-    if (isInPlace(only)) return setFinest(shape, convert(only.shape, hullMargin));
-  }
-  auto compound =
-      std::make_unique<btCompoundShape>(/*enableDynamicAabbTree=*/true, static_cast<int>(parts.size()));
-  for (const ConvexPart& part : parts) {
-    shape.owned_.push_back(convert(part.shape, hullMargin));
-    compound->addChildShape(toBullet(toCenter * part.pose), shape.owned_.back().get());
-  }
-  setFinest(shape, std::move(compound));
+  shape.other_ = std::move(finest);
 }
 
 BulletShapeBuilder::Made BulletShapeBuilder::build(const Shape& shape) {
@@ -113,12 +40,12 @@ BulletShapeBuilder::Made BulletShapeBuilder::make(const ConvexShape& convex) {
   if (!mass) return fail(withoutPart(mass.error().message));
   auto shape = std::make_shared<BulletShape>();
   if (std::holds_alternative<ConvexHull>(convex)) {
-    setMass(*shape, *mass);
+    shape->mass_ = massFrame(*mass);
   } else {
     // The others are symmetric about their origin: no rounding may move them.
-    shape->inertia_ = Vec3(mass->inertia[0][0], mass->inertia[1][1], mass->inertia[2][2]);
+    shape->mass_.inertia = Vec3(mass->inertia[0][0], mass->inertia[1][1], mass->inertia[2][2]);
   }
-  setParts(*shape, parts, kHullMargin);
+  setParts(*shape, parts);
   return shape;
 }
 
@@ -126,8 +53,8 @@ BulletShapeBuilder::Made BulletShapeBuilder::make(const Compound& compound) {
   const Result<MassProperties> mass = massProperties(compound.parts);
   if (!mass) return tl::unexpected(mass.error());
   auto shape = std::make_shared<BulletShape>();
-  setMass(*shape, *mass);
-  setParts(*shape, compound.parts, kHullMargin);
+  shape->mass_ = massFrame(*mass);
+  setParts(*shape, compound.parts);
   return shape;
 }
 
@@ -162,13 +89,10 @@ BulletShapeBuilder::Made BulletShapeBuilder::make(const std::shared_ptr<const Tr
 
 BulletShapeBuilder::Made BulletShapeBuilder::make(const std::shared_ptr<const LevelSet>& levels) {
   return share(levels, [&levels](BulletShape& shape) {
-    setMass(shape, levels->mass());
-    for (int level = 1; level <= levels->count(); ++level) {
-      setParts(shape, levels->level(level).parts, levels->hullMargin());
-      // LevelSet::create has proven it, or was told to take it as it is.
-      const char* mistake = shape.levels_.addLevel(shape.finest_, BT_HYBRID_NESTING_IS_PROVEN);
-      if (mistake != nullptr) return Result<void>(fail(mistake));
-    }
+    shape.mass_ = massFrame(levels->mass());
+    const char* mistake = shape.parts_.addLevels(*levels, shape.mass_.center, shape.levels_);
+    if (mistake != nullptr) return Result<void>(fail(mistake));
+    shape.finest_ = shape.levels_.getLevelShape(levels->count());
     return Result<void>();
   });
 }

@@ -11,6 +11,8 @@
 #include <memory>
 #include <vector>
 
+#include "bullet/shapes/part_shapes.h"
+
 namespace scatter {
 
 /// Margin around the hulls of shapes that are not LevelSets: the same as theirs, metres.
@@ -33,20 +35,20 @@ class BulletShape {
   [[nodiscard]] int levelCount() const { return std::max(levels_.getNumLevels(), 1); }
 
   /// The frame of the centre of mass and the principal axes, in the model's frame.
-  [[nodiscard]] const Transform& center() const { return center_; }
+  [[nodiscard]] const Transform& center() const { return mass_.center; }
 
   /// About `center`'s axes, per kilogram: square metres. Zero for planes and meshes.
-  [[nodiscard]] const Vec3& inertia() const { return inertia_; }
+  [[nodiscard]] const Vec3& inertia() const { return mass_.inertia; }
 
  private:
   friend class BulletShapeBuilder;
 
-  std::vector<std::unique_ptr<btCollisionShape>> owned_;
+  PartShapes parts_;
   std::unique_ptr<btStridingMeshInterface> meshView_;
+  std::unique_ptr<btCollisionShape> other_;  ///< A plane or a mesh.
   btHybridLevelSet levels_;
   btCollisionShape* finest_ = nullptr;
-  Transform center_;
-  Vec3 inertia_{0.0F};
+  MassFrame mass_;
 
   /// Kept so that its address, the key under which this shape is shared, is not used again.
   std::shared_ptr<const void> source_;
@@ -71,9 +73,8 @@ class BulletShapeBuilder {
   template <class Source, class Make>
   Made share(const std::shared_ptr<const Source>& source, Make make);
 
-  static void setMass(BulletShape& shape, const MassProperties& mass);
   static void setFinest(BulletShape& shape, std::unique_ptr<btCollisionShape> finest);
-  static void setParts(BulletShape& shape, const std::vector<ConvexPart>& parts, float hullMargin);
+  static void setParts(BulletShape& shape, const std::vector<ConvexPart>& parts);
 
   std::map<const void*, std::weak_ptr<const BulletShape>> shared_;
 };

@@ -7,7 +7,7 @@
 #include <glm/gtc/constants.hpp>
 #include <optional>
 
-#include "bullet/physics/conversions.h"
+#include "bullet/shapes/conversions.h"
 
 namespace scatter {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "bullet/physics/conversions.h"
 #include "bullet/physics/ray.h"
+#include "bullet/shapes/conversions.h"
 
 namespace scatter {
 

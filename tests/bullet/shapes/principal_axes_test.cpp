@@ -1,4 +1,4 @@
-#include "bullet/physics/principal_axes.h"
+#include "bullet/shapes/principal_axes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,14 @@
-#include "scenes/document_mass.h"
+#include "io/document_mass.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/matrix.hpp>
+#include <utility>
 
-#include "scenes/shape_measures.h"
+#include "levels/point_inertia.h"
 
-namespace scatter {
+namespace scatter::io {
 namespace {
 
 bool isConvex(const DocumentShape& shape) {
@@ -61,7 +62,7 @@ Result<std::optional<MassProperties>> unevenMass(const DocumentModel& model) {
   glm::dmat3 inertia(0.0);
   for (const Piece& piece : pieces) {
     const glm::dvec3 out = glm::dvec3(piece.properties.centerOfMass) - center;
-    inertia += piece.mass / total * (glm::dmat3(piece.properties.inertia) + pointInertia(out));
+    inertia += piece.mass / total * (glm::dmat3(piece.properties.inertia) + levels::pointInertia(out));
   }
   result.centerOfMass = Vec3(center);
   result.inertia = Mat3(inertia);
@@ -107,4 +108,29 @@ Result<std::optional<MassProperties>> documentMassProperties(const DocumentModel
   return result;
 }
 
-}  // namespace scatter
+Result<std::shared_ptr<const LevelSet>> levelsWithMass(const DocumentModel& model,
+                                                       const std::vector<ConvexPart>& parts,
+                                                       const std::optional<MassProperties>& mass) {
+  LevelSetDef def;
+  def.name = model.name;
+  def.mass = mass;
+  if (!model.levels) {
+    def.levels = {Level{parts}};
+    return LevelSet::create(std::move(def));
+  }
+  def.hullMargin = model.levels->hullMargin();
+  for (int level = 1; level <= model.levels->count(); ++level) {
+    def.levels.push_back(model.levels->level(level));
+  }
+  return LevelSet::create(std::move(def));
+}
+
+std::optional<std::size_t> documentMaterial(const DocumentModel& model) {
+  if (model.material) return model.material;
+  for (const DocumentShape& shape : model.shapes) {
+    if (shape.material) return shape.material;
+  }
+  return std::nullopt;
+}
+
+}  // namespace scatter::io

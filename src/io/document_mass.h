@@ -3,10 +3,12 @@
 #include <scatter/io/physics_document.h>
 #include <scatter/result.h>
 
+#include <cstddef>
+#include <memory>
 #include <optional>
 #include <vector>
 
-namespace scatter {
+namespace scatter::io {
 
 /// Kilograms: of the body, else of the model, else of its shapes by their masses and densities, else 1.
 [[nodiscard]] Result<float> documentMass(const DocumentModel& model, const DocumentBody& body);
@@ -17,4 +19,13 @@ namespace scatter {
 [[nodiscard]] Result<std::optional<MassProperties>> documentMassProperties(
     const DocumentModel& model, const std::vector<ConvexPart>& parts, float mass);
 
-}  // namespace scatter
+/// The model's levels, or `parts` as the only one, with this mass; that of a homogeneous solid if there is
+/// none.
+[[nodiscard]] Result<std::shared_ptr<const LevelSet>> levelsWithMass(
+    const DocumentModel& model, const std::vector<ConvexPart>& parts,
+    const std::optional<MassProperties>& mass);
+
+/// In PhysicsDocument::materials: that of the model, else of the first of its shapes that has one.
+[[nodiscard]] std::optional<std::size_t> documentMaterial(const DocumentModel& model);
+
+}  // namespace scatter::io

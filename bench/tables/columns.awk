@@ -1,0 +1,34 @@
+# What the tables of bench/tables share. The first line of a CSV file names its columns; none of these has commas in its cells.
+BEGIN { FS = "," }
+
+FNR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i; next }
+
+# The cell of this line in the named column.
+function cell(name) {
+  if (!(name in column)) {
+    print "the CSV file has no column " name > "/dev/stderr"
+    exit failed = 1
+  }
+  return $column[name]
+}
+
+# Two digits that mean something.
+function rounded(value) { return sprintf(value < 0.0995 ? "%.3f" : "%.2f", value) }
+
+# A ratio's median and its extremes.
+function spread(name) {
+  return rounded(cell(name)) " (" rounded(cell(name "_min")) "-" rounded(cell(name "_max")) ")"
+}
+
+# A table's row of so many cells.
+function row(cells, count,    text, i) {
+  text = "|"
+  for (i = 1; i <= count; ++i) text = text " " cells[i] " |"
+  print text
+}
+
+function rule(count,    text, i) {
+  text = "|"
+  for (i = 1; i <= count; ++i) text = text "---|"
+  print text
+}
