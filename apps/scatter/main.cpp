@@ -17,6 +17,7 @@ std::vector<Command> addCommands(CLI::App& program, const std::string& commandLi
   return {addListCommand(program),
           addRunCommand(program),
           addCompareCommand(program, commandLine),
+          addReportTestCommand(program),
           addLevelsCommand(program),
           addConvertCommand(program),
           addBenchCommand(program),

@@ -42,4 +42,15 @@ template <class Integer>
   };
 }
 
+/// A check for CLI::Option that refuses all but finite numbers that are no less than `least`.
+[[nodiscard]] inline auto numberFrom(double least) {
+  return [least](const std::string& text) -> std::string {
+    const auto number = parseNumber<double>(text);
+    if (number && std::isfinite(*number) && *number >= least && *number < 1e30) {
+      return {};
+    }
+    return fmt::format("needs a number from {}, not \"{}\"", least, text);
+  };
+}
+
 }  // namespace scatter::app

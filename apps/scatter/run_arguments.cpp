@@ -41,6 +41,7 @@ std::string hybridArgumentOf(const RunArguments& arguments) {
       {"--verify-contacts", arguments.verifyEvery.has_value()},
       {"--proximity-steps", switching.proximitySteps.has_value()},
       {"--retry-interval", switching.retryInterval.has_value()},
+      {"--quiet-steps", switching.quietSteps.has_value()},
       {"--load-fine-pairs", switching.loadFinePairs.has_value()},
       {"--unsafe-switching", switching.unsafeSwitching},
   };

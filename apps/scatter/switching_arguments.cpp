@@ -48,9 +48,16 @@ void addBodyArguments(CLI::App& command, SwitchingArguments& arguments) {
   command
       .add_option("--proximity-steps", arguments.proximitySteps,
                   fmt::format("Requests come this many steps before level-1 boxes can touch, with body "
-                              "switching [{:g}]",
+                              "switching; 0: once they overlap [{:g}]",
                               defaults.proximitySteps))
-      ->check(numberAbove(1.0))
+      ->check(numberFrom(0.0))
+      ->type_name("STEPS");
+  command
+      .add_option("--quiet-steps", arguments.quietSteps,
+                  fmt::format("Steps without a neighbour before a body asks for its finest level, with body "
+                              "switching [{}]",
+                              defaults.quietSteps))
+      ->check(wholeNumber<int>(1))
       ->type_name("STEPS");
   command
       .add_option("--load-fine-pairs", arguments.loadFinePairs,
@@ -211,6 +218,7 @@ SwitchingDef makeSwitching(const SwitchingArguments& arguments, const SwitchingC
   switching.policy = world.world.policy.value_or(choices.policy.value_or(standard));
   switching.proximitySteps = arguments.proximitySteps.value_or(switching.proximitySteps);
   switching.retryInterval = arguments.retryInterval.value_or(switching.retryInterval);
+  switching.quietSteps = arguments.quietSteps.value_or(switching.quietSteps);
   switching.loadFinePairs = arguments.loadFinePairs.value_or(switching.loadFinePairs);
   switching.safetyConditions = !arguments.unsafeSwitching;
   if (!pair) {
@@ -254,6 +262,7 @@ Result<void> checkSwitching(const SwitchingArguments& arguments, const Switching
       {"--no-credit", arguments.noCredit, isPair, "use --switching pair"},
       {"this --policy", !choices.policies.empty(), isPair, "use --switching pair"},
       {"--proximity-steps", arguments.proximitySteps.has_value(), isBody, "use --switching body"},
+      {"--quiet-steps", arguments.quietSteps.has_value(), isBody, "use --switching body"},
       {"--load-fine-pairs", arguments.loadFinePairs.has_value(), isBody, "use --switching body"},
   };
   for (const Use& use : uses) {

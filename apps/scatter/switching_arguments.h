@@ -26,6 +26,7 @@ struct SwitchingArguments {
   std::optional<int> creditLevel;
   bool noCredit = false;
   std::optional<int> retryInterval;
+  std::optional<int> quietSteps;
   std::optional<float> proximitySteps;
   std::optional<std::uint32_t> loadFinePairs;
   bool unsafeSwitching = false;

@@ -37,8 +37,9 @@ struct btHybridSwitchingInfo
 	/// Static bodies count for safety, but do not ask for anything: a floor is always near.
 	bool m_proximity;
 
-	/// A request comes at least this many steps before the level-1 bounds of two bodies can touch at their
-	/// present velocities; more than 1. Below 1 and what is not a number act as 1, above 1000 acts as 1000.
+	/// A request comes at least this many steps before the level-1 bounds of two bodies can touch at their present
+	/// velocities; 1 or less comes too late to be sure of that, and 0 once they overlap (report, section 5.1.2.1). Below 0
+	/// and what is not a number act as 0, above 1000 acts as 1000.
 	btScalar m_proximitySteps;
 
 	int m_retryInterval;  ///< steps between tries of a blocked request; below 1 it acts as 1, above a million as that

@@ -33,7 +33,9 @@ std::string terminals(const FigureScript& figure, bool vector) {
   const double scale = vector ? 1.0 : kPixelScale;
   const std::string size = fixedNumber(kWidth * scale, 0) + "," + fixedNumber(heightOf(figure) * scale, 0);
   if (vector) {
-    return "set terminal svg size " + size + " noenhanced name " + quoted(figure.name) +
+    // Only letters, digits and '_' are allowed in it.
+    const std::string name = replaceAll(figure.name, "-", "_");
+    return "set terminal svg size " + size + " noenhanced name " + quoted(name) +
            " background '#ffffff' font 'DejaVu Sans,Arial,sans-serif,14'\ntitleFont = ',18'\nset output " +
            quoted(figure.name + ".svg") + '\n';
   }

@@ -70,7 +70,7 @@ Result<void> FileBodies::setShape(const SceneFileObject& object, Common& common)
   if (std::holds_alternative<SceneFilePlane>(object.shape)) return {};
   const auto* named = std::get_if<SceneFileModel>(&object.shape);
   if (named == nullptr) return setConvex(object, convexShape(object.shape), common);
-  const auto model = models_.load(named->name);
+  const auto model = models_.load(*named);
   if (!model) return fail(model.error().message);
   const LevelSet& levels = *(*model)->levels;
   common.def.shape = (*model)->levels;

@@ -39,7 +39,7 @@ Result<Breakable> makePieces(const SceneFileObject& object, const BodyDef& def, 
   Breakable breakable;
   breakable.whole = std::move(*whole);
   for (const SceneFileModel& gib : object.gibs) {
-    const auto model = models.load(gib.name);
+    const auto model = models.load(gib);
     if (!model) return tl::unexpected(model.error());
     breakable.gibs.push_back((*model)->levels);
   }

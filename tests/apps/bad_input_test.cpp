@@ -131,7 +131,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"budgetNotANumber", {"run", "tower", "--budget-ms", "nan"}, "not \"nan\""},
         Refusal{"endlessBudget", {"run", "tower", "--budget-ms", "inf"}, "not \"inf\""},
         Refusal{"noRetries", {"run", "tower", "--retry-interval", "0"}, "--retry-interval"},
-        Refusal{"tooNear", {"run", "tower", "--proximity-steps", "1"}, "needs a number above 1"},
+        Refusal{"tooNear", {"run", "tower", "--proximity-steps", "-1"}, "needs a number from 0"},
         Refusal{"negativeLoad", {"run", "tower", "--load-fine-pairs", "-1"}, "--load-fine-pairs"},
         Refusal{"noUnits", {"run", "tower", "--budget-units", "0"}, "--budget-units: needs a number above 0"},
         Refusal{"noCreditLevel", {"run", "tower", "--credit-level", "0"}, "--credit-level"},

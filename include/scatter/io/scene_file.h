@@ -19,6 +19,7 @@ namespace scatter {
 /// A model of the library by its name, or a model file relative to the scene file.
 struct SceneFileModel {
   std::string name{};
+  std::size_t levels = 0;  ///< How many of its levels, from the finest on; 0: all.
 };
 
 /// A ball whose radius is drawn evenly between two; the same twice: that one.

@@ -19,7 +19,7 @@ btHybridSwitchingInfo btHybridEffective(const btHybridSwitchingInfo& info)
 	const int c_manySteps = 1000000;
 	const btScalar c_furthest = 1000;
 	btHybridSwitchingInfo effective = info;
-	effective.m_proximitySteps = within(info.m_proximitySteps, 1, 1000);
+	effective.m_proximitySteps = within(info.m_proximitySteps, 0, 1000);
 	effective.m_retryInterval = btMin(btMax(info.m_retryInterval, 1), c_manySteps);
 	effective.m_quietSteps = btMax(info.m_quietSteps, 1);
 	effective.m_safetyGap = within(info.m_safetyGap, 0, c_furthest);

@@ -117,6 +117,8 @@ Keys objectShapeKeys() {
           "model", "one of these",
           "A model of the library, such as `\"hunter\"`, or a model file relative to the scene file, such as "
           "`\"../models/mug.dae\"`."),
+      {"levels", "whole number", "", "all of them",
+       "With `model`: how many of its levels, from the finest on.", 1, 100},
       {"box", "[x, y, z]", "m", "one of these", "Whole lengths of the sides.", kSmallest, kLargest},
       {"sphere", "number or [least, most]", "m", "one of these",
        "The radius; of two, each body's is drawn evenly between them.", kSmallest, kLargest},

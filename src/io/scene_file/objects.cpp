@@ -61,10 +61,13 @@ SceneFileShape readShape(const SceneTable& object) {
   const std::string_view kind =
       object.oneOf({"model", "box", "sphere", "capsule", "cylinder", "hull", "plane"}, true);
   if (kind == "model") {
-    std::string name;
-    object.read("model", name);
-    return SceneFileModel{readModel(object, "model", std::move(name))};
+    SceneFileModel model;
+    object.read("model", model.name);
+    model.name = readModel(object, "model", std::move(model.name));
+    object.readWhole("levels", model.levels);
+    return model;
   }
+  if (object.has("levels")) object.report("levels", R"("levels" goes with "model")");
   if (kind == "box") {
     Vec3 size(1.0F);
     object.read("box", size);
@@ -257,7 +260,9 @@ void readBody(const SceneTable& table, SceneFileObject& object,
   std::vector<std::string> gibs;
   table.readTexts("gibs", gibs);
   if (gibs.size() > kMostGibs) table.report("gibs", "more than " + std::to_string(kMostGibs) + " gibs");
-  for (std::string& gib : gibs) object.gibs.push_back({readModel(table, "gibs", std::move(gib))});
+  for (std::string& gib : gibs) {
+    object.gibs.push_back({.name = readModel(table, "gibs", std::move(gib))});
+  }
 }
 
 void nameBodies(SceneFile& scene, const SceneFileObject& object, SceneNames& names) {

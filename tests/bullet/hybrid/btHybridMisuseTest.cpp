@@ -314,8 +314,8 @@ TEST_F(MisuseTest, ProximityOutOfRangeActsAsTheNearest) {
   const auto proximity = [](float steps) {
     return [=](btHybridSwitchingInfo& info) { info.m_proximitySteps = steps; };
   };
-  const int usual = stepsUntilFinest(proximity(1));
-  for (const float steps : {0.0F, -1000.0F, kNaN, -kInfinity})
+  const int usual = stepsUntilFinest(proximity(0));
+  for (const float steps : {-0.5F, -1000.0F, kNaN, -kInfinity})
     EXPECT_EQ(stepsUntilFinest(proximity(steps)), usual);
   EXPECT_EQ(stepsUntilFinest(proximity(kInfinity)), 100) << "there always is a neighbour";
 }
