@@ -76,8 +76,10 @@ Result<void> writeFiguresAndReport(const Comparison& comparison, const fs::path&
     worlds.push_back(lab::figureWorld(world.run().options, world.median));
   }
   const fs::path figureFolder = folder / "figures";
-  const auto figures =
-      drawFigures(worlds, {.scene = first.scene, .budgetMs = first.budgetMs, .folder = figureFolder});
+  const auto figures = drawFigures(worlds, {.scene = first.scene,
+                                            .budgetMs = first.budgetMs,
+                                            .folder = figureFolder,
+                                            .repeats = comparison.options.repeat});
   if (!figures) {
     return tl::unexpected(figures.error());
   }

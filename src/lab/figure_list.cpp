@@ -42,29 +42,37 @@ std::string peakSentence(const FigureData& data, std::string_view column, const 
   return text;
 }
 
-// A ring on the peak, with its value above; beside the edges it reaches inward.
+// A ring; its value stands in the legend, where no two can cover each other.
 std::string peakMark(const FigureData& data, std::size_t world) {
-  const FrameRange all = data.allFrames();
   const FramePeak peak = data.peak(world, "physics_cpu_ms");
-  const double place = (peak.frame - all.first) / (all.last - all.first);
-  const char* side = place < 0.1 ? "left" : place > 0.9 ? "right" : "center";
-  const std::string rgb = quoted(worldColor(world));
-  return "set label " + std::to_string(10 + world) + ' ' + quoted(readableNumber(peak.value) + " ms") +
-         " at " + shortestNumber(peak.frame) + ',' + shortestNumber(peak.value) + ' ' + side +
-         " offset 0,0.9 point pointtype 6 pointsize 1.2 linewidth 1.6 linecolor rgb " + rgb +
-         " textcolor rgb " + rgb + " front";
+  return "set label " + std::to_string(10 + world) + " '' at " + shortestNumber(peak.frame) + ',' +
+         shortestNumber(peak.value) + " point pointtype 6 pointsize 1.2 linewidth 1.6 linecolor rgb " +
+         quoted(worldColor(world)) + " front";
+}
+
+std::string peakTitle(const FigureData& data, std::size_t world) {
+  return data.label(world) + ": peak " + readableNumber(data.peak(world, "physics_cpu_ms").value) + " ms";
+}
+
+// Why the peaks are not those of the table, which are of single runs.
+std::string repeatsSentence(const FigureData& data) {
+  const int repeats = data.options().repeats;
+  return repeats == 1 ? std::string()
+                      : " Every frame's time is its median over " + std::to_string(repeats) +
+                            " repeats, so that the peaks are not those of single runs, as in the table.";
 }
 
 FigureScript overview(const FigureData& data) {
   const double highest = data.highest("physics_cpu_ms", data.allFrames());
-  Panel panel{.title = "Processor time of the physics, frame by frame: lower is better",
-              .yLabel = "physics CPU time (ms)"};
-  panel.yMax =
-      axisTop(budgetInRange(data, highest) ? std::max(highest, data.options().budgetMs) : highest, 1.12);
+  Panel panel{
+      .title = data.options().repeats == 1
+                   ? "Processor time of the physics, frame by frame: lower is better"
+                   : "Processor time of the physics, each frame's median over the repeats: lower is better",
+      .yLabel = "physics CPU time (ms)"};
+  panel.yMax = axisTop(budgetInRange(data, highest) ? std::max(highest, data.options().budgetMs) : highest);
   for (std::size_t world = 0; world < data.worlds(); ++world) {
-    panel.curves.push_back(curveOf(world, "physics_cpu_ms",
-                                   coloured("lines linewidth 1.5", worldColor(world)),
-                                   worldTitle(data, world)));
+    panel.curves.push_back(curveOf(
+        world, "physics_cpu_ms", coloured("lines linewidth 1.5", worldColor(world)), peakTitle(data, world)));
     panel.extra.push_back(peakMark(data, world));
   }
   addGovernedLines(data, panel);
@@ -78,7 +86,7 @@ FigureScript overview(const FigureData& data) {
       .caption =
           "How long the processor worked on the physics of each frame. A frame that takes longer than the "
           "budget (dashed, where it is in range) cannot be shown in time. Peaks: " +
-          peakSentence(data, "physics_cpu_ms", " ms") + ".",
+          peakSentence(data, "physics_cpu_ms", " ms") + "." + repeatsSentence(data),
       .frames = data.allFrames(),
       .panels = {std::move(panel)},
       .panelHeight = 360.0};

@@ -20,6 +20,7 @@ struct FigureOptions {
   std::string scene;
   double budgetMs = 1000.0 / 60.0;
   std::filesystem::path folder;  ///< Where the pictures go; must exist.
+  int repeats = 1;               ///< Of which the times are medians, frame by frame.
 };
 
 /// One picture, as NAME.svg and NAME.png in the folder.
