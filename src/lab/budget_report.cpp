@@ -62,6 +62,16 @@ Overrun overrunOf(const Run& run, const BudgetUse& use) {
   return overrun;
 }
 
+std::string inHowMany(const Overrun& overrun) {
+  if (overrun.belowFloor == 0) {
+    return "less than the budget";
+  }
+  const std::string many = overrun.belowFloor == overrun.frames
+                               ? "all"
+                               : std::to_string(overrun.belowFloor) + " of " + std::to_string(overrun.frames);
+  return "more than the budget in " + many + ", where it could not be kept";
+}
+
 std::string floorSentence(const Overrun& overrun, const std::string& unit) {
   if (overrun.floors.empty()) {
     return {};
@@ -70,19 +80,19 @@ std::string floorSentence(const Overrun& overrun, const std::string& unit) {
   return " What could not be given up in them (bodies, broadphase, all pairs as coarse as they may be) took "
          "about " +
          readableNumber(medianOf(overrun.floors)) + unit + " (" + readableNumber(*least) + " to " +
-         readableNumber(*most) + unit + "): more than the budget in " + std::to_string(overrun.belowFloor) +
-         " of them.";
+         readableNumber(*most) + unit + "): " + inHowMany(overrun) + '.';
 }
 
 }  // namespace
 
-std::string budgetSentence(const Run& run) {
+std::string budgetSentence(const Run& run, bool isRepeated) {
   if (!hasBudget(run.options.physics) || run.table.frames() == 0) {
     return {};
   }
   const BudgetUse use = budgetUse(run);
   const std::string budget =
-      run.options.label + ": the budget of " + readableNumber(use.allowed.front()) + use.unit;
+      run.options.label + (isRepeated ? ", in the repeat that is kept: the budget of " : ": the budget of ") +
+      readableNumber(use.allowed.front()) + use.unit;
   const Overrun overrun = overrunOf(run, use);
   const std::string frames = std::to_string(use.allowed.size());
   if (overrun.frames == 0) {
@@ -98,7 +108,7 @@ std::string budgetSentence(const Run& run) {
 namespace scatter {
 
 std::string formatBudget(const Run& run) {
-  const std::string sentence = lab::budgetSentence(run);
+  const std::string sentence = lab::budgetSentence(run, false);
   return sentence.empty() ? sentence : lab::fitTerminal(sentence);
 }
 

@@ -213,7 +213,7 @@ std::string lab::comparisonNote(const Comparison& comparison) {
 std::vector<std::string> lab::budgetNotes(const Comparison& comparison) {
   std::vector<std::string> notes;
   for (const ComparedWorld& world : comparison.worlds) {
-    std::string note = budgetSentence(world.run());
+    std::string note = budgetSentence(world.run(), comparison.options.repeat > 1);
     if (!note.empty()) {
       notes.push_back(std::move(note));
     }

@@ -10,6 +10,8 @@ namespace scatter::lab {
 
 namespace {
 
+constexpr double kRangeOfBudgets = 1.5;
+
 bool isGoverned(const FigureData& data) {
   for (std::size_t world = 0; world < data.worlds(); ++world) {
     if (data.governedMs(world) > 0.0) {
@@ -19,16 +21,20 @@ bool isGoverned(const FigureData& data) {
   return false;
 }
 
-// A line for each world that is governed to a time, in the world's colour.
-void addGovernedLines(const FigureData& data, Panel& panel) {
+// A line for each world that is governed to a time, in the world's colour. One that is far above all frames
+// must not press them flat.
+void addGovernedLines(const FigureData& data, double highest, Panel& panel) {
   for (std::size_t world = 0; world < data.worlds(); ++world) {
     const double budget = data.governedMs(world);
-    if (budget > 0.0) {
-      panel.yMax = std::max(panel.yMax, axisTop(budget));
-      panel.curves.push_back({.plot = shortestNumber(budget),
-                              .style = coloured("lines linewidth 1.4 dashtype (6,4)", worldColor(world)),
-                              .title = "its budget " + readableNumber(budget) + " ms"});
+    if (budget <= 0.0) {
+      continue;
     }
+    const bool inRange = budget <= kRangeOfBudgets * highest;
+    panel.yMax = std::max(panel.yMax, inRange ? axisTop(budget) : 0.0);
+    panel.curves.push_back(
+        {.plot = shortestNumber(budget),
+         .style = coloured("lines linewidth 1.4 dashtype (6,4)", worldColor(world)),
+         .title = "its budget " + readableNumber(budget) + (inRange ? " ms" : " ms (above)")});
   }
 }
 
@@ -75,7 +81,7 @@ FigureScript overview(const FigureData& data) {
         world, "physics_cpu_ms", coloured("lines linewidth 1.5", worldColor(world)), peakTitle(data, world)));
     panel.extra.push_back(peakMark(data, world));
   }
-  addGovernedLines(data, panel);
+  addGovernedLines(data, highest, panel);
   // Worlds with a budget of their own are not judged by another one.
   if (Curve budget = budgetLine(data, highest); !budget.plot.empty() && !isGoverned(data)) {
     panel.curves.push_back(std::move(budget));

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kWidth = 1000.0;
 constexpr double kLeft = 90.0;
-constexpr double kRight = 242.0;
+constexpr double kRight = 276.0;
 constexpr double kSecondAxis = 80.0;
 constexpr double kTop = 78.0;
 constexpr double kBetween = 72.0;

@@ -19,6 +19,7 @@ using testing::kNoBudget;
 using testing::knownPairs;
 using testing::newPair;
 using testing::Random;
+using testing::unitsAt;
 
 constexpr float kOdd[] = {0.0F,
                           -1.0F,
@@ -55,6 +56,23 @@ TEST(Governor, ABudgetThatIsLiftedGivesEverythingBackAtOnce) {
   EXPECT_EQ(countAt(pairs, 3), 100);
   EXPECT_EQ(governor.admission(), 1.0);
   EXPECT_EQ(governor.planNew(newPair(7), costs), 3);
+}
+
+TEST(Governor, TheFloorIsWhatPairsCostAsCoarseAsTheyMayBe) {
+  CostModel costs{CostWeights{}};
+  Governor governor({});
+  std::vector<PlannedPair> pairs = knownPairs(costs, 4, 3);
+  governor.plan(pairs, costs, 100.0, kNoBudget, 10);
+  const double middle = unitsAt(2, 10.0);
+  const double coarsest = unitsAt(1, 10.0);
+  // In contact they keep the level that is taken on credit.
+  EXPECT_NEAR(governor.floorUnits(pairs, costs), 100.0 + 4 * middle, 1e-4);
+  // A promise keeps one at its finest level; one that is coarser already stays there; a new one costs nothing
+  // yet.
+  pairs[0].wish.atLeast = 3;
+  pairs[1].view.level = 1;
+  pairs[2].view.level = 0;
+  EXPECT_NEAR(governor.floorUnits(pairs, costs), 100.0 + 10.0 + coarsest + middle, 1e-4);
 }
 
 TEST(Governor, TakesAWorldWithoutPairs) {
