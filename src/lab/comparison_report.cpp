@@ -2,6 +2,7 @@
 #include <scatter/lab/comparison.h>
 #include <scatter/lab/figures.h>
 #include <scatter/lab/output_folder.h>
+#include <scatter/lab/world_figures.h>
 
 #include "io/atomic_file.h"
 #include "lab/comparison_folder.h"
@@ -125,6 +126,10 @@ Result<void> writeComparison(const Comparison& comparison, const fs::path& folde
   const std::string json =
       comparisonJson(comparison).dump(2, ' ', false, lab::Json::error_handler_t::replace) + '\n';
   if (auto written = writeFile(staged->path() / "comparison.json", json); !written) {
+    return written;
+  }
+  const std::string table = worldFiguresCsv(worldFigures(comparison));
+  if (auto written = writeFile(staged->path() / "worlds.csv", table); !written) {
     return written;
   }
   if (auto written = writeFiguresAndReport(comparison, staged->path()); !written) {

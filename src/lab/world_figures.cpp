@@ -135,6 +135,7 @@ Cells csvHeader() {
       header.push_back(std::string(column.name) + part);
     }
   }
+  header.emplace_back("manifolds_peak");
   for (const FidelityColumn& column : kFidelityColumns) {
     header.emplace_back(column.name);
   }
@@ -163,6 +164,7 @@ Cells csvRow(const WorldFigures& world, const Cells& around) {
       cells.push_back(std::isnan(value) ? std::string() : lab::shortestNumber(value));
     }
   }
+  cells.push_back(lab::shortestNumber(world.manifoldsPeak));
   for (const FidelityColumn& column : kFidelityColumns) {
     cells.push_back(world.hasFidelity ? lab::shortestNumber(world.*column.value) : std::string());
   }
@@ -187,7 +189,9 @@ std::vector<WorldFigures> worldFigures(const Comparison& comparison) {
                          .governedUnits = hybrid ? options.physics.switching.budget.units : 0.0,
                          .budgetMs = options.budgetMs,
                          .cpuMs = medianTimes(world),
-                         .ratios = world.physicsCpuMs};
+                         .ratios = world.physicsCpuMs,
+                         .manifoldsPeak = lab::medianOver(
+                             world, [](const Summary& run) { return run.counter("manifolds").peak; })};
     if (options.fidelityEvery > 0) {
       addFidelity(world, figures);
     }

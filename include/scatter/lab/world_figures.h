@@ -20,6 +20,7 @@ struct WorldFigures {
   double budgetMs = 0.0;  ///< What its frames were counted against.
   TimeStatistics cpuMs;   ///< Processor time of the physics; framesOverBudget is rounded up.
   TimeRatios ratios;      ///< Of that to the scene's first world.
+  double manifoldsPeak = 0.0;
 
   bool hasFidelity = false;  ///< Was it measured? Else the rest is zero.
   double visibleOverlapMean = 0.0;
