@@ -19,7 +19,8 @@ struct Called {
 struct PageCommand {
   std::string command;  ///< As it stands on the page.
 
-  /// Its arguments, and how they are cut short; placeholders are filled in. Empty: as on the page. The first word is
+  /// Its arguments, and how they are cut short; placeholders are filled in. Empty: as on the page. The first
+  /// word is
   /// "./run" or "./test" for these two; else it is the one after "scatter".
   std::string call{};
 
@@ -29,7 +30,8 @@ struct PageCommand {
   [[nodiscard]] bool needsWindow() const { return command.find(" view") != std::string::npos; }
 };
 
-/// All commands of all pages. A command that a page gains must be added here, with a check of what the page says of it.
+/// All commands of all pages. A command that a page gains must be added here, with a check of what the page
+/// says of it.
 [[nodiscard]] const std::vector<PageCommand>& pageCommands();
 
 }  // namespace scatter::test
