@@ -100,7 +100,7 @@ Result<ReportTest> runReportTest(int number, const EngineFactory& engine, const 
                 std::to_string(kReportTests));
   }
   std::map<BodyId, lab::ReportBody> bodies;
-  RunOptions options{.scene = hasTwoShips(number) ? "report_scene_1" : "report_scene_2",
+  RunOptions options{.scene = hasTwoShips(number) ? "report_1" : "report_2",
                      .engine = engine,
                      .physics = physicsOf(number),
                      .keepEvents = true,
