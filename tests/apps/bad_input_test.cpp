@@ -81,6 +81,9 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"proximityStepsForPairs",
                 {"run", "tower", "--proximity-steps", "4"},
                 "--proximity-steps has no meaning here"},
+        Refusal{"quietStepsForPairs",
+                {"run", "tower", "--quiet-steps", "4"},
+                "--quiet-steps has no meaning here"},
         Refusal{"noRecording", {"run", "tower", "--replay", "nowhere/frames.csv"}, "nowhere/frames.csv"},
         Refusal{
             "budgetWithoutUnit", {"run", "tower", "--world", "hybrid@5"}, "hybrid@5ms or hybrid@3000units"},

@@ -12,7 +12,6 @@ namespace scatter::test {
 namespace {
 
 using testing::HasSubstr;
-using testing::Not;
 
 /// What ./run calls without arguments, cut short.
 std::string callOfRunScript() {
@@ -59,6 +58,11 @@ void expectAllToSwitchAtOnce(const Called& called) {
   EXPECT_EQ(highestIn(called.folder / "x/frames.csv", "requests"), 0.0);
 }
 
+// Of the line for all: contacts are expected, none is missed, none is extra.
+void expectNoneMissedOrExtra(const Called& called) {
+  EXPECT_THAT(called.outcome.output, testing::ContainsRegex("all +[0-9]+ +[0-9]+ +[1-9][0-9]* +0 +0 "));
+}
+
 void expectTheHelp(const Called& called) {
   EXPECT_THAT(called.outcome.output, HasSubstr("--sanitize"));
 }
@@ -81,14 +85,16 @@ std::vector<PageCommand> readmeCommands() {
       {"scatter levels build MESH -o FILE", "levels build ship.obj -o ship.dae", leaves("ship.dae")},
       {"scatter convert A B", "convert ship.dae ship.glb", leaves("ship.glb")},
       {"scatter bench worlds", "bench worlds --scenes duel --frames 10 --repeat 1", says("duel")},
-      {"scatter bench fidelity SCENE", "bench fidelity duel --budgets 4 --repeat 1 --frames 10", says("4")},
+      {"scatter bench fidelity SCENE", "bench fidelity duel --budgets 4 --repeat 1 --frames 10",
+       says("hybrid-4ms") + leaves("out/duel-fidelity/fidelity_budget.svg")},
       {"scatter bench collision", "bench collision --scene duel --frames 10 --repeat 1",
        says("warm simplex")},
-      {"scatter bench contacts", "bench contacts --scenes duel --frames 10", says("duel")},
+      {"scatter bench contacts", "bench contacts --scenes mugs --frames 100", expectNoneMissedOrExtra},
       {"scatter bench spread", "bench spread --scene duel --frames 10 --seeds 2", says("standard")},
       {"scatter bench fidelity fleet --budgets 4,6,8,12 --repeat 3",
-       "bench fidelity fleet --budgets 4,6,8,12 --repeat 1 --frames 3", says("12")},
-      {"scatter bench contacts --random 30", "bench contacts --random 1", says("missed")},
+       "bench fidelity fleet --budgets 4,6,8,12 --repeat 1 --frames 3",
+       says("hybrid-4ms") + says("hybrid-12ms")},
+      {"scatter bench contacts --random 30", "bench contacts --random 1", expectNoneMissedOrExtra},
       {"scatter view fleet --worlds standard,hybrid@8ms",
        "view fleet --worlds standard,hybrid@8ms --renderer null --loops 3", says("hybrid-8ms")},
       {"scatter levels build ship.obj -o ship.dae", "", leaves("ship.dae")},
@@ -136,7 +142,8 @@ std::vector<PageCommand> mapCommands() {
       {"scatter run fleet --budget-units 4000 --fidelity",
        "run fleet --budget-units 4000 --fidelity 1 --frames 3",
        says("visible overlaps") + says("contact gap")},
-      {"scatter bench fidelity fleet", "bench fidelity fleet --budgets 4 --repeat 1 --frames 3", says("4")},
+      {"scatter bench fidelity fleet", "bench fidelity fleet --budgets 4 --repeat 1 --frames 3",
+       says("fleet, hybrid-4ms") + leaves("out/fleet-fidelity/fidelity_budget.svg")},
   };
 }
 
@@ -167,6 +174,10 @@ std::vector<PageCommand> reportTestCommands() {
 }
 
 }  // namespace
+
+void PrintTo(const PageCommand& command, std::ostream* stream) {
+  *stream << command.command;
+}
 
 const std::vector<PageCommand>& pageCommands() {
   static const std::vector<PageCommand> all = [] {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,9 @@ struct PageCommand {
 
   [[nodiscard]] bool needsWindow() const { return command.find(" view") != std::string::npos; }
 };
+
+/// For messages of tests.
+void PrintTo(const PageCommand& command, std::ostream* stream);
 
 /// All commands of all pages. A command that a page gains must be added here, with a check of what the page
 /// says of it.

@@ -95,7 +95,7 @@ TEST_F(ReportNumbers, ThePageHasThoseOfTheCommand) {
 }
 
 TEST_F(ReportNumbers, FitInEightyColumns) {
-  const Outcome outcome = scatter({"report-test", "4", "--quiet"});
+  const Outcome outcome = scatter({"report-test", "all", "--quiet"});
   ASSERT_EQ(outcome.status, 0) << outcome.errors;
   for (const std::string& line : linesOf(outcome.output)) {
     EXPECT_LE(line.size(), 80U) << line;

@@ -25,6 +25,30 @@ object = [{ name = "a", sphere = 1, at = [1, 2, 3] },
   EXPECT_EQ(scene.world.objects().size(), 5U);
 }
 
+TEST(FileScene, AModelMayHaveFewerLevels) {
+  FileWorld scene(R"(
+object = [{ name = "all", model = "hunter" },
+          { name = "two", model = "hunter", levels = 2, list = [[20, 0, 0], [40, 0, 0]] }]
+)");
+  const auto levelsOf = [&scene](const char* name) {
+    return std::get<std::shared_ptr<const LevelSet>>(scene[name].def().shape);
+  };
+  const auto all = levelsOf("all");
+  const auto two = levelsOf("two-1");
+  ASSERT_EQ(all->count(), 3);
+  ASSERT_EQ(two->count(), 2);
+  EXPECT_EQ(two, levelsOf("two-2")) << "the bodies of an object share their levels";
+  EXPECT_EQ(two->coarsest().parts.size(), all->level(2).parts.size());
+  EXPECT_EQ(two->finest().parts.size(), all->finest().parts.size());
+  EXPECT_EQ(two->mass().inertia, all->mass().inertia);
+  EXPECT_EQ(scene["two-1"].def().mass, scene["all"].def().mass);
+}
+
+TEST(FileScene, AModelHasNoMoreLevelsThanItHas) {
+  EXPECT_EQ(FileWorld::errorOf("object = [{ name = \"a\", model = \"hunter\", levels = 4 }]"),
+            "test.toml:1: the model hunter has 3 levels, not 4");
+}
+
 TEST(FileScene, AStackOfAnyShapeStands) {
   for (const char* shape :
        {"box = [1, 0.5, 2]", "cylinder = { radius = 0.5, length = 0.75 }", "model = \"crate\"",

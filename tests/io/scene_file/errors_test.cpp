@@ -108,6 +108,8 @@ INSTANTIATE_TEST_SUITE_P(
                 1},
         Mistake{"noShape", "[[object]]\nname = \"b\"\n",
                 "needs one of model, box, sphere, capsule, cylinder, hull or plane"},
+        Mistake{"levelsOfABox", "[[object]]\nname = \"b\"\nbox = [1, 1, 1]\nlevels = 2\n",
+                "\"levels\" goes with \"model\"", 7},
         Mistake{"fewPoints", "[[object]]\nname = \"b\"\nhull = [[0, 0, 0]]\n", "4 to 256 points, not 1", 6},
         Mistake{"movingPlane", "[[object]]\nname = \"b\"\nplane = [0, 1, 0]\nmotion = \"dynamic\"\n",
                 "a plane can only be static", 7},

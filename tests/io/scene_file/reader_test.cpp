@@ -57,7 +57,7 @@ solver_iterations = 25
 TEST(SceneFile, ReadsEveryShape) {
   const SceneFile scene = parse(R"(
 object = [
-  { name = "a", model = "hunter" },
+  { name = "a", model = "hunter", levels = 2 },
   { name = "b", box = [3, 0.5, 0.9] },
   { name = "c", sphere = [0.8, 1.6] },
   { name = "d", capsule = { radius = 0.25, length = 2 } },
@@ -68,6 +68,7 @@ object = [
 )");
   ASSERT_EQ(scene.objects.size(), 7U);
   EXPECT_EQ(std::get<SceneFileModel>(scene.objects[0].shape).name, "hunter");
+  EXPECT_EQ(std::get<SceneFileModel>(scene.objects[0].shape).levels, 2U);
   EXPECT_EQ(std::get<Box>(scene.objects[1].shape).halfExtents, Vec3(1.5F, 0.25F, 0.45F));
   EXPECT_EQ(std::get<SceneFileBall>(scene.objects[2].shape).minRadius, 0.8F);
   EXPECT_EQ(std::get<SceneFileBall>(scene.objects[2].shape).maxRadius, 1.6F);
