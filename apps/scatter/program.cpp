@@ -135,7 +135,7 @@ ExitStatus execute(const std::vector<Command>& commands) {
   try {
     return given->execute();
   } catch (const Interrupted&) {
-    printError("interrupted; no files were written");
+    printError("interrupted before it was finished");
     return signalStatus();
   } catch (const std::exception& error) {
     if (std::ferror(stdout) != 0) {

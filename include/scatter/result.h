@@ -23,7 +23,7 @@ template <class T>
 using Result = tl::expected<T, Error>;
 
 [[nodiscard]] inline tl::unexpected<Error> fail(std::string message) {
-  return tl::unexpected<Error>(Error{.message = std::move(message)});
+  return tl::unexpected<Error>(Error{std::move(message)});
 }
 
 }  // namespace scatter

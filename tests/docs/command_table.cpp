@@ -16,9 +16,9 @@ using testing::HasSubstr;
 /// What ./run calls without arguments, cut short.
 std::string callOfRunScript() {
   for (const std::string& line : linesOf(readPage("run"))) {
-    const std::string start = "\"$scatter\" ";
+    const std::string start = "comparison=(";
     if (line.starts_with(start)) {
-      return line.substr(start.size()) + " --frames 3";
+      return line.substr(start.size(), line.size() - start.size() - 1) + " --frames 3";
     }
   }
   throw std::runtime_error("the script run calls no command of scatter");
@@ -76,7 +76,8 @@ std::vector<PageCommand> readmeCommands() {
       {"./run run duel --out out/duel", "run duel --out out/duel --frames 20", leaves("out/duel/frames.csv")},
       {"./run compare convergence", "compare convergence --frames 20", leaves("out/convergence/report.html")},
       {"./run --help", "--help", says("report-test")},
-      {"./run view", "view duel --renderer null --loops 5", says("hybrid")},
+      {"./run view fleet --worlds standard,hybrid@8ms",
+       "view fleet --worlds standard,hybrid@8ms --renderer null --loops 3", says("hybrid-8ms")},
       {"scatter list", "", says("Scenes") + says("Worlds") + says("Policies") + says("group-density")},
       {"scatter run SCENE", "run duel --frames 20", says("manifolds")},
       {"scatter compare SCENE", "compare duel --frames 20", leaves("out/duel/report.html")},
@@ -95,8 +96,6 @@ std::vector<PageCommand> readmeCommands() {
        "bench fidelity fleet --budgets 4,6,8,12 --repeat 1 --frames 3",
        says("hybrid-4ms") + says("hybrid-12ms")},
       {"scatter bench contacts --random 30", "bench contacts --random 1", expectNoneMissedOrExtra},
-      {"scatter view fleet --worlds standard,hybrid@8ms",
-       "view fleet --worlds standard,hybrid@8ms --renderer null --loops 3", says("hybrid-8ms")},
       {"scatter levels build ship.obj -o ship.dae", "", leaves("ship.dae")},
       {"scatter levels check ship.dae", "", says("level 2 in level 1")},
       {"scatter levels show ship.dae --picture ship.png", "", says("level  parts") + leaves("ship.png")},
