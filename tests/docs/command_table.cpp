@@ -179,8 +179,8 @@ std::vector<PageCommand> reportTestCommands() {
 
 }  // namespace
 
-void PrintTo(const PageCommand& command, std::ostream* stream) {
-  *stream << command.command;
+std::ostream& operator<<(std::ostream& stream, const PageCommand& command) {
+  return stream << command.command;
 }
 
 const std::vector<PageCommand>& pageCommands() {
