@@ -28,10 +28,10 @@ TEST_P(BadUsage, IsRefusedInOneLine) {
 INSTANTIATE_TEST_SUITE_P(
     Names, BadUsage,
     testing::Values(
-        Refusal{"noCommand", {}, "list, run, compare, levels, convert, bench"},
+        Refusal{"noCommand", {}, "list, run, compare, report-test, levels, convert, bench"},
         Refusal{"unknownCommand",
                 {"rum"},
-                "did you mean \"run\"? Known: list, run, compare, levels, convert, bench"},
+                "did you mean \"run\"? Known: list, run, compare, report-test, levels, convert, bench"},
         Refusal{"unknownOption", {"run", "tower", "--frmes", "3"}, "did you mean \"--frames\"?"},
         Refusal{"extraArgument", {"run", "tower", "extra"}, "unexpected argument \"extra\""},
         Refusal{"noScene", {"run"}, "SCENE is required"},

@@ -32,7 +32,7 @@ struct PageCommand {
 };
 
 /// For messages of tests.
-void PrintTo(const PageCommand& command, std::ostream* stream);
+std::ostream& operator<<(std::ostream& stream, const PageCommand& command);
 
 /// All commands of all pages. A command that a page gains must be added here, with a check of what the page
 /// says of it.

@@ -63,8 +63,8 @@ struct SwitchingDef {
       true;  ///< Off: pairs in contact go coarser only when apart; with unsafe switching, regardless.
 
   /// The proximity margin is the distance that the fastest body travels in this many steps, so that a
-  /// request comes at least that many steps before the level-1 boxes can touch (report, section 6.3.1). 0: once
-  /// they overlap, as in the report's own tests.
+  /// request comes at least that many steps before the level-1 boxes can touch (report, section 6.3.1). 0:
+  /// once they overlap, as in the report's own tests.
   float proximitySteps = 3.0F;
 
   int retryInterval = 10;   ///< Steps between tries of a request whose safety condition failed.
