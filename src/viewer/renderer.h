@@ -154,7 +154,6 @@ struct WindowDef {
   std::string title = "Scatter";
   glm::ivec2 size{1280, 720};
   bool waitForScreen = false;  ///< Whether draw() waits for the screen's next refresh.
-  float panelScale = 1.0F;     ///< Of the panels' letters.
 };
 
 /// Fail with one line that says what to do if there is no display, or none with OpenGL. At most one renderer

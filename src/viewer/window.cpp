@@ -74,6 +74,8 @@ Result<void> Window::openWorlds() {
   control_.emplace(panes_);
   state_.emplace(ViewerState{panes_, playback_, hands_, *control_, outputs_, camera_, views_, commands_});
   state_->panelsShown = def_.panels;
+  const bool narrow = Layout::isNarrow(renderer_.size());
+  state_->open.lab = state_->open.numbers = !narrow;
   addCommands(*state_);
   for (const std::string& name : def_.views) {
     const Command* command = commands_.find(name);
@@ -81,7 +83,7 @@ Result<void> Window::openWorlds() {
       return fail("no view is called \"" + name + "\"; known: " + viewNames());
     command->run();
   }
-  commands_.find("frame")->run();
+  aim(moments());
   return {};
 }
 
@@ -231,7 +233,7 @@ void Window::fly() {
 }
 
 Layout Window::layout() const {
-  return {renderer_.size(), panes_.size(), state_->panelsShown};
+  return {renderer_.size(), panes_.size(), state_->panelsShown ? &state_->open : nullptr};
 }
 
 View Window::emptyView(std::size_t pane) const {
@@ -261,16 +263,39 @@ ObservationParts Window::parts() const {
   return parts;
 }
 
-Picture Window::picture() {
-  Picture picture;
+std::vector<Moment> Window::moments() {
   const ObservationParts parts = this->parts();
+  std::vector<Moment> moments;
+  for (const auto& pane : panes_) {
+    pane->observe(parts);
+    moments.push_back(pane->moment(playback_.past(), playback_.fraction(), hands_.picked()));
+  }
+  return moments;
+}
+
+void Window::aim(const std::vector<Moment>& moments) {
+  const double now = clock_->now();
+  const auto seconds = static_cast<float>(now - std::exchange(aimed_, now));
+  std::vector<Actor> actors;
   for (std::size_t i = 0; i < panes_.size(); ++i) {
-    Pane& pane = *panes_[i];
-    pane.observe(parts);
-    const Moment moment = pane.moment(playback_.past(), playback_.fraction(), hands_.picked());
-    if (i == 0) camera_.follow(Pane::positionOf(moment).value_or(camera_.pivot()));
+    const std::vector<Actor> some = panes_[i]->actors(moments[i]);
+    actors.insert(actors.end(), some.begin(), some.end());
+  }
+  state_->aspect = layout().aspect();
+  if (const auto action = findAction(actors)) camera_.watch(*action, state_->aspect, seconds);
+  camera_.follow(Pane::positionOf(moments.front()).value_or(camera_.pivot()));
+  cutaway_.update(camera_.eye(), actors, panes_.front()->obstacles(moments.front()), seconds);
+}
+
+Picture Window::picture() {
+  const std::vector<Moment> moments = this->moments();
+  aim(moments);
+  const Camera camera = camera_.camera();
+  control_->setFocus({camera.eye, camera.target, camera.fieldOfView});
+  Picture picture;
+  for (std::size_t i = 0; i < panes_.size(); ++i) {
     View view = emptyView(i);
-    pane.fill(moment, views_, view);
+    panes_[i]->fill(moments[i], views_, cutaway_, view);
     view.scenery.stars = !view.scenery.ground.has_value();
     view.scenery.fadeRadius = std::max(40.0F, 4.0F * camera_.distance());
     picture.views.push_back(std::move(view));
@@ -280,8 +305,6 @@ Picture Window::picture() {
 
 void Window::draw() {
   if (state_->closing) return;
-  const Camera camera = camera_.camera();
-  control_->setFocus({camera.eye, camera.target, camera.fieldOfView});
   const Picture shown = picture();
   const Stopwatch watch;
   Image image;

@@ -21,11 +21,12 @@ constexpr std::array<ImU32, kStageCount> kStageColors{
     IM_COL32(130, 200, 130, 255), IM_COL32(160, 160, 160, 255), IM_COL32(200, 200, 130, 255),
     IM_COL32(90, 215, 190, 255)};
 
-/// "collision detection" of "collision_detection_ms".
+/// "collision detection" of "collision_detection_ms", short enough for a narrow panel.
 std::string stageName(Stage stage) {
   std::string name(stageColumn(stage));
   name = name.substr(0, name.size() - 3);
   std::replace(name.begin(), name.end(), '_', ' ');
+  if (const auto at = name.find(" constraints"); at != std::string::npos) name.replace(at, name.npos, "s");
   return name;
 }
 
@@ -104,7 +105,7 @@ void stageRow(const char* name, const StageFigures& figures) {
   ImGui::TextUnformatted(name);
   for (const double value : {figures.now, figures.mean, figures.worst}) {
     ImGui::TableNextColumn();
-    ImGui::Text("%6.2f", value);
+    ImGui::Text("%5.1f", value);
   }
 }
 
@@ -121,31 +122,29 @@ void showStageTable(const Pane& pane) {
   ImGui::EndTable();
 }
 
-void showPlots(const ViewerState& state) {
+void showPlots(const ViewerState& state, float scale) {
   PlotDef time = plotOf(state, "physics", "physics_cpu_ms", "ms");
   time.limit = static_cast<float>(state.control.now().budget.milliseconds);
-  time.height = 110.0F;
-  drawPlot(time);
-  drawPlot(stagesPlot(*state.panes.back()));
-  drawPlot(plotOf(state, "manifolds", "manifolds", ""));
-  drawPlot(plotOf(state, "contacts", "contacts", ""));
-  drawPlot(plotOf(state, "pairs", "narrowphase_pairs", ""));
-  drawPlot(levelsPlot(state));
+  time.height = 100.0F;
+  drawPlot(time, scale);
+  drawPlot(stagesPlot(*state.panes.back()), scale);
+  drawPlot(plotOf(state, "manifolds", "manifolds", ""), scale);
+  drawPlot(plotOf(state, "contacts", "contacts", ""), scale);
+  drawPlot(plotOf(state, "pairs", "narrowphase_pairs", ""), scale);
+  drawPlot(levelsPlot(state), scale);
 }
 
 }  // namespace
 
 void showNumbersPanel(ViewerState& state, const Layout& layout) {
-  if (layout.rightWidth() > 0.0F) {
-    placePanel({layout.window().x - layout.rightWidth(), 0.0F}, {layout.rightWidth(), layout.sideHeight()});
-  }
-  if (ImGui::Begin("Numbers")) {
-    ImGui::Text("picture %.1f ms, %zu bodies, %zu k faces", state.drawMilliseconds, state.statistics.items,
-                state.statistics.triangles / 1000);
-    showPlots(state);
+  const Place place = layout.numbers(state.hands.picked().has_value());
+  if (beginFoldingPanel("Numbers", place, state.open.numbers)) {
+    showPlots(state, layout.scale());
     if (ImGui::CollapsingHeader("Stages, last 600 frames, ms", ImGuiTreeNodeFlags_DefaultOpen)) {
       for (const auto& pane : state.panes) showStageTable(*pane);
     }
+    ImGui::TextWrapped("picture %.1f ms, %zu bodies, %zu k faces", state.drawMilliseconds,
+                       state.statistics.items, state.statistics.triangles / 1000);
   }
   ImGui::End();
 }

@@ -15,28 +15,40 @@ void showLabels(const ViewerState& state, const Layout& layout) {
     const std::string text = experiment.options().scene + ", " + state.panes[i]->label();
     const glm::vec2 corner = layout.corner(i);
     const float left = corner.x + 0.5F * (layout.size().x - ImGui::CalcTextSize(text.c_str()).x);
-    draw.AddText({left + 1.0F, 9.0F}, IM_COL32(0, 0, 0, 200), text.c_str());
-    draw.AddText({left, 8.0F}, IM_COL32(235, 240, 245, 255), text.c_str());
+    const float top = 8.0F * layout.scale();
+    draw.AddText({left + 1.0F, top + 1.0F}, IM_COL32(0, 0, 0, 200), text.c_str());
+    draw.AddText({left, top}, IM_COL32(235, 240, 245, 255), text.c_str());
     if (i > 0) draw.AddLine({corner.x, 0.0F}, {corner.x, layout.size().y}, IM_COL32(200, 210, 220, 120));
   }
 }
 
 }  // namespace
 
-void placePanel(const glm::vec2& corner, const glm::vec2& size) {
-  ImGui::SetNextWindowPos({corner.x, corner.y});
-  ImGui::SetNextWindowSize({size.x, size.y});
+bool beginPanel(const char* title, const Place& place, bool titled) {
+  ImGui::SetNextWindowPos({place.corner.x, place.corner.y});
+  ImGui::SetNextWindowSize({place.size.x, place.size.y});
+  ImGuiWindowFlags flags = ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize;
+  if (!titled) flags |= ImGuiWindowFlags_NoTitleBar;
+  return ImGui::Begin(title, nullptr, flags);
+}
+
+bool beginFoldingPanel(const char* title, const Place& place, bool& open) {
+  ImGui::SetNextWindowCollapsed(!open);
+  const bool shown = beginPanel(title, place);
+  open = !ImGui::IsWindowCollapsed();
+  return shown;
 }
 
 void showPanels(ViewerState& state, const Layout& layout) {
   showLabels(state, layout);
-  if (state.panelsShown) {
+  if (state.helpShown) {
+    showHelpPanel(state, layout);
+  } else if (state.panelsShown) {
     showControlPanel(state, layout);
     showNumbersPanel(state, layout);
     showInspectorPanel(state, layout);
     showTimePanel(state, layout);
   }
-  if (state.helpShown) showHelpPanel(state, layout);
 }
 
 }  // namespace scatter::viewer

@@ -1,0 +1,62 @@
+#include "viewer/cutaway.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace scatter::viewer {
+namespace {
+
+constexpr std::size_t kMostAsked = 64;  // bodies
+constexpr float kHidesMuch = 0.25F;     // share of the bodies for which anything is cut away,
+constexpr float kWallHides = 0.04F;     // and for which a wall is
+constexpr float kHidesNothing = 0.01F;
+constexpr float kWallSize = 0.5F;  // radius of a wall, at least, by that of the bodies together
+constexpr float kFadeSeconds = 0.3F;
+
+/// Whether the ray to a body meets the obstacle before it meets the body.
+bool hides(const Obstacle& obstacle, const Vec3& eye, const Actor& actor) {
+  const Transform back = obstacle.pose.inverse();
+  const Vec3 from = back(eye);
+  const Vec3 way = back(actor.position) - from;
+  const float distance = glm::length(way);
+  const float limit = distance - actor.radius;
+  if (!(limit > 0.0F)) return false;
+  return obstacle.surface->nearestHit(from, way / distance, limit) < limit;
+}
+
+}  // namespace
+
+float hiddenShare(const Obstacle& obstacle, const Vec3& eye, std::span<const Actor> actors) {
+  if (actors.empty()) return 0.0F;
+  const std::size_t step = (actors.size() + kMostAsked - 1) / kMostAsked;
+  std::size_t asked = 0;
+  std::size_t hidden = 0;
+  for (std::size_t i = 0; i < actors.size(); i += step) {
+    ++asked;
+    if (hides(obstacle, eye, actors[i])) ++hidden;
+  }
+  return static_cast<float>(hidden) / static_cast<float>(asked);
+}
+
+void Cutaway::update(const Vec3& eye, std::span<const Actor> actors, std::span<const Obstacle> obstacles,
+                     float seconds) {
+  const float fade = std::max(0.0F, seconds) / kFadeSeconds;
+  const float wallRadius = kWallSize * extentOf(actors).value_or(Ball{}).radius;
+  for (const Obstacle& obstacle : obstacles) {
+    const float hidden = hiddenShare(obstacle, eye, actors);
+    const float enough = obstacle.radius >= wallRadius ? kWallHides : kHidesMuch;
+    bool& cut = cut_[obstacle.body];
+    cut = hidden >= enough || (cut && hidden > kHidesNothing);
+    const float aim = cut ? 1.0F : 0.0F;
+    const auto [share, isNew] = shares_.emplace(obstacle.body, aim);
+    if (!isNew) share->second += std::clamp(aim - share->second, -fade, fade);
+  }
+}
+
+float Cutaway::share(BodyId body) const {
+  const auto found = shares_.find(body);
+  return found == shares_.end() ? 0.0F : found->second;
+}
+
+}  // namespace scatter::viewer
