@@ -19,6 +19,11 @@ constexpr float kAll = 0.9F;
 constexpr float kMostBodyRadii = 22.0F;  // a ball of more body radii shows specks
 constexpr float kLeastBodyRadii = 2.5F;  // a ball of fewer shows too little around a body
 
+constexpr float kMoves = 0.005F;      // metres in a frame
+constexpr float kFewMove = 0.2F;      // share of the bodies that stands out if only they move,
+constexpr float kMoversShare = 0.4F;  // and their share of all weight then
+constexpr float kNearMost = 0.7F;     // by the largest ball, the distance of movers that count
+
 /// A number and how much it counts.
 using Weighted = std::pair<float, float>;
 
@@ -68,10 +73,14 @@ Ball ballAround(std::span<const Actor> actors, const std::vector<float>& weights
   return {center, reachAround(center, actors, weights, share)};
 }
 
+float typicalRadius(std::span<const Actor> actors) {
+  std::vector<Weighted> radii;
+  for (const Actor& actor : actors) radii.emplace_back(actor.radius, 1.0F);
+  return quantile(radii, 0.5F);
+}
+
 std::vector<float> weightsOf(std::span<const Actor> actors) {
-  const auto meeting = std::count_if(actors.begin(), actors.end(), [](const Actor& a) { return a.meeting; });
-  const float share = static_cast<float>(meeting) / static_cast<float>(actors.size());
-  const float bystander = glm::mix(1.0F, kBystanderWeight, glm::smoothstep(kFewMeet, kManyMeet, share));
+  const float bystander = glm::mix(1.0F, kBystanderWeight, crowding(actors));
   std::vector<float> weights;
   weights.reserve(actors.size());
   for (const Actor& actor : actors)
@@ -79,10 +88,27 @@ std::vector<float> weightsOf(std::span<const Actor> actors) {
   return weights;
 }
 
-float typicalRadius(std::span<const Actor> actors) {
-  std::vector<Weighted> radii;
-  for (const Actor& actor : actors) radii.emplace_back(actor.radius, 1.0F);
-  return quantile(radii, 0.5F);
+/// Few that move among many that rest are what happens, unless they have left the others behind.
+void raiseMovers(std::span<const Actor> actors, std::vector<float>& weights) {
+  const Vec3 middle = medianPlace(actors, std::vector<float>(actors.size(), 1.0F));
+  const float reach = kNearMost * kMostBodyRadii * typicalRadius(actors);
+  std::vector<std::size_t> movers;
+  float moving = 0.0F;
+  float all = 0.0F;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < actors.size(); ++i) {
+    all += weights[i];
+    if (actors[i].moved < kMoves) continue;
+    ++count;
+    if (glm::distance(actors[i].position, middle) > reach) continue;
+    movers.push_back(i);
+    moving += weights[i];
+  }
+  const bool few = static_cast<float>(count) <= kFewMove * static_cast<float>(actors.size());
+  if (movers.empty() || !few) return;
+  const float wanted = kMoversShare / (1.0F - kMoversShare) * (all - moving);
+  if (wanted <= moving) return;
+  for (const std::size_t i : movers) weights[i] *= wanted / moving;
 }
 
 }  // namespace
@@ -107,10 +133,19 @@ void markMeetings(std::span<Actor> actors) {
 
 std::optional<Ball> findAction(std::span<const Actor> actors) {
   if (actors.empty()) return std::nullopt;
-  Ball ball = ballAround(actors, weightsOf(actors), kShown);
+  std::vector<float> weights = weightsOf(actors);
+  raiseMovers(actors, weights);
+  Ball ball = ballAround(actors, weights, kShown);
   const float typical = typicalRadius(actors);
   ball.radius = std::clamp(ball.radius, kLeastBodyRadii * typical, kMostBodyRadii * typical);
   return ball;
+}
+
+float crowding(std::span<const Actor> actors) {
+  if (actors.empty()) return 0.0F;
+  const auto meeting = std::count_if(actors.begin(), actors.end(), [](const Actor& a) { return a.meeting; });
+  const float share = static_cast<float>(meeting) / static_cast<float>(actors.size());
+  return glm::smoothstep(kFewMeet, kManyMeet, share);
 }
 
 std::optional<Ball> extentOf(std::span<const Actor> actors) {

@@ -11,9 +11,10 @@ namespace {
 constexpr float kLargestPitch = 1.5F;
 constexpr float kNearest = 0.05F;
 constexpr float kFurthest = 5000.0F;
-constexpr float kTurnSeconds = 0.6F;  // in which most of the way to the action is gone
-constexpr float kZoomSeconds = 0.9F;
-constexpr float kRoom = 1.1F;  // around the action, so that it does not touch the picture's edges
+constexpr float kTurnSeconds = 0.5F;  // in which most of the way to the action is gone
+constexpr float kNearerSeconds = 0.6F;
+constexpr float kFurtherSeconds = 0.3F;
+constexpr float kRoom = 1.15F;  // around the action, so that it does not touch the picture's edges
 const Vec3 kUp(0.0F, 1.0F, 0.0F);
 
 /// From where a ball just fills the narrower side of a picture.
@@ -55,7 +56,8 @@ void CameraRig::watch(const Ball& action, float aspect, float seconds) {
   const float time = watched_ ? std::max(0.0F, seconds) : 1e3F;
   watched_ = true;
   pivot_ += (1.0F - std::exp(-time / kTurnSeconds)) * (action.center - pivot_);
-  distance_ *= std::pow(distance / distance_, 1.0F - std::exp(-time / kZoomSeconds));
+  const float zoomSeconds = distance < distance_ ? kNearerSeconds : kFurtherSeconds;
+  distance_ *= std::pow(distance / distance_, 1.0F - std::exp(-time / zoomSeconds));
 }
 
 void CameraRig::look(const Vec3& at, float right, float up, float distance) {

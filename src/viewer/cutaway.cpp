@@ -25,6 +25,15 @@ bool hides(const Obstacle& obstacle, const Vec3& eye, const Actor& actor) {
   return obstacle.surface->nearestHit(from, way / distance, limit) < limit;
 }
 
+/// What the action goes on upon: it lies below its middle, and leaves that to be seen.
+bool isFloor(const Obstacle& obstacle, const Vec3& eye, const Vec3& middle) {
+  const Transform back = obstacle.pose.inverse();
+  const Vec3 down = back.rotation * Vec3(0.0F, -1.0F, 0.0F);
+  const float deep = 2.0F * (glm::distance(middle, obstacle.pose.position) + obstacle.radius);
+  const bool below = obstacle.surface->nearestHit(back(middle), down, deep) < deep;
+  return below && !hides(obstacle, eye, {middle});
+}
+
 }  // namespace
 
 float hiddenShare(const Obstacle& obstacle, const Vec3& eye, std::span<const Actor> actors) {
@@ -42,10 +51,10 @@ float hiddenShare(const Obstacle& obstacle, const Vec3& eye, std::span<const Act
 void Cutaway::update(const Vec3& eye, std::span<const Actor> actors, std::span<const Obstacle> obstacles,
                      float seconds) {
   const float fade = std::max(0.0F, seconds) / kFadeSeconds;
-  const float wallRadius = kWallSize * extentOf(actors).value_or(Ball{}).radius;
+  const Ball extent = extentOf(actors).value_or(Ball{});
   for (const Obstacle& obstacle : obstacles) {
-    const float hidden = hiddenShare(obstacle, eye, actors);
-    const float enough = obstacle.radius >= wallRadius ? kWallHides : kHidesMuch;
+    const float hidden = isFloor(obstacle, eye, extent.center) ? 0.0F : hiddenShare(obstacle, eye, actors);
+    const float enough = obstacle.radius >= kWallSize * extent.radius ? kWallHides : kHidesMuch;
     bool& cut = cut_[obstacle.body];
     cut = hidden >= enough || (cut && hidden > kHidesNothing);
     const float aim = cut ? 1.0F : 0.0F;

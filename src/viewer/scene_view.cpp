@@ -16,11 +16,13 @@ using Levels = std::shared_ptr<const LevelSet>;
 
 constexpr float kGhost = 0.16F;  // alpha
 constexpr float kLevelGround = 0.99F;
+constexpr float kMarkGlow = 0.25F;     // little enough that the body's form is still seen
 constexpr float kCutAway = 0.05F;      // alpha of what is cut away,
-constexpr float kCutAwayEdge = 0.35F;  // and of its edges
+constexpr float kCutAwayEdge = 0.18F;  // and of its edges
 constexpr int kInsets = 8;
 constexpr float kInset = 0.003F;     // metres
 constexpr float kMostInset = 0.02F;  // by half of the thinnest side
+constexpr Color kStaticColor{0.40F, 0.43F, 0.48F, 1.0F};
 constexpr Color kEdgeColor{0.75F, 0.82F, 0.9F, 1.0F};
 
 const std::vector<Color>& kindColors() {
@@ -57,6 +59,23 @@ Vec3 insetOf(const Box& box, int number) {
   return Vec3(std::min(kInset * static_cast<float>(number % kInsets), kMostInset * thinnest));
 }
 
+/// A box that lies flat.
+bool isSlab(const Box& box, const Transform& pose) {
+  const Vec3& half = box.halfExtents;
+  const bool flat = 2.0F * half.y < std::min(half.x, half.z);
+  return flat && (pose.rotation * Vec3(0.0F, 1.0F, 0.0F)).y > kLevelGround;
+}
+
+/// Of several slabs, such as a floor and a ceiling, shadows fall on the lowest.
+void keepLowestFloor(std::vector<Item>& items) {
+  Item* lowest = nullptr;
+  for (Item& item : items) {
+    if (!std::exchange(item.isFloor, false)) continue;
+    if (lowest == nullptr || item.pose.position.y < lowest->pose.position.y) lowest = &item;
+  }
+  if (lowest != nullptr) lowest->isFloor = true;
+}
+
 void addEdges(const Item& item, float alpha, std::vector<Line>& lines) {
   const auto corner = [&](int bits) {
     return item.pose(item.scale * Vec3((bits & 1) != 0 ? 1.0F : -1.0F, (bits & 2) != 0 ? 1.0F : -1.0F,
@@ -86,6 +105,7 @@ struct SceneView::Shown {
 };
 
 Color SceneView::ownColor(const BodyDef& def) {
+  if (def.motion == Motion::kStatic) return kStaticColor;
   const auto [kind, isNew] = kinds_.emplace(nameStem(def.name), kinds_.size());
   const Color color = kindColors()[kind->second % kindColors().size()];
   return def.motion == Motion::kDynamic ? color : mixed(color, glm::vec3(0.4F), 0.6F);
@@ -144,7 +164,7 @@ void SceneView::addBody(const Shown& shown, const DebugViewSet& views, View& vie
   item.pose = shown.pose;
   item.wireframe = shapes;
   item.color = colorOf(shown, views);
-  item.glow = std::max({0.6F * shown.mark.coarser, 0.6F * shown.mark.finer, 0.4F * shown.mark.requested});
+  item.glow = kMarkGlow * std::max({shown.mark.coarser, shown.mark.finer, shown.mark.requested});
   if (shown.def.motion == Motion::kStatic) {
     addWall(shown, item, view);
     return;
@@ -157,6 +177,8 @@ void SceneView::addWall(const Shown& shown, Item item, View& view) {
   const auto* box = std::get_if<Box>(&shown.def.shape);
   if (box != nullptr && !shown.def.mesh) item.scale -= insetOf(*box, shown.staticNumber);
   item.color.a = glm::mix(item.color.a, kCutAway, shown.cutAway);
+  item.castsShadow = false;
+  item.isFloor = box != nullptr && isSlab(*box, shown.pose) && !item.wireframe && item.color.a >= 1.0F;
   view.items.push_back(item);
   if (box != nullptr && shown.cutAway > 0.0F) addEdges(item, kCutAwayEdge * shown.cutAway, view.lines);
 }
@@ -185,15 +207,23 @@ void SceneView::add(const Moment& moment, const DebugViewSet& views, const Cutaw
     }
     addBody(shown, views, view);
   }
+  keepLowestFloor(view.items);
 }
 
 std::vector<Actor> SceneView::actors(const Moment& moment) {
   const RunHistory::Frame now = moment.history->frame(moment.frame);
+  const bool hasBefore = moment.frame > 0 && moment.history->has(moment.frame - 1);
+  const RunHistory::Frame before = moment.history->frame(hasBefore ? moment.frame - 1 : moment.frame);
   std::vector<Actor> actors;
   for (std::size_t i = 0; i < now.bodies().size(); ++i) {
-    const BodyDef* def = moment.history->def(now.bodies()[i]);
+    const BodyId body = now.bodies()[i];
+    const BodyDef* def = moment.history->def(body);
     if (def == nullptr || def->motion == Motion::kStatic) continue;
-    actors.push_back({now.pose(i).position, looks_.radius(now.bodies()[i], *def), now.asleep(i)});
+    Actor actor{now.pose(i).position, looks_.radius(body, *def), 0.0F, now.asleep(i)};
+    // As long as no body comes or goes, all have the same places in both frames.
+    const bool stayed = i < before.bodies().size() && before.bodies()[i] == body;
+    if (stayed) actor.moved = glm::distance(actor.position, before.pose(i).position);
+    actors.push_back(actor);
   }
   markMeetings(actors);
   return actors;

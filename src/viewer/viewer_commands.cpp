@@ -122,19 +122,19 @@ void addHands(ViewerState& state) {
   for (std::size_t i = 0; i < kToolCount; ++i) {
     const auto tool = static_cast<Tool>(i);
     const std::string name(toolName(tool));
-    state.commands.add({name, "Hands (left button)", name, kTools[i].second, kTools[i].first,
+    state.commands.add({name, "Hands", name, kTools[i].second, kTools[i].first,
                         [&state, tool] { state.hands.tool = tool; },
                         [&state, tool] { return state.hands.tool == tool; }});
   }
   state.commands.add({"delete",
-                      "Hands (left button)",
+                      "Hands",
                       "delete",
                       "Take the picked object out of the world",
                       Key::kDelete,
                       [&state] { state.hands.removePicked(); },
                       {}});
   state.commands.add({"freeze",
-                      "Hands (left button)",
+                      "Hands",
                       "freeze",
                       "Hold the picked object where it is, or let it go",
                       Key::kZ,

@@ -15,6 +15,8 @@ namespace {
 
 constexpr float kTurnPerHeight = 3.2F;  // radians for a drag over the window's height
 constexpr float kZoomPerNotch = 1.15F;
+constexpr float kCrowdReach = 1.15F;  // by the radius of the action
+constexpr float kCrowdShade = 0.5F;
 constexpr float kFlySpeed = 0.02F;  // of the distance to what is looked at, a loop
 
 class Stopwatch {
@@ -282,7 +284,9 @@ void Window::aim(const std::vector<Moment>& moments) {
     actors.insert(actors.end(), some.begin(), some.end());
   }
   state_->aspect = layout().aspect();
-  if (const auto action = findAction(actors)) camera_.watch(*action, state_->aspect, seconds);
+  const Ball action = findAction(actors).value_or(Ball{});
+  if (!actors.empty()) camera_.watch(action, state_->aspect, seconds);
+  crowd_ = {action.center, kCrowdReach * action.radius, kCrowdShade * crowding(actors)};
   camera_.follow(Pane::positionOf(moments.front()).value_or(camera_.pivot()));
   cutaway_.update(camera_.eye(), actors, panes_.front()->obstacles(moments.front()), seconds);
 }
@@ -296,7 +300,10 @@ Picture Window::picture() {
   for (std::size_t i = 0; i < panes_.size(); ++i) {
     View view = emptyView(i);
     panes_[i]->fill(moments[i], views_, cutaway_, view);
-    view.scenery.stars = !view.scenery.ground.has_value();
+    const bool space = !view.scenery.ground && std::none_of(view.items.begin(), view.items.end(),
+                                                            [](const Item& item) { return item.isFloor; });
+    view.scenery.stars = space;
+    if (space) view.scenery.crowd = crowd_;
     view.scenery.fadeRadius = std::max(40.0F, 4.0F * camera_.distance());
     picture.views.push_back(std::move(view));
   }

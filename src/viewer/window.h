@@ -85,6 +85,7 @@ class Window {
   glm::vec2 pointer_{0.0F};
   std::array<bool, static_cast<std::size_t>(Key::kCount)> keys_{};
   std::array<bool, 3> buttons_{};
+  Crowd crowd_;
   double aimed_ = 0.0;  ///< When the camera was, by the clock.
   std::vector<double> drawMs_;
   std::vector<double> loopMs_;

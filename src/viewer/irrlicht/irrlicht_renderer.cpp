@@ -67,6 +67,7 @@ IrrlichtRenderer::IrrlichtRenderer(const WindowDef& window) {
   parameters.Bits = 32;
   parameters.ZBufferBits = 24;
   parameters.Stencilbuffer = false;
+  parameters.AntiAlias = static_cast<irr::u8>(window.samples);
   parameters.Vsync = window.waitForScreen;
   parameters.EventReceiver = &receiver_;
   parameters.LoggingLevel = irr::ELL_NONE;

@@ -87,6 +87,7 @@ Result<void> OgreRenderer::open(const WindowDef& window) {
 
 void OgreRenderer::openWindow(const WindowDef& window) {
   Ogre::NameValuePairList parameters;
+  parameters["FSAA"] = std::to_string(window.samples);
   parameters["vsync"] = window.waitForScreen ? "true" : "false";
   window_ = root_->createRenderWindow(window.title, static_cast<unsigned>(std::max(1, window.size.x)),
                                       static_cast<unsigned>(std::max(1, window.size.y)), false, &parameters);

@@ -6,7 +6,7 @@
 namespace scatter::viewer {
 namespace {
 
-constexpr const char* kHandsGroup = "Hands (left button)";
+constexpr const char* kHandsGroup = "Hands";
 
 void showBudget(ViewerState& state) {
   float& budget = state.draggedBudget;
