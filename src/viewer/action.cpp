@@ -90,7 +90,7 @@ std::vector<float> weightsOf(std::span<const Actor> actors) {
 
 /// Few that move among many that rest are what happens, unless they have left the others behind.
 void raiseMovers(std::span<const Actor> actors, std::vector<float>& weights) {
-  const Vec3 middle = medianPlace(actors, std::vector<float>(actors.size(), 1.0F));
+  const Vec3 middle = middleOf(actors);
   const float reach = kNearMost * kMostBodyRadii * typicalRadius(actors);
   std::vector<std::size_t> movers;
   float moving = 0.0F;
@@ -146,6 +146,11 @@ float crowding(std::span<const Actor> actors) {
   const auto meeting = std::count_if(actors.begin(), actors.end(), [](const Actor& a) { return a.meeting; });
   const float share = static_cast<float>(meeting) / static_cast<float>(actors.size());
   return glm::smoothstep(kFewMeet, kManyMeet, share);
+}
+
+Vec3 middleOf(std::span<const Actor> actors) {
+  if (actors.empty()) return Vec3(0.0F);
+  return medianPlace(actors, std::vector<float>(actors.size(), 1.0F));
 }
 
 std::optional<Ball> extentOf(std::span<const Actor> actors) {

@@ -35,6 +35,9 @@ void markMeetings(std::span<Actor> actors);
 /// does.
 [[nodiscard]] float crowding(std::span<const Actor> actors);
 
+/// The median of all places, which a few bodies that are far away do not move.
+[[nodiscard]] Vec3 middleOf(std::span<const Actor> actors);
+
 /// All bodies, without the tenth that is furthest out.
 [[nodiscard]] std::optional<Ball> extentOf(std::span<const Actor> actors);
 

@@ -13,6 +13,7 @@ constexpr float kWallHides = 0.04F;     // and for which a wall is
 constexpr float kHidesNothing = 0.01F;
 constexpr float kWallSize = 0.5F;  // radius of a wall, at least, by that of the bodies together
 constexpr float kFadeSeconds = 0.3F;
+constexpr float kGone = 0.5F;  // share from which it is not there for a user's hand
 
 /// Whether the ray to a body meets the obstacle before it meets the body.
 bool hides(const Obstacle& obstacle, const Vec3& eye, const Actor& actor) {
@@ -51,10 +52,11 @@ float hiddenShare(const Obstacle& obstacle, const Vec3& eye, std::span<const Act
 void Cutaway::update(const Vec3& eye, std::span<const Actor> actors, std::span<const Obstacle> obstacles,
                      float seconds) {
   const float fade = std::max(0.0F, seconds) / kFadeSeconds;
-  const Ball extent = extentOf(actors).value_or(Ball{});
+  const Vec3 middle = middleOf(actors);
+  const float wallRadius = kWallSize * extentOf(actors).value_or(Ball{}).radius;
   for (const Obstacle& obstacle : obstacles) {
-    const float hidden = isFloor(obstacle, eye, extent.center) ? 0.0F : hiddenShare(obstacle, eye, actors);
-    const float enough = obstacle.radius >= kWallSize * extent.radius ? kWallHides : kHidesMuch;
+    const float hidden = isFloor(obstacle, eye, middle) ? 0.0F : hiddenShare(obstacle, eye, actors);
+    const float enough = obstacle.radius >= wallRadius ? kWallHides : kHidesMuch;
     bool& cut = cut_[obstacle.body];
     cut = hidden >= enough || (cut && hidden > kHidesNothing);
     const float aim = cut ? 1.0F : 0.0F;
@@ -66,6 +68,20 @@ void Cutaway::update(const Vec3& eye, std::span<const Actor> actors, std::span<c
 float Cutaway::share(BodyId body) const {
   const auto found = shares_.find(body);
   return found == shares_.end() ? 0.0F : found->second;
+}
+
+float Cutaway::depthBehind(const Ray& ray, std::span<const Obstacle> obstacles) const {
+  float depth = 0.0F;
+  for (const Obstacle& obstacle : obstacles) {
+    if (share(obstacle.body) < kGone) continue;
+    // Seen from the other end, its last surface is its first.
+    const float length = glm::distance(ray.origin, obstacle.pose.position) + 2.0F * obstacle.radius;
+    const Transform back = obstacle.pose.inverse();
+    const Vec3 from = back(ray.origin + length * ray.direction);
+    const float hit = obstacle.surface->nearestHit(from, back.rotation * -ray.direction, length);
+    depth = std::max(depth, length - hit);
+  }
+  return depth;
 }
 
 }  // namespace scatter::viewer

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "viewer/action.h"
+#include "viewer/drawing/projection.h"
 #include "viewer/drawing/ray_tree.h"
 
 namespace scatter::viewer {
@@ -33,6 +34,10 @@ class Cutaway {
 
   /// 0: drawn as it is, 1: cut away.
   [[nodiscard]] float share(BodyId body) const;
+
+  /// How far a ray has to go to leave all that is cut away behind it, metres: what a user points at is
+  /// beyond.
+  [[nodiscard]] float depthBehind(const Ray& ray, std::span<const Obstacle> obstacles) const;
 
  private:
   std::map<BodyId, float> shares_;

@@ -204,7 +204,9 @@ void Window::press(const InputEvent& event) {
   if (event.button != MouseButton::kLeft) return;
   playback_.showNewest();
   const Pointed pointed = pointedAt(event.position);
-  hands_.press(pointed.pane, pointed.ray);
+  Pane& pane = *panes_[pointed.pane];
+  const Moment now = pane.moment(std::nullopt, 1.0F, std::nullopt);
+  hands_.press(pointed.pane, pointed.ray, cutaway_.depthBehind(pointed.ray, pane.obstacles(now)));
 }
 
 void Window::takePointer(const InputEvent& event) {

@@ -80,7 +80,9 @@ glm::vec3 shaded(const Color& color) {
 /// The uppermost side of a floor.
 ShadowPlane planeOf(const Item& floor, const MeshOutline& outline) {
   const Vec3 center = floor.pose(floor.scale * outline.center);
-  const Vec3 reach = glm::abs(floor.pose.rotation * floor.scale);
+  const glm::mat3 turn = glm::mat3_cast(floor.pose.rotation);
+  const Vec3& half = floor.scale;
+  const Vec3 reach = half.x * glm::abs(turn[0]) + half.y * glm::abs(turn[1]) + half.z * glm::abs(turn[2]);
   return {center.y + reach.y, shaded(floor.color), Bounds{center - reach, center + reach}};
 }
 

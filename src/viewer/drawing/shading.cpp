@@ -40,7 +40,7 @@ void main() {
   }
   float inside = 1.0 - smoothstep(0.3, 0.95, distance(place, crowd.xyz) / crowd.w);
   float lightLeft = 1.0 - crowdShade * inside;
-  float open = gl_Color.a * gl_Color.a * lightLeft;
+  float open = (0.2 + 0.8 * gl_Color.a * gl_Color.a) * lightLeft;
   float above = 0.5 + 0.5 * dot(normal, worldUp);
   vec3 ambient = mix(vec3(0.13, 0.13, 0.16), vec3(0.36, 0.41, 0.50), above) * open;
   vec3 key = vec3(0.92, 0.86, 0.76) * max(dot(normal, toLight), 0.0) * (0.35 + 0.65 * gl_Color.a) * lightLeft;

@@ -1,18 +1,32 @@
 #include "viewer/panels/panels.h"
 
 #include <imgui.h>
+#include <scatter/lab/frame_table.h>
 
+#include <cstdint>
+#include <cstdio>
 #include <string>
+#include <vector>
 
 namespace scatter::viewer {
 namespace {
+
+/// What a world is, and what the step to a frame of it cost.
+std::string labelOf(const Experiment& experiment, std::uint64_t frame) {
+  std::string text = experiment.options().scene + ", " + experiment.options().label;
+  const std::vector<double>& costs = experiment.table().values("physics_cpu_ms");
+  if (frame == 0 || frame > costs.size()) return text;
+  char cost[32];
+  std::snprintf(cost, sizeof cost, ": %.1f ms", costs[frame - 1]);
+  return text + cost;
+}
 
 /// The name of each world at the top of its picture.
 void showLabels(const ViewerState& state, const Layout& layout) {
   ImDrawList& draw = *ImGui::GetBackgroundDrawList();
   for (std::size_t i = 0; i < state.panes.size(); ++i) {
     const Experiment& experiment = state.panes[i]->experiment();
-    const std::string text = experiment.options().scene + ", " + state.panes[i]->label();
+    const std::string text = labelOf(experiment, state.playback.shown());
     const glm::vec2 corner = layout.corner(i);
     const float left = corner.x + 0.5F * (layout.size().x - ImGui::CalcTextSize(text.c_str()).x);
     const float top = 8.0F * layout.scale();
