@@ -20,7 +20,7 @@ void addHeading(const std::string& title, std::vector<HelpLine>& lines) {
 }
 
 void addMouse(std::vector<HelpLine>& lines) {
-  addHeading("Mouse and flying", lines);
+  addHeading("Mouse", lines);
   lines.push_back({"left", "hand", "What the chosen hand does, in both worlds"});
   lines.push_back({"right", "turn", "Drag: turn the camera"});
   lines.push_back({"middle", "move", "Drag: move the camera sideways"});
@@ -38,7 +38,7 @@ void addCommandLines(const Commands& commands, std::vector<HelpLine>& lines) {
 
 /// What has no key: sliders and boxes of the panels.
 void addSliders(std::vector<HelpLine>& lines) {
-  addHeading("Sliders and boxes", lines);
+  addHeading("Sliders", lines);
   lines.push_back({"", "frame", "The bar at the bottom: any frame that is kept"});
   lines.push_back({"", "rate of time", "Of the physics, 0.05 to 4; Ctrl and click to type"});
   lines.push_back({"", "push, throw", "Speed that a push or a throw gives, m/s"});
@@ -61,9 +61,20 @@ void showLine(const HelpLine& line) {
   ImGui::TextWrapped("%s", line.help.c_str());
 }
 
-void showColumn(const char* name, std::span<const HelpLine> lines, float scale) {
-  const ImVec2 size(0.5F * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x), 0.0F);
-  if (ImGui::BeginTable(name, 3, ImGuiTableFlags_RowBg, size)) {
+/// The heading next to the middle: there the second column begins.
+std::size_t secondColumn(std::span<const HelpLine> lines) {
+  std::size_t best = 0;
+  const auto fromMiddle = [&](std::size_t i) {
+    return 2 * i > lines.size() ? 2 * i - lines.size() : lines.size() - 2 * i;
+  };
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (lines[i].help.empty() && fromMiddle(i) < fromMiddle(best)) best = i;
+  }
+  return best;
+}
+
+void showColumn(const char* name, std::span<const HelpLine> lines, float width, float scale) {
+  if (ImGui::BeginTable(name, 3, ImGuiTableFlags_RowBg, ImVec2(width, 0.0F))) {
     ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, 66.0F * scale);
     ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed, 92.0F * scale);
     ImGui::TableSetupColumn("help");
@@ -79,17 +90,17 @@ void showHelpPanel(ViewerState& state, const Layout& layout) {
   addMouse(lines);
   addCommandLines(state.commands, lines);
   addSliders(lines);
-  // The column begins with a heading.
-  auto second = lines.begin() + static_cast<std::ptrdiff_t>(lines.size() / 2);
-  while (second != lines.begin() && !second->help.empty()) --second;
-  const auto count = static_cast<std::size_t>(second - lines.begin());
-  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(4.0F * layout.scale(), 0.0F));
+  const std::size_t second = secondColumn(lines);
+  const float scale = layout.scale();
+  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(4.0F * scale, 1.0F * scale));
   if (beginPanel("Help", layout.help(), false)) {
     commandButton(state.commands, "help");
-    const ImVec2 top = ImGui::GetCursorPos();
-    showColumn("first", std::span(lines).first(count), layout.scale());
-    ImGui::SetCursorPos({0.5F * (layout.window().x + ImGui::GetStyle().ItemSpacing.x), top.y});
-    showColumn("second", std::span(lines).subspan(count), layout.scale());
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const ImVec2 corner = ImGui::GetCursorPos();
+    const float width = 0.5F * (ImGui::GetContentRegionAvail().x - gap);
+    showColumn("first", std::span(lines).first(second), width, scale);
+    ImGui::SetCursorPos({corner.x + width + gap, corner.y});
+    showColumn("second", std::span(lines).subspan(second), width, scale);
   }
   ImGui::End();
   ImGui::PopStyleVar();

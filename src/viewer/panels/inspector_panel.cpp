@@ -45,9 +45,8 @@ void showRequest(const World& world, const ObservedRequest& request) {
 }
 
 void showVector(const char* name, const Vec3& vector, const char* unit) {
-  ImGui::Text("%s %.2f, %.2f, %.2f, length %.2f %s", name, static_cast<double>(vector.x),
-              static_cast<double>(vector.y), static_cast<double>(vector.z),
-              static_cast<double>(glm::length(vector)), unit);
+  ImGui::Text("%s %.2f, %.2f, %.2f %s", name, static_cast<double>(vector.x), static_cast<double>(vector.y),
+              static_cast<double>(vector.z), unit);
 }
 
 void showBody(const WorldObject& object) {
@@ -56,6 +55,8 @@ void showBody(const WorldObject& object) {
   showVector("position", state.pose.position, "m");
   showVector("velocity", state.linearVelocity, "m/s");
   showVector("spin", state.angularVelocity, "rad/s");
+  ImGui::Text("in all %.2f m/s, %.2f rad/s", static_cast<double>(glm::length(state.linearVelocity)),
+              static_cast<double>(glm::length(state.angularVelocity)));
 }
 
 void showPairs(const World& world, const Observation& observed, BodyId body) {

@@ -21,12 +21,11 @@ constexpr std::array<ImU32, kStageCount> kStageColors{
     IM_COL32(130, 200, 130, 255), IM_COL32(160, 160, 160, 255), IM_COL32(200, 200, 130, 255),
     IM_COL32(90, 215, 190, 255)};
 
-/// "collision detection" of "collision_detection_ms", short enough for a narrow panel.
+/// "collision detection" of "collision_detection_ms".
 std::string stageName(Stage stage) {
   std::string name(stageColumn(stage));
   name = name.substr(0, name.size() - 3);
   std::replace(name.begin(), name.end(), '_', ' ');
-  if (const auto at = name.find(" constraints"); at != std::string::npos) name.replace(at, name.npos, "s");
   return name;
 }
 
@@ -102,7 +101,7 @@ StageFigures figuresOf(const FrameData& data, std::string_view channel) {
 void stageRow(const char* name, const StageFigures& figures) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  ImGui::TextUnformatted(name);
+  ImGui::TextWrapped("%s", name);
   for (const double value : {figures.now, figures.mean, figures.worst}) {
     ImGui::TableNextColumn();
     ImGui::Text("%5.1f", value);
@@ -110,16 +109,22 @@ void stageRow(const char* name, const StageFigures& figures) {
 }
 
 void showStageTable(const Pane& pane) {
-  if (!ImGui::BeginTable(("stages of " + pane.label()).c_str(), 4, ImGuiTableFlags_SizingStretchProp)) return;
-  for (const char* title : {pane.label().c_str(), "now", "mean", "worst"}) ImGui::TableSetupColumn(title);
-  ImGui::TableHeadersRow();
-  const FrameData& data = pane.experiment().data();
-  stageRow("physics, CPU", figuresOf(data, "physics_cpu_ms"));
-  for (std::size_t i = 0; i < kStageCount; ++i) {
-    const auto stage = static_cast<Stage>(i);
-    stageRow(stageName(stage).c_str(), figuresOf(data, stageColumn(stage)));
+  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(2.0F, 1.0F));
+  if (ImGui::BeginTable(("stages of " + pane.label()).c_str(), 4)) {
+    const float number = ImGui::CalcTextSize("worst").x;
+    ImGui::TableSetupColumn(pane.label().c_str());
+    for (const char* title : {"now", "mean", "worst"})
+      ImGui::TableSetupColumn(title, ImGuiTableColumnFlags_WidthFixed, number);
+    ImGui::TableHeadersRow();
+    const FrameData& data = pane.experiment().data();
+    stageRow("physics, CPU", figuresOf(data, "physics_cpu_ms"));
+    for (std::size_t i = 0; i < kStageCount; ++i) {
+      const auto stage = static_cast<Stage>(i);
+      stageRow(stageName(stage).c_str(), figuresOf(data, stageColumn(stage)));
+    }
+    ImGui::EndTable();
   }
-  ImGui::EndTable();
+  ImGui::PopStyleVar();
 }
 
 void showPlots(const ViewerState& state, float scale) {
