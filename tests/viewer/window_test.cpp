@@ -294,6 +294,17 @@ TEST_P(WindowTest, PanelsHideAndHelpNamesEveryCommand) {
   EXPECT_GT(differentPixels(picture("without.png"), picture("help.png")), 5000);
 }
 
+TEST_P(WindowTest, PanelsFoldByClickAndByKey) {
+  if (!shows()) GTEST_SKIP() << "needs pictures";
+  // So narrow a window begins with folded panels.
+  (void)played("duel", 40,
+               "1 do pause\n2 do orbit\n3 key Tab\n" + shot(8, "folded.png") +
+                   "9 move 10 9\n10 down left\n12 up left\n" + shot(16, "open.png") +
+                   "17 key F2\n18 move 320 200\n" + shot(22, "again.png"));
+  EXPECT_GT(differentPixels(picture("folded.png"), picture("open.png")), 5000);
+  EXPECT_LT(differentPixels(picture("folded.png"), picture("again.png")), 3000);
+}
+
 TEST_P(WindowTest, RecordsPicturesAndWritesTheRun) {
   (void)played("duel", 40, "10 key F9\n15 key F9\n20 do write\n");
   EXPECT_TRUE(fs::exists(folder_ / "out" / "frames-1" / "000000.png"));

@@ -28,9 +28,12 @@ void showLabels(const ViewerState& state, const Layout& layout) {
     const Experiment& experiment = state.panes[i]->experiment();
     const std::string text = labelOf(experiment, state.playback.shown());
     const glm::vec2 corner = layout.corner(i);
-    const float left = corner.x + 0.5F * (layout.size().x - ImGui::CalcTextSize(text.c_str()).x);
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const float left = corner.x + 0.5F * (layout.size().x - size.x);
     const float top = 8.0F * layout.scale();
-    draw.AddText({left + 1.0F, top + 1.0F}, IM_COL32(0, 0, 0, 200), text.c_str());
+    const float around = 4.0F * layout.scale();
+    draw.AddRectFilled({left - around, top - around}, {left + size.x + around, top + size.y + around},
+                       IM_COL32(8, 10, 16, 150), around);
     draw.AddText({left, top}, IM_COL32(235, 240, 245, 255), text.c_str());
     if (i > 0) draw.AddLine({corner.x, 0.0F}, {corner.x, layout.size().y}, IM_COL32(200, 210, 220, 120));
   }

@@ -97,17 +97,22 @@ void drawLines(const PlotDef& plot, const Canvas& canvas, float scale, ImDrawLis
   }
 }
 
+/// As many of the axis' marks as there is room for, powers of ten first.
 void drawMarks(const Canvas& canvas, ImDrawList& draw) {
   const ImVec2 low = ImGui::GetItemRectMin();
   const ImVec2 high = ImGui::GetItemRectMax();
+  const float line = ImGui::GetFontSize();
+  std::vector<float> taken;
   for (const float mark : canvas.axis().marks()) {
     const float y = canvas.at(0, mark).y;
+    const bool isFree =
+        std::none_of(taken.begin(), taken.end(), [&](float other) { return std::abs(other - y) < line; });
+    if (!isFree || y < low.y + 0.5F * line || y > high.y - 0.5F * line) continue;
+    taken.push_back(y);
     char text[24];
     std::snprintf(text, sizeof text, "%g", static_cast<double>(mark));
-    const float width = ImGui::CalcTextSize(text).x;
-    const float top = std::clamp(y - 0.5F * ImGui::GetFontSize(), low.y, high.y - ImGui::GetFontSize());
-    draw.AddText({low.x + 2.0F, top}, kMarkText, text);
-    draw.AddLine({low.x + width + 5.0F, y}, {high.x, y}, kMark);
+    draw.AddText({low.x + 2.0F, y - 0.5F * line}, kMarkText, text);
+    draw.AddLine({low.x + ImGui::CalcTextSize(text).x + 5.0F, y}, {high.x, y}, kMark);
   }
 }
 

@@ -34,11 +34,9 @@ float PlotAxis::shareOf(float value) const {
 std::vector<float> PlotAxis::marks() const {
   std::vector<float> marks;
   if (!logarithmic) return marks;
-  const bool wide = high >= 100.0F * low;
-  for (float ten = std::pow(10.0F, std::floor(std::log10(low))); ten < high; ten *= 10.0F) {
-    for (const float step : {1.0F, 2.0F, 5.0F}) {
-      const bool inside = step * ten >= low && step * ten <= high;
-      if (inside && (step == 1.0F || !wide)) marks.push_back(step * ten);
+  for (const float step : {1.0F, 2.0F, 5.0F}) {
+    for (float ten = std::pow(10.0F, std::floor(std::log10(low))); ten < high; ten *= 10.0F) {
+      if (step * ten >= low && step * ten <= high) marks.push_back(step * ten);
     }
   }
   return marks;

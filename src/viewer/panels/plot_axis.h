@@ -14,8 +14,8 @@ struct PlotAxis {
   /// Where a value is, 0 at the bottom and 1 at the top; what is lower than all is at the bottom.
   [[nodiscard]] float shareOf(float value) const;
 
-  /// Values worth a line across the plot: of a logarithmic axis powers of ten, and if it is short their
-  /// doubles and halves; else none.
+  /// Values worth a line across the plot, if there is room, the most welcome first: of a logarithmic axis
+  /// powers of ten, then their doubles, then their halves; else none.
   [[nodiscard]] std::vector<float> marks() const;
 };
 
