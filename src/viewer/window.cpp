@@ -16,7 +16,7 @@ namespace {
 constexpr float kTurnPerHeight = 3.2F;  // radians for a drag over the window's height
 constexpr float kZoomPerNotch = 1.15F;
 constexpr float kCrowdReach = 1.15F;  // by the radius of the action
-constexpr float kCrowdShade = 0.5F;
+constexpr float kCrowdShade = 0.35F;
 constexpr float kFlySpeed = 0.02F;  // of the distance to what is looked at, a loop
 
 class Stopwatch {

@@ -43,7 +43,7 @@ void main() {
   float open = (0.2 + 0.8 * gl_Color.a * gl_Color.a) * lightLeft;
   float above = 0.5 + 0.5 * dot(normal, worldUp);
   vec3 ambient = mix(vec3(0.13, 0.13, 0.16), vec3(0.36, 0.41, 0.50), above) * open;
-  vec3 key = vec3(0.92, 0.86, 0.76) * max(dot(normal, toLight), 0.0) * (0.35 + 0.65 * gl_Color.a) * lightLeft;
+  vec3 key = vec3(1.0, 0.94, 0.83) * max(dot(normal, toLight), 0.0) * (0.35 + 0.65 * gl_Color.a) * lightLeft;
   float shine = pow(max(dot(normal, normalize(toLight + toEye)), 0.0), 28.0) * 0.22 * open;
   float rim = 1.0 - clamp(facing, 0.0, 1.0);
   vec3 color = itemColor.rgb * gl_Color.rgb;
