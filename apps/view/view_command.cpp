@@ -23,6 +23,7 @@ struct Arguments {
   std::vector<std::string> worlds{worldChoices().front().name};
   std::string renderer = viewer::rendererNames().front();
   std::string size = "1280x720";
+  int samples = 0;
   std::uint64_t loops = 0;
   std::optional<std::string> script;
   std::optional<std::string> screenshot;
@@ -84,6 +85,7 @@ ExitStatus view(const Arguments& arguments) {
   viewer::WindowDef window;
   window.title = "Scatter: " + def->worlds.front().scene;
   window.size = *size;
+  window.samples = arguments.samples;
   const auto renderer = viewer::makeRenderer(arguments.renderer, window);
   if (!renderer) return refuse(renderer.error());
   const auto seen = viewer::runViewer(**renderer, *def);
@@ -119,6 +121,11 @@ Command addViewCommand(CLI::App& program) {
       ->capture_default_str();
   command->add_option("--size", arguments->size, "Of the window, pixels")
       ->type_name("WIDTHxHEIGHT")
+      ->capture_default_str();
+  command
+      ->add_option("--samples", arguments->samples,
+                   "Of each pixel, for smooth edges: 0, 2, 4 or 8; slow without a graphics processor")
+      ->check(CLI::IsMember({0, 2, 4, 8}))
       ->capture_default_str();
   command
       ->add_option("--views", arguments->views,

@@ -84,4 +84,10 @@ float BodyLooks::radius(BodyId body, const BodyDef& def) {
   return radius;
 }
 
+const RayTree& BodyLooks::surface(BodyId body, const BodyDef& def) {
+  std::unique_ptr<RayTree>& surface = surfaces_[body];
+  if (!surface) surface = std::make_unique<RayTree>(meshOf(def.shape));
+  return *surface;
+}
+
 }  // namespace scatter::viewer

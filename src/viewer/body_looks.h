@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "viewer/drawing/ray_tree.h"
 #include "viewer/renderer.h"
 
 namespace scatter::viewer {
@@ -29,6 +30,9 @@ class BodyLooks {
   /// Around the origin of the body, such that all of it is inside.
   [[nodiscard]] float radius(BodyId body, const BodyDef& def);
 
+  /// Its finest shape, in its frame, to be asked what it hides. Lives as long as this.
+  [[nodiscard]] const RayTree& surface(BodyId body, const BodyDef& def);
+
  private:
   [[nodiscard]] MeshId shared(const void* key, int variant, const std::shared_ptr<const void>& owner,
                               const MeshData& mesh);
@@ -45,6 +49,7 @@ class BodyLooks {
   std::map<BodyId, MeshId> own_;  ///< Of bodies whose shape nobody shares.
   std::map<BodyId, float> radius_;
   std::map<const void*, float> modelRadius_;  ///< By level set.
+  std::map<BodyId, std::unique_ptr<RayTree>> surfaces_;
   std::optional<MeshId> box_;
   std::optional<MeshId> sphere_;
 };

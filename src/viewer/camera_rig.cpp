@@ -11,7 +11,18 @@ namespace {
 constexpr float kLargestPitch = 1.5F;
 constexpr float kNearest = 0.05F;
 constexpr float kFurthest = 5000.0F;
+constexpr float kTurnSeconds = 0.5F;  // in which most of the way to the action is gone
+constexpr float kNearerSeconds = 0.6F;
+constexpr float kFurtherSeconds = 0.3F;
+constexpr float kRoom = 1.15F;  // around the action, so that it does not touch the picture's edges
 const Vec3 kUp(0.0F, 1.0F, 0.0F);
+
+/// From where a ball just fills the narrower side of a picture.
+float distanceFor(float radius, float fieldOfView, float aspect) {
+  const float tall = 0.5F * fieldOfView;
+  const float half = std::min(tall, std::atan(aspect * std::tan(tall)));
+  return std::clamp(radius / std::sin(half), kNearest, kFurthest);
+}
 
 }  // namespace
 
@@ -28,12 +39,29 @@ Vec3 CameraRig::eye() const {
   return pivot_ - distance_ * forward();
 }
 
-void CameraRig::frame(const Vec3& center, float radius) {
-  pivot_ = center;
-  distance_ = std::clamp(radius / std::sin(0.5F * kFieldOfView), kNearest, kFurthest);
+/// What the user does to a camera that watches the action is steering.
+void CameraRig::takeOver() {
+  if (mode_ == CameraMode::kAction) mode_ = CameraMode::kOrbit;
+}
+
+void CameraRig::frame(const Ball& ball, float aspect) {
+  takeOver();
+  pivot_ = ball.center;
+  distance_ = distanceFor(ball.radius, kFieldOfView, aspect);
+}
+
+void CameraRig::watch(const Ball& action, float aspect, float seconds) {
+  if (mode_ != CameraMode::kAction) return;
+  const float distance = distanceFor(kRoom * action.radius, kFieldOfView, aspect);
+  const float time = watched_ ? std::max(0.0F, seconds) : 1e3F;
+  watched_ = true;
+  pivot_ += (1.0F - std::exp(-time / kTurnSeconds)) * (action.center - pivot_);
+  const float zoomSeconds = distance < distance_ ? kNearerSeconds : kFurtherSeconds;
+  distance_ *= std::pow(distance / distance_, 1.0F - std::exp(-time / zoomSeconds));
 }
 
 void CameraRig::look(const Vec3& at, float right, float up, float distance) {
+  takeOver();
   pivot_ = at;
   yaw_ = glm::radians(right);
   pitch_ = std::clamp(-glm::radians(up), -kLargestPitch, kLargestPitch);
@@ -41,6 +69,7 @@ void CameraRig::look(const Vec3& at, float right, float up, float distance) {
 }
 
 void CameraRig::turn(float right, float up) {
+  takeOver();
   const Vec3 from = eye();
   yaw_ -= right;
   pitch_ = std::clamp(pitch_ + up, -kLargestPitch, kLargestPitch);
@@ -48,11 +77,13 @@ void CameraRig::turn(float right, float up) {
 }
 
 void CameraRig::pan(float right, float up) {
+  takeOver();
   const float height = 2.0F * distance_ * std::tan(0.5F * kFieldOfView);
   pivot_ += height * (right * this->right() + up * glm::cross(this->right(), forward()));
 }
 
 void CameraRig::zoom(float factor) {
+  takeOver();
   const float to = std::clamp(distance_ / factor, kNearest, kFurthest);
   if (mode_ == CameraMode::kFly) {
     pivot_ += (distance_ - to) * forward();

@@ -4,25 +4,31 @@
 
 #include <cstdint>
 
+#include "viewer/action.h"
 #include "viewer/renderer.h"
 
 namespace scatter::viewer {
 
 enum class CameraMode : std::uint8_t {
+  kAction,  ///< Goes where something happens, until it is steered.
   kOrbit,   ///< Turns around a point.
   kFly,     ///< Moves freely.
   kFollow,  ///< Turns around a point that moves.
 };
 
-/// A camera that the user steers. Up is +y.
+/// A camera that watches what happens until the user steers it. Up is +y.
 class CameraRig {
  public:
   [[nodiscard]] CameraMode mode() const { return mode_; }
   /// What is looked at stays where it is in the picture.
   void setMode(CameraMode mode) { mode_ = mode; }
 
-  /// Looks at a ball from where it just fills the picture.
-  void frame(const Vec3& center, float radius);
+  /// Looks at a ball from where it just fills a picture that is so many times as wide as it is high.
+  void frame(const Ball& ball, float aspect);
+
+  /// Watching the action, goes a part of the way to where it would frame the ball, as much as `seconds` are
+  /// worth; the first time all of it. Does nothing in other modes.
+  void watch(const Ball& action, float aspect, float seconds);
 
   /// Looks at a point from a direction, degrees to the right of +z and up, and a distance.
   void look(const Vec3& at, float right, float up, float distance);
@@ -50,10 +56,12 @@ class CameraRig {
  private:
   [[nodiscard]] Vec3 forward() const;
   [[nodiscard]] Vec3 right() const;
+  void takeOver();
 
   static constexpr float kFieldOfView = 0.8F;
 
-  CameraMode mode_ = CameraMode::kOrbit;
+  CameraMode mode_ = CameraMode::kAction;
+  bool watched_ = false;  ///< Whether there was an action to watch.
   Vec3 pivot_{0.0F};
   float distance_ = 20.0F;
   float yaw_ = 0.6F;     ///< Radians about +y; 0 looks along -z.

@@ -87,18 +87,17 @@ class PairLines {
 
 const std::array<DebugViewInfo, kDebugViewCount>& debugViews() {
   static constexpr std::array<DebugViewInfo, kDebugViewCount> kViews{{
-      {DebugView::kBounds, "bounds", "bounding boxes", "boxes of the broadphase; orange: waits for a level"},
-      {DebugView::kShapes, "shapes", "collision shapes", "finest collision shapes as wireframes"},
-      {DebugView::kLevels, "levels", "levels", "level in use by colour; of the picked object all levels"},
-      {DebugView::kPairLevels, "pair-levels", "level per pair",
-       "lines in the colour of the level that two bodies meet with"},
-      {DebugView::kContacts, "contacts", "contacts", "contact points and normals"},
-      {DebugView::kCredit, "credit", "credited pairs", "pairs and contacts on penetration credit, violet"},
-      {DebugView::kIslands, "islands", "islands", "bodies that are solved together have one colour"},
-      {DebugView::kSleeping, "sleeping", "sleeping", "what sleeps is dark, what is frozen pale blue"},
-      {DebugView::kPairs, "pairs", "broadphase pairs", "lines between bodies whose bounds overlap"},
-      {DebugView::kVelocities, "velocities", "velocities", "the way of the next quarter of a second"},
-      {DebugView::kMarks, "marks", "requests, switches", "requests flash, switches pulse, retractions fade"},
+      {DebugView::kBounds, "bounds", "boxes of the broadphase; orange: waits for a level"},
+      {DebugView::kShapes, "shapes", "finest collision shapes as wireframes"},
+      {DebugView::kLevels, "levels", "level in use by colour; of the picked object all levels"},
+      {DebugView::kPairLevels, "pair-levels", "lines in the colour of the level that two bodies meet with"},
+      {DebugView::kContacts, "contacts", "contact points and normals"},
+      {DebugView::kCredit, "credit", "pairs and contacts on penetration credit, violet"},
+      {DebugView::kIslands, "islands", "bodies that are solved together have one colour"},
+      {DebugView::kSleeping, "sleeping", "what sleeps is dark, what is frozen pale blue"},
+      {DebugView::kPairs, "pairs", "lines between bodies whose broadphase boxes overlap"},
+      {DebugView::kVelocities, "velocities", "the way of the next quarter of a second"},
+      {DebugView::kMarks, "marks", "requests flash, switches pulse, retractions fade"},
   }};
   return kViews;
 }

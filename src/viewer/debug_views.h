@@ -46,7 +46,6 @@ struct DebugViewSet {
 struct DebugViewInfo {
   DebugView view;
   std::string_view name;
-  std::string_view label;
   std::string_view shows;
 };
 [[nodiscard]] const std::array<DebugViewInfo, kDebugViewCount>& debugViews();

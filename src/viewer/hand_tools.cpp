@@ -32,14 +32,14 @@ WorldObject* HandTools::pickedObject() const {
   return picked_ ? panes_.front()->experiment().world().find(*picked_) : nullptr;
 }
 
-void HandTools::press(std::size_t pane, const Ray& ray) {
+void HandTools::press(std::size_t pane, const Ray& ray, float clear) {
   const Hands& hands = panes_[pane]->experiment().hands();
-  const auto hit = hands.pick(ray.origin, ray.origin + kReach * ray.direction);
-  depth_ = hit ? glm::length(hit->point - ray.origin) : kEmptyDepth;
-  act(hit, ray);
+  const auto hit = hands.pick(ray.origin + clear * ray.direction, ray.origin + kReach * ray.direction);
+  depth_ = hit ? glm::length(hit->point - ray.origin) : clear + kEmptyDepth;
+  act(hit, ray, clear);
 }
 
-void HandTools::act(const std::optional<Pick>& hit, const Ray& ray) {
+void HandTools::act(const std::optional<Pick>& hit, const Ray& ray, float clear) {
   const Vec3 point = ray.origin + depth_ * ray.direction;
   const auto model = picked_ ? picked_ : hit ? std::optional(hit->object->body()) : std::nullopt;
   switch (tool) {
@@ -56,7 +56,7 @@ void HandTools::act(const std::optional<Pick>& hit, const Ray& ray) {
       }
       break;
     case Tool::kThrow:
-      if (model) perform(ThrowAction{*model, ray.origin + ray.direction, point, throwSpeed});
+      if (model) perform(ThrowAction{*model, ray.origin + (clear + 1.0F) * ray.direction, point, throwSpeed});
       break;
     case Tool::kGather:
       perform(GatherAction{point, {}});

@@ -41,8 +41,9 @@ class HandTools {
   float impulse = 2.0F;      ///< Of a push: the change of speed in metres a second.
   float throwSpeed = 20.0F;  ///< Metres a second.
 
-  /// The left button went down, moved or went up at this point of a pane, with these rays through it.
-  void press(std::size_t pane, const Ray& ray);
+  /// The left button went down, moved or went up at this point of a pane, with these rays through it. What is
+  /// nearer than `clear` metres is not touched.
+  void press(std::size_t pane, const Ray& ray, float clear);
   void move(const Ray& ray);
   void release();
 
@@ -70,7 +71,7 @@ class HandTools {
   [[nodiscard]] WorldObject* pickedObject() const;
   [[nodiscard]] std::vector<BodyId> reached() const;
   void perform(const HandAction& action);
-  void act(const std::optional<Pick>& hit, const Ray& ray);
+  void act(const std::optional<Pick>& hit, const Ray& ray, float clear);
 
   std::vector<std::unique_ptr<Pane>>& panes_;
   std::optional<BodyId> picked_;

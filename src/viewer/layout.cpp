@@ -3,23 +3,64 @@
 #include <algorithm>
 #include <glm/common.hpp>
 
+#include "viewer/panel_scale.h"
+
 namespace scatter::viewer {
 namespace {
 
-constexpr float kLeft = 252.0F;
-constexpr float kRight = 320.0F;
-constexpr float kBottom = 92.0F;
-constexpr float kLeastPicture = 240.0F;  // pixels that panels leave
+// Pixels in a window of 1280 x 720, where both sides together take less than a third.
+constexpr float kLab = 168.0F;
+constexpr float kNumbers = 256.0F;
+constexpr float kTime = 88.0F;
+constexpr float kTimeFolded = 32.0F;
+constexpr float kTitle = 19.0F;       // height of what is left of a folded panel at a side,
+constexpr float kTitleWidth = 96.0F;  // and its width
+constexpr float kLeastPicture = 160.0F;
+
+constexpr float kInspectorShare = 0.5F;  // of the height at the side, for the inspector
 
 }  // namespace
 
-Layout::Layout(const glm::ivec2& window, std::size_t panes, bool panels)
-    : window_(glm::max(window, glm::ivec2(1))), panes_(panes) {
-  // In a small window the panels lie over the picture.
-  if (!panels || window_.x < kLeft + kRight + kLeastPicture || window_.y < kBottom + kLeastPicture) return;
-  left_ = kLeft;
-  right_ = kRight;
-  bottom_ = kBottom;
+Layout::Layout(const glm::ivec2& window, std::size_t panes, const OpenPanels* panels)
+    : window_(glm::max(window, glm::ivec2(1))), panes_(panes), scale_(panelScale(window)) {
+  if (panels == nullptr) return;
+  open_ = *panels;
+  // In a tiny window the panels lie over the picture.
+  const bool hasWidth = window_.x >= scale_ * (kLab + kNumbers + kLeastPicture);
+  const bool hasHeight = window_.y >= scale_ * (kTime + kLeastPicture);
+  if (open_.lab && hasWidth) left_ = scale_ * kLab;
+  if (open_.numbers && hasWidth) right_ = scale_ * kNumbers;
+  if (hasHeight) bottom_ = scale_ * (open_.time ? kTime : kTimeFolded);
+}
+
+bool Layout::isNarrow(const glm::ivec2& window) {
+  return static_cast<float>(window.x) < 3.0F * panelScale(window) * (kLab + kNumbers);
+}
+
+Place Layout::lab() const {
+  if (!open_.lab) return {{0.0F, 0.0F}, scale_ * glm::vec2(kTitleWidth, kTitle)};
+  return {{0.0F, 0.0F}, {scale_ * kLab, sideHeight()}};
+}
+
+Place Layout::numbers(bool inspected) const {
+  const float width = scale_ * (open_.numbers ? kNumbers : kTitleWidth);
+  const float height =
+      open_.numbers ? sideHeight() * (inspected ? 1.0F - kInspectorShare : 1.0F) : scale_ * kTitle;
+  return {{window_.x - width, 0.0F}, {width, height}};
+}
+
+Place Layout::inspector() const {
+  const glm::vec2 size(scale_ * kNumbers, kInspectorShare * sideHeight());
+  return {{window_.x - size.x, sideHeight() - size.y}, size};
+}
+
+Place Layout::time() const {
+  const float height = scale_ * (open_.time ? kTime : kTimeFolded);
+  return {{0.0F, window_.y - height}, {window_.x, height}};
+}
+
+Place Layout::help() const {
+  return {{0.0F, 0.0F}, window_};
 }
 
 glm::vec2 Layout::size() const {

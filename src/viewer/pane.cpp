@@ -43,8 +43,8 @@ std::optional<Vec3> Pane::positionOf(const Moment& moment) {
   return index ? std::optional(frame.pose(*index).position) : std::nullopt;
 }
 
-void Pane::fill(const Moment& moment, const DebugViewSet& views, View& view) {
-  view_.add(moment, views, view);
+void Pane::fill(const Moment& moment, const DebugViewSet& views, const Cutaway& cutaway, View& view) {
+  view_.add(moment, views, cutaway, view);
   if (moment.observed != nullptr) addDebugLines(views, experiment_->world(), observed_, view);
 }
 

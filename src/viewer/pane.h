@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "viewer/debug_views.h"
 #include "viewer/scene_view.h"
@@ -33,8 +34,9 @@ class Pane {
   /// Of the picked body at that moment.
   [[nodiscard]] static std::optional<Vec3> positionOf(const Moment& moment);
 
-  void fill(const Moment& moment, const DebugViewSet& views, View& view);
-  [[nodiscard]] SceneView::Extent extent() { return view_.extent(moment(std::nullopt, 1.0F, std::nullopt)); }
+  void fill(const Moment& moment, const DebugViewSet& views, const Cutaway& cutaway, View& view);
+  [[nodiscard]] std::vector<Actor> actors(const Moment& moment) { return view_.actors(moment); }
+  [[nodiscard]] std::vector<Obstacle> obstacles(const Moment& moment) { return view_.obstacles(moment); }
 
  private:
   Pane(std::unique_ptr<Experiment> experiment, BodyLooks& looks)

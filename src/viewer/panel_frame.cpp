@@ -7,6 +7,8 @@
 #include <string_view>
 #include <utility>
 
+#include "viewer/panel_scale.h"
+
 namespace scatter::viewer {
 
 namespace {
@@ -41,6 +43,21 @@ constexpr std::pair<ImGuiKey, Key> kPanelKeys[] = {
     {ImGuiKey_Y, Key::kY},
     {ImGuiKey_Z, Key::kZ},
 };
+
+constexpr float kLetterPixels = 13.0F;
+
+ImGuiStyle panelStyle(float scale) {
+  ImGuiStyle style;
+  ImGui::StyleColorsDark(&style);
+  style.WindowBorderSize = 0.0F;
+  style.FrameRounding = 3.0F;
+  style.ScrollbarSize = 10.0F;
+  style.WindowPadding = ImVec2(7.0F, 6.0F);
+  style.ItemSpacing = ImVec2(5.0F, 4.0F);
+  style.Colors[ImGuiCol_WindowBg] = ImVec4(0.055F, 0.065F, 0.085F, 1.0F);
+  style.ScaleAllSizes(scale);
+  return style;
+}
 
 /// Whether the panels keep the event from the program. Releases reach both, so that nothing stays held.
 bool isTaken(const InputEvent& event, const ImGuiIO& io) {
@@ -128,7 +145,7 @@ void InputQueue::showToPanels() {
   io.KeyAlt = io.KeysDown[indexOf(Key::kAlt)];
 }
 
-Result<void> setUpPanels(float scale) {
+Result<void> setUpPanels() {
   if (std::string_view(ImGui::GetVersion()) != IMGUI_VERSION)
     return fail(std::string("panels were compiled for Dear ImGui ") + IMGUI_VERSION + " but " +
                 ImGui::GetVersion() + " runs; build the viewer again on this machine");
@@ -136,12 +153,22 @@ Result<void> setUpPanels(float scale) {
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
   for (const auto& [panelKey, key] : kPanelKeys) io.KeyMap[panelKey] = static_cast<int>(key);
-  ImGui::StyleColorsDark();
-  ImGui::GetStyle().ScaleAllSizes(scale);
-  ImFontConfig font;
-  font.SizePixels = 13.0F * std::max(scale, 0.5F);
-  io.Fonts->AddFontDefault(&font);
+  for (const float scale : kPanelScales) {
+    ImFontConfig font;
+    font.SizePixels = kLetterPixels * scale;
+    io.Fonts->AddFontDefault(&font);
+  }
   return {};
+}
+
+void beginPanels(InputQueue& input, const glm::ivec2& window, float seconds) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.DisplaySize = ImVec2(static_cast<float>(window.x), static_cast<float>(window.y));
+  io.DeltaTime = seconds;
+  io.FontDefault = io.Fonts->Fonts[static_cast<int>(panelScaleIndex(window))];
+  ImGui::GetStyle() = panelStyle(panelScale(window));
+  input.showToPanels();
+  ImGui::NewFrame();
 }
 
 float FrameClock::next() {

@@ -19,8 +19,8 @@ class InputQueue {
   /// they take and which keys are held.
   [[nodiscard]] std::vector<InputEvent> take();
 
-  /// Tells Dear ImGui, just before its frame begins, where the pointer is and which buttons and keys are
-  /// down. A button that went down and up again since the last frame is down for one.
+  /// Tells Dear ImGui where the pointer is and which buttons and keys are down. A button that went down and
+  /// up again since the last frame is down for one.
   void showToPanels();
 
  private:
@@ -37,9 +37,13 @@ class InputQueue {
   glm::vec2 pointer_{-1.0F};
 };
 
-/// Prepares the current Dear ImGui context: keys mapped, no files written, letters at the given scale. Fails
+/// Prepares the current Dear ImGui context: keys mapped, no files written, letters of all sizes there. Fails
 /// if the Dear ImGui that runs is not the one that this was compiled for.
-[[nodiscard]] Result<void> setUpPanels(float scale);
+[[nodiscard]] Result<void> setUpPanels();
+
+/// Begins a frame of Dear ImGui in a window of that size, in pixels, so many seconds after the last one, with
+/// letters and spaces as large as the window asks for.
+void beginPanels(InputQueue& input, const glm::ivec2& window, float seconds);
 
 /// The seconds that the frame took, for animations of panels, from a clock that nothing else reads.
 class FrameClock {

@@ -45,6 +45,10 @@ struct Item {
   Color color{0.8F, 0.8F, 0.8F, 1.0F};  ///< Items with an alpha below 1 are see-through and cast no shadow.
   float glow = 0.0F;                    ///< 0: as lit; 1: in its own colour whatever the light.
   bool wireframe = false;               ///< Edges of triangles only.
+  bool castsShadow = true;              ///< If it is neither see-through nor a wireframe.
+
+  /// Shadows fall on it, as far as it reaches, if the scenery has no ground; for one level box in a view.
+  bool isFloor = false;
 };
 
 struct Line {
@@ -62,6 +66,13 @@ struct Camera {
   float far = 2000.0F;        ///< Metres.
 };
 
+/// Many items close together, which take each other's light.
+struct Crowd {
+  Vec3 center{0.0F};
+  float radius = 1.0F;  ///< Metres; where the crowd ends.
+  float shade = 0.0F;   ///< Share of the light that is missing in the middle.
+};
+
 /// What surrounds the items. Up is +y.
 struct Scenery {
   glm::vec3 zenith{0.02F, 0.03F, 0.07F};
@@ -73,6 +84,7 @@ struct Scenery {
   glm::vec3 groundColor{0.30F, 0.33F, 0.37F};
   float gridStep = 1.0F;     ///< Metres; every tenth line is stronger.
   float fadeRadius = 40.0F;  ///< Metres from the camera at which ground and grid are lost in haze.
+  Crowd crowd{};
 };
 
 /// A part of the window, in shares of its width and height from the top left.
@@ -154,7 +166,7 @@ struct WindowDef {
   std::string title = "Scatter";
   glm::ivec2 size{1280, 720};
   bool waitForScreen = false;  ///< Whether draw() waits for the screen's next refresh.
-  float panelScale = 1.0F;     ///< Of the panels' letters.
+  int samples = 0;             ///< Of each pixel, for smooth edges, as far as the display can; 0: one.
 };
 
 /// Fail with one line that says what to do if there is no display, or none with OpenGL. At most one renderer

@@ -6,7 +6,6 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <utility>
-#include <vector>
 
 #include "viewer/palette.h"
 
@@ -17,6 +16,14 @@ using Levels = std::shared_ptr<const LevelSet>;
 
 constexpr float kGhost = 0.16F;  // alpha
 constexpr float kLevelGround = 0.99F;
+constexpr float kMarkGlow = 0.25F;     // little enough that the body's form is still seen
+constexpr float kCutAway = 0.05F;      // alpha of what is cut away,
+constexpr float kCutAwayEdge = 0.18F;  // and of its edges
+constexpr int kInsets = 8;
+constexpr float kInset = 0.003F;     // metres
+constexpr float kMostInset = 0.02F;  // by half of the thinnest side
+constexpr Color kStaticColor{0.40F, 0.43F, 0.48F, 1.0F};
+constexpr Color kEdgeColor{0.75F, 0.82F, 0.9F, 1.0F};
 
 const std::vector<Color>& kindColors() {
   static const std::vector<Color> kColors{{0.55F, 0.66F, 0.80F, 1.0F}, {0.86F, 0.58F, 0.36F, 1.0F},
@@ -46,6 +53,42 @@ const ObservedBody* observedOf(const Observation* observed, BodyId body) {
   return found != observed->bodies.end() && found->body == body ? &*found : nullptr;
 }
 
+/// Scenes build rooms of boxes whose faces lie in one plane; drawn so, they would flicker against each other.
+Vec3 insetOf(const Box& box, int number) {
+  const float thinnest = std::min({box.halfExtents.x, box.halfExtents.y, box.halfExtents.z});
+  return Vec3(std::min(kInset * static_cast<float>(number % kInsets), kMostInset * thinnest));
+}
+
+/// A box that lies flat.
+bool isSlab(const Box& box, const Transform& pose) {
+  const Vec3& half = box.halfExtents;
+  const bool flat = 2.0F * half.y < std::min(half.x, half.z);
+  return flat && (pose.rotation * Vec3(0.0F, 1.0F, 0.0F)).y > kLevelGround;
+}
+
+/// Of several slabs, such as a floor and a ceiling, shadows fall on the lowest.
+void keepLowestFloor(std::vector<Item>& items) {
+  Item* lowest = nullptr;
+  for (Item& item : items) {
+    if (!std::exchange(item.isFloor, false)) continue;
+    if (lowest == nullptr || item.pose.position.y < lowest->pose.position.y) lowest = &item;
+  }
+  if (lowest != nullptr) lowest->isFloor = true;
+}
+
+void addEdges(const Item& item, float alpha, std::vector<Line>& lines) {
+  const auto corner = [&](int bits) {
+    return item.pose(item.scale * Vec3((bits & 1) != 0 ? 1.0F : -1.0F, (bits & 2) != 0 ? 1.0F : -1.0F,
+                                       (bits & 4) != 0 ? 1.0F : -1.0F));
+  };
+  const Color color(glm::vec3(kEdgeColor), alpha);
+  for (int from = 0; from < 8; ++from) {
+    for (const int axis : {1, 2, 4}) {
+      if ((from & axis) == 0) lines.push_back({corner(from), corner(from | axis), color});
+    }
+  }
+}
+
 }  // namespace
 
 struct SceneView::Shown {
@@ -55,11 +98,14 @@ struct SceneView::Shown {
   int level = 1;
   bool asleep = false;
   bool picked = false;
+  int staticNumber = 0;                    ///< Of those that cannot move, in the order of the scene.
+  float cutAway = 0.0F;                    ///< As in Cutaway::share().
   const ObservedBody* observed = nullptr;  ///< Null of a moment that is past.
   LevelMark mark{};
 };
 
 Color SceneView::ownColor(const BodyDef& def) {
+  if (def.motion == Motion::kStatic) return kStaticColor;
   const auto [kind, isNew] = kinds_.emplace(nameStem(def.name), kinds_.size());
   const Color color = kindColors()[kind->second % kindColors().size()];
   return def.motion == Motion::kDynamic ? color : mixed(color, glm::vec3(0.4F), 0.6F);
@@ -118,17 +164,32 @@ void SceneView::addBody(const Shown& shown, const DebugViewSet& views, View& vie
   item.pose = shown.pose;
   item.wireframe = shapes;
   item.color = colorOf(shown, views);
-  item.glow = std::max({0.6F * shown.mark.coarser, 0.6F * shown.mark.finer, 0.4F * shown.mark.requested});
+  item.glow = kMarkGlow * std::max({shown.mark.coarser, shown.mark.finer, shown.mark.requested});
+  if (shown.def.motion == Motion::kStatic) {
+    addWall(shown, item, view);
+    return;
+  }
   view.items.push_back(item);
   if (shown.picked && views.has(DebugView::kLevels)) addLevels(shown, view);
 }
 
-void SceneView::add(const Moment& moment, const DebugViewSet& views, View& view) {
+void SceneView::addWall(const Shown& shown, Item item, View& view) {
+  const auto* box = std::get_if<Box>(&shown.def.shape);
+  if (box != nullptr && !shown.def.mesh) item.scale -= insetOf(*box, shown.staticNumber);
+  item.color.a = glm::mix(item.color.a, kCutAway, shown.cutAway);
+  item.castsShadow = false;
+  item.isFloor = box != nullptr && isSlab(*box, shown.pose) && !item.wireframe && item.color.a >= 1.0F;
+  view.items.push_back(item);
+  if (box != nullptr && shown.cutAway > 0.0F) addEdges(item, kCutAwayEdge * shown.cutAway, view.lines);
+}
+
+void SceneView::add(const Moment& moment, const DebugViewSet& views, const Cutaway& cutaway, View& view) {
   const RunHistory::Frame now = moment.history->frame(moment.frame);
   const bool moving = moment.fraction < 1.0F && moment.history->has(moment.frame - 1);
   const RunHistory::Frame before = moment.history->frame(moving ? moment.frame - 1 : moment.frame);
   std::map<BodyId, LevelMark> marks;
   if (views.has(DebugView::kMarks)) marks = levelMarks(*moment.history, moment.frame);
+  int statics = 0;
   for (std::size_t i = 0; i < now.bodies().size(); ++i) {
     const BodyId body = now.bodies()[i];
     const BodyDef* def = moment.history->def(body);
@@ -137,6 +198,8 @@ void SceneView::add(const Moment& moment, const DebugViewSet& views, View& view)
     shown.level = now.level(i);
     shown.asleep = now.asleep(i);
     shown.picked = moment.picked == body;
+    if (def->motion == Motion::kStatic) shown.staticNumber = statics++;
+    shown.cutAway = cutaway.share(body);
     shown.observed = observedOf(moment.observed, body);
     if (const auto mark = marks.find(body); mark != marks.end()) shown.mark = mark->second;
     if (const auto earlier = moving ? before.find(body) : std::nullopt) {
@@ -144,27 +207,38 @@ void SceneView::add(const Moment& moment, const DebugViewSet& views, View& view)
     }
     addBody(shown, views, view);
   }
+  keepLowestFloor(view.items);
 }
 
-SceneView::Extent SceneView::extent(const Moment& moment) {
+std::vector<Actor> SceneView::actors(const Moment& moment) {
   const RunHistory::Frame now = moment.history->frame(moment.frame);
-  std::vector<std::pair<Vec3, float>> balls;
-  Vec3 sum(0.0F);
+  const bool hasBefore = moment.frame > 0 && moment.history->has(moment.frame - 1);
+  const RunHistory::Frame before = moment.history->frame(hasBefore ? moment.frame - 1 : moment.frame);
+  std::vector<Actor> actors;
   for (std::size_t i = 0; i < now.bodies().size(); ++i) {
-    const BodyDef* def = moment.history->def(now.bodies()[i]);
-    if (def == nullptr || std::holds_alternative<Plane>(def->shape)) continue;
-    balls.emplace_back(now.pose(i).position, looks_.radius(now.bodies()[i], *def));
-    sum += now.pose(i).position;
+    const BodyId body = now.bodies()[i];
+    const BodyDef* def = moment.history->def(body);
+    if (def == nullptr || def->motion == Motion::kStatic) continue;
+    Actor actor{now.pose(i).position, looks_.radius(body, *def), 0.0F, now.asleep(i)};
+    // As long as no body comes or goes, all have the same places in both frames.
+    const bool stayed = i < before.bodies().size() && before.bodies()[i] == body;
+    if (stayed) actor.moved = glm::distance(actor.position, before.pose(i).position);
+    actors.push_back(actor);
   }
-  if (balls.empty()) return {};
-  Extent extent;
-  extent.center = sum / static_cast<float>(balls.size());
-  std::vector<float> reach;
-  for (const auto& [position, radius] : balls)
-    reach.push_back(glm::length(position - extent.center) + radius);
-  std::sort(reach.begin(), reach.end());
-  extent.radius = reach[(reach.size() - 1) * 9 / 10];
-  return extent;
+  markMeetings(actors);
+  return actors;
+}
+
+std::vector<Obstacle> SceneView::obstacles(const Moment& moment) {
+  const RunHistory::Frame now = moment.history->frame(moment.frame);
+  std::vector<Obstacle> obstacles;
+  for (std::size_t i = 0; i < now.bodies().size(); ++i) {
+    const BodyId body = now.bodies()[i];
+    const BodyDef* def = moment.history->def(body);
+    if (def == nullptr || def->motion != Motion::kStatic || isLevelGround(*def)) continue;
+    obstacles.push_back({body, now.pose(i), looks_.radius(body, *def), &looks_.surface(body, *def)});
+  }
+  return obstacles;
 }
 
 }  // namespace scatter::viewer

@@ -8,8 +8,11 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "viewer/action.h"
 #include "viewer/body_looks.h"
+#include "viewer/cutaway.h"
 #include "viewer/debug_views.h"
 #include "viewer/level_marks.h"
 
@@ -35,21 +38,21 @@ class SceneView {
   /// The looks must outlive it.
   explicit SceneView(BodyLooks& looks) : looks_(looks) {}
 
-  /// Adds items, and lines around what is picked; a level ground becomes part of the scenery.
-  void add(const Moment& moment, const DebugViewSet& views, View& view);
+  /// Adds items, and lines around what is picked; a level ground becomes part of the scenery. Of what is cut
+  /// away, little more than the edges is left.
+  void add(const Moment& moment, const DebugViewSet& views, const Cutaway& cutaway, View& view);
 
-  /// Of all bodies but static planes: a ball around them at that moment, without the tenth that is furthest
-  /// out.
-  struct Extent {
-    Vec3 center{0.0F};
-    float radius = 10.0F;
-  };
-  [[nodiscard]] Extent extent(const Moment& moment);
+  /// The bodies that can move, with what meets what.
+  [[nodiscard]] std::vector<Actor> actors(const Moment& moment);
+
+  /// The bodies that cannot move, but for endless ones. Their surfaces live as long as the looks.
+  [[nodiscard]] std::vector<Obstacle> obstacles(const Moment& moment);
 
  private:
   struct Shown;
 
   void addBody(const Shown& shown, const DebugViewSet& views, View& view);
+  void addWall(const Shown& shown, Item item, View& view);
   void addLevels(const Shown& shown, View& view);
   [[nodiscard]] Color colorOf(const Shown& shown, const DebugViewSet& views);
   [[nodiscard]] Color ownColor(const BodyDef& def);

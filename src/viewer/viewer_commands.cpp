@@ -82,7 +82,7 @@ void addViews(ViewerState& state) {
       Key::k1, Key::k2, Key::k3, Key::k4, Key::k5, Key::k6, Key::k7, Key::k8, Key::k9, Key::k0, Key::kM};
   for (std::size_t i = 0; i < kDebugViewCount; ++i) {
     const DebugViewInfo& info = debugViews()[i];
-    state.commands.add({std::string(info.name), "Views", std::string(info.label), std::string(info.shows),
+    state.commands.add({std::string(info.name), "Views", std::string(info.name), std::string(info.shows),
                         kKeys[i], [&state, view = info.view] { state.views.toggle(view); },
                         [&state, view = info.view] { return state.views.has(view); }});
   }
@@ -93,6 +93,8 @@ void addCamera(ViewerState& state) {
     state.commands.add({name, "Camera", name, help, key, [&state, mode] { state.camera.setMode(mode); },
                         [&state, mode] { return state.camera.mode() == mode; }});
   };
+  addMode("action", CameraMode::kAction, Key::kV,
+          "Go where bodies move and meet; turning, moving or zooming takes the camera");
   addMode("orbit", CameraMode::kOrbit, Key::kO,
           "Right drag turns around the middle, middle drag moves it, wheel zooms");
   addMode("fly", CameraMode::kFly, Key::kF, "Right drag looks around, W A S D and Q E move");
@@ -103,8 +105,9 @@ void addCamera(ViewerState& state) {
                       "Go where everything is in the picture",
                       Key::kB,
                       [&state] {
-                        const SceneView::Extent extent = state.panes.front()->extent();
-                        state.camera.frame(extent.center, extent.radius);
+                        const Moment now = state.panes.front()->moment(std::nullopt, 1.0F, std::nullopt);
+                        const auto all = extentOf(state.panes.front()->actors(now));
+                        state.camera.frame(all.value_or(Ball{}), state.aspect);
                       },
                       {}});
 }
@@ -119,19 +122,19 @@ void addHands(ViewerState& state) {
   for (std::size_t i = 0; i < kToolCount; ++i) {
     const auto tool = static_cast<Tool>(i);
     const std::string name(toolName(tool));
-    state.commands.add({name, "Hands (left button)", name, kTools[i].second, kTools[i].first,
+    state.commands.add({name, "Hands", name, kTools[i].second, kTools[i].first,
                         [&state, tool] { state.hands.tool = tool; },
                         [&state, tool] { return state.hands.tool == tool; }});
   }
   state.commands.add({"delete",
-                      "Hands (left button)",
+                      "Hands",
                       "delete",
                       "Take the picked object out of the world",
                       Key::kDelete,
                       [&state] { state.hands.removePicked(); },
                       {}});
   state.commands.add({"freeze",
-                      "Hands (left button)",
+                      "Hands",
                       "freeze",
                       "Hold the picked object where it is, or let it go",
                       Key::kZ,
@@ -170,6 +173,11 @@ void addLevels(ViewerState& state) {
                       {}});
 }
 
+void addFold(ViewerState& state, const char* name, const char* label, Key key, bool& open) {
+  state.commands.add({name, "Window", label, "Leave only the panel's title, or open it", key,
+                      [&open] { open = !open; }, [&open] { return !open; }});
+}
+
 void addOutput(ViewerState& state) {
   state.commands.add({"help", "Window", "help", "This panel", Key::kF1,
                       [&state] { state.helpShown = !state.helpShown; },
@@ -177,6 +185,9 @@ void addOutput(ViewerState& state) {
   state.commands.add({"panels", "Window", "panels", "Show or hide all panels", Key::kTab,
                       [&state] { state.panelsShown = !state.panelsShown; },
                       [&state] { return state.panelsShown; }});
+  addFold(state, "lab-panel", "fold lab", Key::kF2, state.open.lab);
+  addFold(state, "numbers-panel", "fold numbers", Key::kF3, state.open.numbers);
+  addFold(state, "time-panel", "fold time", Key::kF4, state.open.time);
   state.commands.add({"screenshot",
                       "Window",
                       "screenshot",

@@ -10,6 +10,7 @@
 #include "viewer/commands.h"
 #include "viewer/debug_views.h"
 #include "viewer/hand_tools.h"
+#include "viewer/layout.h"
 #include "viewer/outputs.h"
 #include "viewer/pane.h"
 #include "viewer/playback.h"
@@ -30,9 +31,11 @@ struct ViewerState {
   Commands& commands;
 
   bool panelsShown = true;
+  OpenPanels open{};
   bool helpShown = false;
   bool closing = false;
 
+  float aspect = 1.0F;            ///< Of one world's picture, width by height.
   float draggedBudget = 0.0F;     ///< Of the slider, milliseconds, until it is let go.
   double drawMilliseconds = 0.0;  ///< Of the last pictures, smoothed.
   DrawStatistics statistics{};

@@ -15,6 +15,8 @@ namespace {
 
 constexpr float kTurnPerHeight = 3.2F;  // radians for a drag over the window's height
 constexpr float kZoomPerNotch = 1.15F;
+constexpr float kCrowdReach = 1.15F;  // by the radius of the action
+constexpr float kCrowdShade = 0.35F;
 constexpr float kFlySpeed = 0.02F;  // of the distance to what is looked at, a loop
 
 class Stopwatch {
@@ -74,6 +76,8 @@ Result<void> Window::openWorlds() {
   control_.emplace(panes_);
   state_.emplace(ViewerState{panes_, playback_, hands_, *control_, outputs_, camera_, views_, commands_});
   state_->panelsShown = def_.panels;
+  const bool narrow = Layout::isNarrow(renderer_.size());
+  state_->open.lab = state_->open.numbers = !narrow;
   addCommands(*state_);
   for (const std::string& name : def_.views) {
     const Command* command = commands_.find(name);
@@ -81,7 +85,7 @@ Result<void> Window::openWorlds() {
       return fail("no view is called \"" + name + "\"; known: " + viewNames());
     command->run();
   }
-  commands_.find("frame")->run();
+  aim(moments());
   return {};
 }
 
@@ -200,7 +204,9 @@ void Window::press(const InputEvent& event) {
   if (event.button != MouseButton::kLeft) return;
   playback_.showNewest();
   const Pointed pointed = pointedAt(event.position);
-  hands_.press(pointed.pane, pointed.ray);
+  Pane& pane = *panes_[pointed.pane];
+  const Moment now = pane.moment(std::nullopt, 1.0F, std::nullopt);
+  hands_.press(pointed.pane, pointed.ray, cutaway_.depthBehind(pointed.ray, pane.obstacles(now)));
 }
 
 void Window::takePointer(const InputEvent& event) {
@@ -231,7 +237,7 @@ void Window::fly() {
 }
 
 Layout Window::layout() const {
-  return {renderer_.size(), panes_.size(), state_->panelsShown};
+  return {renderer_.size(), panes_.size(), state_->panelsShown ? &state_->open : nullptr};
 }
 
 View Window::emptyView(std::size_t pane) const {
@@ -261,17 +267,45 @@ ObservationParts Window::parts() const {
   return parts;
 }
 
-Picture Window::picture() {
-  Picture picture;
+std::vector<Moment> Window::moments() {
   const ObservationParts parts = this->parts();
+  std::vector<Moment> moments;
+  for (const auto& pane : panes_) {
+    pane->observe(parts);
+    moments.push_back(pane->moment(playback_.past(), playback_.fraction(), hands_.picked()));
+  }
+  return moments;
+}
+
+void Window::aim(const std::vector<Moment>& moments) {
+  const double now = clock_->now();
+  const auto seconds = static_cast<float>(now - std::exchange(aimed_, now));
+  std::vector<Actor> actors;
   for (std::size_t i = 0; i < panes_.size(); ++i) {
-    Pane& pane = *panes_[i];
-    pane.observe(parts);
-    const Moment moment = pane.moment(playback_.past(), playback_.fraction(), hands_.picked());
-    if (i == 0) camera_.follow(Pane::positionOf(moment).value_or(camera_.pivot()));
+    const std::vector<Actor> some = panes_[i]->actors(moments[i]);
+    actors.insert(actors.end(), some.begin(), some.end());
+  }
+  state_->aspect = layout().aspect();
+  const Ball action = findAction(actors).value_or(Ball{});
+  if (!actors.empty()) camera_.watch(action, state_->aspect, seconds);
+  crowd_ = {action.center, kCrowdReach * action.radius, kCrowdShade * crowding(actors)};
+  camera_.follow(Pane::positionOf(moments.front()).value_or(camera_.pivot()));
+  cutaway_.update(camera_.eye(), actors, panes_.front()->obstacles(moments.front()), seconds);
+}
+
+Picture Window::picture() {
+  const std::vector<Moment> moments = this->moments();
+  aim(moments);
+  const Camera camera = camera_.camera();
+  control_->setFocus({camera.eye, camera.target, camera.fieldOfView});
+  Picture picture;
+  for (std::size_t i = 0; i < panes_.size(); ++i) {
     View view = emptyView(i);
-    pane.fill(moment, views_, view);
-    view.scenery.stars = !view.scenery.ground.has_value();
+    panes_[i]->fill(moments[i], views_, cutaway_, view);
+    const bool space = !view.scenery.ground && std::none_of(view.items.begin(), view.items.end(),
+                                                            [](const Item& item) { return item.isFloor; });
+    view.scenery.stars = space;
+    if (space) view.scenery.crowd = crowd_;
     view.scenery.fadeRadius = std::max(40.0F, 4.0F * camera_.distance());
     picture.views.push_back(std::move(view));
   }
@@ -280,8 +314,6 @@ Picture Window::picture() {
 
 void Window::draw() {
   if (state_->closing) return;
-  const Camera camera = camera_.camera();
-  control_->setFocus({camera.eye, camera.target, camera.fieldOfView});
   const Picture shown = picture();
   const Stopwatch watch;
   Image image;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "viewer/body_looks.h"
+#include "viewer/cutaway.h"
 #include "viewer/layout.h"
 #include "viewer/viewer.h"
 #include "viewer/viewer_state.h"
@@ -56,6 +57,10 @@ class Window {
   [[nodiscard]] View emptyView(std::size_t pane) const;
   /// What this frame's views and panels need to know of the physics.
   [[nodiscard]] ObservationParts parts() const;
+  /// What is shown of each world.
+  [[nodiscard]] std::vector<Moment> moments();
+  /// Lets the camera look at what happens, and cuts away what is between.
+  void aim(const std::vector<Moment>& moments);
   [[nodiscard]] Picture picture();
   [[nodiscard]] ViewerReport report() const;
 
@@ -70,6 +75,7 @@ class Window {
   std::optional<WorldControl> control_;
   Outputs outputs_;
   CameraRig camera_;
+  Cutaway cutaway_;
   DebugViewSet views_;
   Commands commands_;
   std::optional<ViewerState> state_;
@@ -79,6 +85,8 @@ class Window {
   glm::vec2 pointer_{0.0F};
   std::array<bool, static_cast<std::size_t>(Key::kCount)> keys_{};
   std::array<bool, 3> buttons_{};
+  Crowd crowd_;
+  double aimed_ = 0.0;  ///< When the camera was, by the clock.
   std::vector<double> drawMs_;
   std::vector<double> loopMs_;
 };

@@ -69,6 +69,7 @@ TEST_F(View, RefusesWhatIsWrongInOneLine) {
   EXPECT_THAT(mistake({"duel", "--renderer", "null", "--size", "big"}), HasSubstr("such as 1280x720"));
   EXPECT_THAT(mistake({"duel", "--renderer", "null", "--worlds", "standard,hybrid,finest"}),
               HasSubstr("two side by side"));
+  EXPECT_THAT(mistake({"duel", "--renderer", "null", "--samples", "3"}), HasSubstr("--samples"));
   EXPECT_THAT(mistake({"duel", "--renderer", "null", "--screenshot", "a.png"}), HasSubstr("--loops"));
   EXPECT_THAT(mistake({"duel", "--renderer", "null", "--script", "none.txt"}), HasSubstr("none.txt"));
   EXPECT_THAT(mistake({"dule", "--renderer", "null"}), HasSubstr("did you mean \"duel\"?"));

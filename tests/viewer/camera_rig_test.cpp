@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <vector>
 
 namespace scatter::viewer {
 namespace {
@@ -55,7 +56,7 @@ TEST(CameraRig, FollowsOnlyWhenToldTo) {
 
 TEST(CameraRig, FramesABall) {
   CameraRig rig;
-  rig.frame(Vec3(0.0F), 10.0F);
+  rig.frame({Vec3(0.0F), 10.0F}, 1.0F);
   View view;
   view.camera = rig.camera();
   const glm::ivec2 window(600, 600);
@@ -63,6 +64,50 @@ TEST(CameraRig, FramesABall) {
   const Vec3 up = glm::normalize(glm::cross(glm::cross(-rig.eye(), Vec3(0.0F, 1.0F, 0.0F)), -rig.eye()));
   EXPECT_GT(pixelOf(view, window, 9.0F * up)->y, 0.0F);
   EXPECT_LT(pixelOf(view, window, 12.0F * up)->y, 0.0F);
+}
+
+TEST(CameraRig, ABallFitsANarrowPictureToo) {
+  CameraRig wide;
+  wide.frame({Vec3(0.0F), 10.0F}, 2.0F);
+  CameraRig narrow;
+  narrow.frame({Vec3(0.0F), 10.0F}, 0.5F);
+  EXPECT_NEAR(wide.distance(), 10.0F / std::sin(0.4F), 1e-3F);
+  EXPECT_NEAR(narrow.distance(), 10.0F / std::sin(std::atan(0.5F * std::tan(0.4F))), 1e-3F);
+}
+
+TEST(CameraRig, WatchesTheActionSmoothly) {
+  CameraRig rig;
+  rig.watch({Vec3(0.0F), 10.0F}, 1.0F, 0.0F);
+  expectNear(rig.pivot(), Vec3(0.0F));
+  const float far = rig.distance();
+  rig.watch({Vec3(8.0F, 0.0F, 0.0F), 5.0F}, 1.0F, 1.0F / 60.0F);
+  EXPECT_GT(rig.pivot().x, 0.05F);
+  EXPECT_LT(rig.pivot().x, 1.0F);
+  EXPECT_LT(rig.distance(), far);
+  EXPECT_GT(rig.distance(), 0.9F * far);
+  for (int i = 0; i < 300; ++i) rig.watch({Vec3(8.0F, 0.0F, 0.0F), 5.0F}, 1.0F, 1.0F / 60.0F);
+  expectNear(rig.pivot(), Vec3(8.0F, 0.0F, 0.0F), 0.01F);
+  EXPECT_NEAR(rig.distance(), 0.5F * far, 0.01F * far);
+}
+
+TEST(CameraRig, WatchesUntilItIsSteeredAndAgainWhenAsked) {
+  const Ball action{Vec3(50.0F, 0.0F, 0.0F), 5.0F};
+  for (const auto& steer : std::vector<void (*)(CameraRig&)>{
+           [](CameraRig& rig) { rig.turn(0.1F, 0.0F); }, [](CameraRig& rig) { rig.pan(0.1F, 0.0F); },
+           [](CameraRig& rig) { rig.zoom(1.1F); }, [](CameraRig& rig) { rig.frame({}, 1.0F); },
+           [](CameraRig& rig) { rig.look(Vec3(0.0F), 0.0F, 0.0F, 5.0F); }}) {
+    CameraRig rig;
+    rig.watch({}, 1.0F, 0.0F);
+    EXPECT_EQ(rig.mode(), CameraMode::kAction);
+    steer(rig);
+    EXPECT_EQ(rig.mode(), CameraMode::kOrbit);
+    const Vec3 pivot = rig.pivot();
+    rig.watch(action, 1.0F, 1.0F);
+    expectNear(rig.pivot(), pivot);
+    rig.setMode(CameraMode::kAction);
+    rig.watch(action, 1.0F, 10.0F);
+    expectNear(rig.pivot(), action.center, 0.01F);
+  }
 }
 
 }  // namespace

@@ -124,5 +124,29 @@ TEST(SceneryGeometry, GridStaysInPlaceWhenTheCameraMoves) {
   }
 }
 
+TEST_F(DrawListTest, ShadowsFallOnAFloorAsFarAsItReaches) {
+  add({0.0F, -3.0F, 0.0F});
+  view_.items.back().isFloor = true;
+  view_.items.back().scale = Vec3(4.0F, 0.5F, 4.0F);
+  add({0.0F, -1.0F, 0.0F});
+  add({20.0F, -1.0F, 0.0F});
+  add({1.0F, -1.0F, 0.0F});
+  view_.items.back().castsShadow = false;
+  const DrawList draws = list();
+  ASSERT_EQ(draws.floors.size(), 1U);
+  EXPECT_EQ(draws.floors[0].item, view_.items.data());
+  ASSERT_EQ(draws.shadows.size(), 1U);
+  EXPECT_EQ(draws.shadows[0].item, &view_.items[1]);
+  const glm::vec4 shadow = draws.shadows[0].model * glm::vec4(0.3F, 0.9F, -0.2F, 1.0F);
+  EXPECT_NEAR(shadow.y, -2.5F, 1e-4F);
+}
+
+TEST_F(DrawListTest, AFloorThatIsSeenFromBelowTakesNoShadows) {
+  add({0.0F, 3.0F, 0.0F});
+  view_.items.back().isFloor = true;
+  add({0.0F, 5.0F, 0.0F});
+  EXPECT_TRUE(list().shadows.empty());
+}
+
 }  // namespace
 }  // namespace scatter::test

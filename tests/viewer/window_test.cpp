@@ -176,6 +176,36 @@ TEST_P(WindowTest, RestartBeginsAgain) {
             played("duel", 41, "").stateHashes.front());
 }
 
+TEST_P(WindowTest, TheCameraFollowsUntilItIsTakenAndTheSameWayEveryTime) {
+  if (!shows()) GTEST_SKIP() << "needs pictures";
+  const std::string pause = "60 do pause\n";
+  (void)played("duel", 90, pause + shot(89, "one.png"));
+  (void)played("duel", 90, pause + shot(89, "again.png"));
+  (void)played("duel", 90, "1 wheel 0\n" + pause + shot(89, "taken.png"));
+  (void)played("duel", 90, "1 wheel 0\n58 key V\n" + pause + shot(89, "given.png"));
+  // The label says what a step cost, which is never the same.
+  EXPECT_LT(differentPixels(picture("one.png"), picture("again.png")), 100);
+  EXPECT_GT(differentPixels(picture("one.png"), picture("taken.png")), 500);
+  EXPECT_LT(differentPixels(picture("one.png"), picture("given.png")), 500);
+}
+
+TEST_P(WindowTest, RoomsAreSeenFromOutside) {
+  if (!shows()) GTEST_SKIP() << "needs pictures";
+  // What the scene pours, and the same picture without it.
+  std::string script = "28 do pause\n29 do orbit\n" + shot(30, "poured.png");
+  int loop = 31;
+  for (const std::string name : {"lamp-1", "mug-1", "mug-2", "mug-3"}) {
+    script += std::to_string(loop) + " point " + name + "\n" + std::to_string(loop + 1) + " down left\n" +
+              std::to_string(loop + 2) + " up left\n" + std::to_string(loop + 3) + " key Del\n";
+    loop += 4;
+  }
+  script += std::to_string(loop) + " do step\n" + shot(loop + 1, "gone.png");
+  const ViewerReport report = played("mugs", static_cast<std::uint64_t>(loop) + 2, script);
+  ASSERT_FALSE(report.objects.empty());
+  EXPECT_EQ(report.objects.front(), 5U) << "hands reach behind the walls";
+  EXPECT_GT(differentPixels(picture("poured.png"), picture("gone.png")), 2000);
+}
+
 TEST_P(WindowTest, ThePastLooksAsItDid) {
   if (!shows()) GTEST_SKIP() << "needs pictures";
   const std::string script = "1 look 0 0 0 30 10 30\n" + shot(100, "then.png") + shot(250, "later.png") +
@@ -262,6 +292,17 @@ TEST_P(WindowTest, PanelsHideAndHelpNamesEveryCommand) {
                    "16 key Tab\n17 key F1\n" + shot(20, "help.png"));
   EXPECT_GT(differentPixels(picture("without.png"), picture("with.png")), 5000);
   EXPECT_GT(differentPixels(picture("without.png"), picture("help.png")), 5000);
+}
+
+TEST_P(WindowTest, PanelsFoldByClickAndByKey) {
+  if (!shows()) GTEST_SKIP() << "needs pictures";
+  // So narrow a window begins with folded panels.
+  (void)played("duel", 40,
+               "1 do pause\n2 do orbit\n3 key Tab\n" + shot(8, "folded.png") +
+                   "9 move 10 9\n10 down left\n12 up left\n" + shot(16, "open.png") +
+                   "17 key F2\n18 move 320 200\n" + shot(22, "again.png"));
+  EXPECT_GT(differentPixels(picture("folded.png"), picture("open.png")), 5000);
+  EXPECT_LT(differentPixels(picture("folded.png"), picture("again.png")), 3000);
 }
 
 TEST_P(WindowTest, RecordsPicturesAndWritesTheRun) {

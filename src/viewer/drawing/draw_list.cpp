@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <optional>
 
 #include "viewer/drawing/scenery_geometry.h"
 
@@ -64,6 +65,27 @@ glm::mat4 flattening(const Vec3& toLight, float height) {
   return flat;
 }
 
+/// Where shadows fall: on the ground, or on a floor.
+struct ShadowPlane {
+  float height = 0.0F;
+  glm::vec3 color{0.0F};         ///< Of what lies in the shadow.
+  std::optional<Bounds> edge{};  ///< Of a floor; shadows do not fall beyond it.
+};
+
+/// Lit by the sky alone.
+glm::vec3 shaded(const Color& color) {
+  return 0.42F * glm::vec3(color);
+}
+
+/// The uppermost side of a floor.
+ShadowPlane planeOf(const Item& floor, const MeshOutline& outline) {
+  const Vec3 center = floor.pose(floor.scale * outline.center);
+  const glm::mat3 turn = glm::mat3_cast(floor.pose.rotation);
+  const Vec3& half = floor.scale;
+  const Vec3 reach = half.x * glm::abs(turn[0]) + half.y * glm::abs(turn[1]) + half.z * glm::abs(turn[2]);
+  return {center.y + reach.y, shaded(floor.color), Bounds{center - reach, center + reach}};
+}
+
 class Lister {
  public:
   Lister(const View& view, const PixelArea& pixels)
@@ -71,9 +93,14 @@ class Lister {
         frustum_(view.camera, static_cast<float>(pixels.width) / static_cast<float>(pixels.height)),
         pixelsAtOneMetre_(0.5F * static_cast<float>(pixels.height) /
                           std::tan(0.5F * view.camera.fieldOfView)),
-        castsShadows_(groundIsSeen(view) &&
-                      view.scenery.toLight.y > 0.2F * glm::length(view.scenery.toLight)) {
-    if (castsShadows_) flatten_ = flattening(view.scenery.toLight, *view.scenery.ground);
+        lightIsHigh_(view.scenery.toLight.y > 0.2F * glm::length(view.scenery.toLight)) {
+    if (groundIsSeen(view)) castOn({*view.scenery.ground, 0.5F * view.scenery.groundColor, std::nullopt});
+  }
+
+  /// Lets shadows fall on a floor if there is no ground.
+  void addFloor(const Item& floor, const MeshOutline& outline) {
+    const ShadowPlane plane = planeOf(floor, outline);
+    if (!view_.scenery.ground && view_.camera.eye.y > plane.height) castOn(plane);
   }
 
   void add(const Item& item, const MeshOutline& outline, DrawList& list) const {
@@ -84,7 +111,7 @@ class Lister {
     const float pixelsPerMetre = pixelsAtOneMetre_ / std::max(distance - radius, view_.camera.near);
     const glm::mat4 model = modelMatrix(item);
     const bool isSolid = item.color.a >= 1.0F;
-    if (castsShadows_ && isSolid && !item.wireframe) {
+    if (plane_ && isSolid && item.castsShadow && !item.isFloor && !item.wireframe) {
       const std::size_t detail = detailFor(outline, scale, pixelsPerMetre, kShadowErrorPixels);
       addShadow({&item, detail, Vec3(0.0F), model}, center, radius, list);
     }
@@ -93,19 +120,38 @@ class Lister {
       return;
     }
     const std::size_t detail = detailFor(outline, scale, pixelsPerMetre, kErrorPixels);
-    (isSolid ? list.solid : list.seeThrough).push_back({&item, detail, distance, model});
+    std::vector<DrawCall>& calls = !isSolid ? list.seeThrough : item.isFloor ? list.floors : list.solid;
+    calls.push_back({&item, detail, distance, model});
   }
 
  private:
+  void castOn(const ShadowPlane& plane) {
+    if (!lightIsHigh_) return;
+    plane_ = plane;
+    flatten_ = flattening(view_.scenery.toLight, plane.height);
+  }
+
+  /// Of the colour that the light has left there; none where a shadow is not seen.
+  [[nodiscard]] std::optional<glm::vec3> shadowColor(const Vec3& spot) const {
+    if (plane_->edge) {
+      const Bounds& edge = *plane_->edge;
+      const bool falls =
+          spot.x > edge.min.x && spot.x < edge.max.x && spot.z > edge.min.z && spot.z < edge.max.z;
+      return falls ? std::optional(plane_->color) : std::nullopt;
+    }
+    const float share = groundShare(view_, spot);
+    if (share < 0.02F) return std::nullopt;
+    return glm::mix(view_.scenery.horizon, plane_->color, share);
+  }
+
   void addShadow(ShadowCall call, const Vec3& center, float radius, DrawList& list) const {
-    const float height = *view_.scenery.ground;
-    if (center.y + radius < height) return;
+    if (center.y + radius < plane_->height) return;
     const Vec3 spot(flatten_ * glm::vec4(center, 1.0F));
     const Vec3& light = view_.scenery.toLight;
     const float reach = radius * glm::length(light) / light.y;
-    const float share = groundShare(view_, spot);
-    if (share < 0.02F || !frustum_.sees(spot, reach)) return;
-    call.color = glm::mix(view_.scenery.horizon, 0.5F * view_.scenery.groundColor, share);
+    const auto color = shadowColor(spot);
+    if (!color || !frustum_.sees(spot, reach)) return;
+    call.color = *color;
     call.model = flatten_ * call.model;
     list.shadows.push_back(call);
   }
@@ -113,7 +159,8 @@ class Lister {
   const View& view_;
   Frustum frustum_;
   float pixelsAtOneMetre_;
-  bool castsShadows_;
+  bool lightIsHigh_;
+  std::optional<ShadowPlane> plane_;
   glm::mat4 flatten_{1.0F};
 };
 
@@ -122,7 +169,10 @@ class Lister {
 DrawList listDraws(const View& view, const PixelArea& pixels,
                    const std::function<const MeshOutline&(MeshId)>& outlineOf) {
   DrawList list;
-  const Lister lister(view, pixels);
+  Lister lister(view, pixels);
+  for (const Item& item : view.items) {
+    if (item.isFloor) lister.addFloor(item, outlineOf(item.mesh));
+  }
   for (const Item& item : view.items) lister.add(item, outlineOf(item.mesh), list);
   // Stable, so that items at the same distance do not change places from frame to frame.
   std::stable_sort(list.solid.begin(), list.solid.end(),
@@ -134,11 +184,11 @@ DrawList listDraws(const View& view, const PixelArea& pixels,
 
 void count(const View& view, const DrawList& list, const std::function<const MeshOutline&(MeshId)>& outlineOf,
            DrawStatistics& statistics) {
-  statistics.items += list.solid.size() + list.seeThrough.size();
+  statistics.items += list.floors.size() + list.solid.size() + list.seeThrough.size();
   statistics.culled += list.culled;
   statistics.shadows += list.shadows.size();
   statistics.lines += view.lines.size() + view.linesOnTop.size();
-  for (const auto* calls : {&list.solid, &list.seeThrough}) {
+  for (const auto* calls : {&list.floors, &list.solid, &list.seeThrough}) {
     for (const DrawCall& call : *calls)
       statistics.triangles += outlineOf(call.item->mesh).triangles[call.detail];
   }

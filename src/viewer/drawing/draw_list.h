@@ -29,6 +29,7 @@ struct ShadowCall {
 
 /// What to draw of a view, in this order.
 struct DrawList {
+  std::vector<DrawCall> floors{};
   std::vector<ShadowCall> shadows{};
   std::vector<DrawCall> solid{};       ///< Nearest first.
   std::vector<DrawCall> seeThrough{};  ///< Farthest first.

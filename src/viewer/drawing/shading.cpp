@@ -7,13 +7,18 @@
 namespace scatter::viewer {
 
 LightInView lightOf(const View& view) {
-  const glm::mat3 toView(viewMatrix(view.camera));
-  return {toView * glm::normalize(view.scenery.toLight), toView[1]};
+  const glm::mat4 toCamera = viewMatrix(view.camera);
+  const glm::mat3 turn(toCamera);
+  Crowd crowd = view.scenery.crowd;
+  crowd.center = Vec3(toCamera * glm::vec4(crowd.center, 1.0F));
+  return {turn * glm::normalize(view.scenery.toLight), turn[1], crowd};
 }
 
 const char* const kItemVertexShader = R"(
 uniform vec3 toLight;
 uniform vec3 worldUp;
+uniform vec4 crowd;
+uniform float crowdShade;
 uniform vec4 itemColor;
 uniform vec3 itemLook;
 
@@ -25,20 +30,24 @@ void main() {
     gl_BackColor = itemColor;
     return;
   }
+  vec3 place = (toCamera * gl_Vertex).xyz;
   vec3 normal = normalize(turnNormal(gl_Normal));
-  vec3 toEye = normalize(-(toCamera * gl_Vertex).xyz);
+  vec3 toEye = normalize(-place);
   float facing = dot(normal, toEye);
   if (itemLook.z > 0.5 && facing < 0.0) {
     normal = -normal;
     facing = -facing;
   }
-  float open = gl_Color.a * gl_Color.a;
+  float inside = 1.0 - smoothstep(0.3, 0.95, distance(place, crowd.xyz) / crowd.w);
+  float lightLeft = 1.0 - crowdShade * inside;
+  float open = (0.2 + 0.8 * gl_Color.a * gl_Color.a) * lightLeft;
   float above = 0.5 + 0.5 * dot(normal, worldUp);
-  vec3 ambient = mix(vec3(0.16, 0.155, 0.17), vec3(0.40, 0.44, 0.52), above) * open;
-  vec3 key = vec3(0.80, 0.76, 0.68) * max(dot(normal, toLight), 0.0) * (0.35 + 0.65 * gl_Color.a);
+  vec3 ambient = mix(vec3(0.13, 0.13, 0.16), vec3(0.36, 0.41, 0.50), above) * open;
+  vec3 key = vec3(1.0, 0.94, 0.83) * max(dot(normal, toLight), 0.0) * (0.35 + 0.65 * gl_Color.a) * lightLeft;
+  float shine = pow(max(dot(normal, normalize(toLight + toEye)), 0.0), 28.0) * 0.22 * open;
   float rim = 1.0 - clamp(facing, 0.0, 1.0);
   vec3 color = itemColor.rgb * gl_Color.rgb;
-  vec3 lit = color * (ambient + key) + vec3(0.07, 0.09, 0.12) * rim * rim * rim * open;
+  vec3 lit = color * (ambient + key) + vec3(shine) + vec3(0.08, 0.11, 0.16) * rim * rim * rim * open;
   gl_FrontColor = vec4(mix(lit, color, itemLook.x), itemColor.a);
   gl_BackColor = gl_FrontColor;
 }

@@ -8,6 +8,7 @@ namespace scatter::viewer {
 struct LightInView {
   Vec3 toLight{0.0F, 0.0F, 1.0F};  ///< A unit vector.
   Vec3 up{0.0F, 1.0F, 0.0F};       ///< The world's.
+  Crowd crowd{};                   ///< Its centre in the camera's axes.
 };
 
 [[nodiscard]] LightInView lightOf(const View& view);
@@ -20,11 +21,11 @@ struct ItemLook {
   float twoSided = 0.0F;  ///< 1: light the side that is seen.
 };
 
-/// Light is worked out at the vertices: a key light, and an ambient one that is brighter and colder from
-/// above, which reaches no vertex that the mesh itself hides. GLSL 1.10, in the camera's axes. gl_Color is
-/// the mesh's colour with 1 - occlusion as alpha. Uniforms: toLight, worldUp, itemColor, itemLook (glow,
-/// flat, twoSided). A renderer puts before it what toClip and toCamera (matrices) and turnNormal (a macro, to
-/// the camera's axes) are.
+/// Light is worked out at the vertices: a key light with a highlight, and an ambient one that is brighter and
+/// colder from above, which reaches no vertex that the mesh itself hides, and less inside a crowd. GLSL 1.10,
+/// in the camera's axes. gl_Color is the mesh's colour with 1 - occlusion as alpha. Uniforms: toLight,
+/// worldUp, crowd (centre, radius), crowdShade, itemColor, itemLook (glow, flat, twoSided). A renderer puts
+/// before it what toClip and toCamera (matrices) and turnNormal (a macro, to the camera's axes) are.
 extern const char* const kItemVertexShader;
 
 /// The colour of the vertices, for lines and scenery. Only toClip is needed.

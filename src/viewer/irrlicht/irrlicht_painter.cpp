@@ -118,7 +118,8 @@ void IrrlichtPainter::drawSurroundings(const View& view, const DrawList& list) {
   starMaterial.Thickness = kStarPixels;
   drawPainted(stars(view), scene::EPT_POINTS, starMaterial);
   drawPainted(ground(view), scene::EPT_TRIANGLES, paintMaterial(false, true, true));
-  // Only the ground is there yet: what lies on it needs no depth test, and cannot flicker against it.
+  for (const DrawCall& call : list.floors) drawItem(call);
+  // Only ground and floor are there yet: what lies on it needs no depth test, and cannot flicker against it.
   for (const ShadowCall& call : list.shadows) drawShadow(call);
   drawPainted(groundGrid(view), scene::EPT_LINES, paintMaterial(true, false, false));
 }

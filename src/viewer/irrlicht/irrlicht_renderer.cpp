@@ -67,6 +67,7 @@ IrrlichtRenderer::IrrlichtRenderer(const WindowDef& window) {
   parameters.Bits = 32;
   parameters.ZBufferBits = 24;
   parameters.Stencilbuffer = false;
+  parameters.AntiAlias = static_cast<irr::u8>(window.samples);
   parameters.Vsync = window.waitForScreen;
   parameters.EventReceiver = &receiver_;
   parameters.LoggingLevel = irr::ELL_NONE;
@@ -97,7 +98,7 @@ Result<void> IrrlichtRenderer::open(const WindowDef& window) {
   ImGui::SetCurrentContext(panels_);
   ImGui_ImplOpenGL2_Init();
   knownSize_ = size();
-  return setUpPanels(window.panelScale);
+  return setUpPanels();
 }
 
 void IrrlichtRenderer::draw(const Picture& picture, const Panels& panels, Image* shot) {
@@ -114,11 +115,7 @@ void IrrlichtRenderer::draw(const Picture& picture, const Panels& panels, Image*
 
 void IrrlichtRenderer::drawPanels(const Panels& panels) {
   ImGui_ImplOpenGL2_NewFrame();
-  ImGuiIO& io = ImGui::GetIO();
-  io.DisplaySize = ImVec2(static_cast<float>(size().x), static_cast<float>(size().y));
-  io.DeltaTime = clock_.next();
-  input_.showToPanels();
-  ImGui::NewFrame();
+  beginPanels(input_, size(), clock_.next());
   if (panels) panels();
   ImGui::Render();
   ImGui_ImplOpenGL2_RenderDrawData(ImGui::GetDrawData());

@@ -49,6 +49,10 @@ void IrrlichtShading::Constants::OnSetConstants(video::IMaterialRendererServices
   const float lookValues[] = {look.glow, look.flat, look.twoSided};
   services->setVertexShaderConstant("toLight", glm::value_ptr(light.toLight), 3);
   services->setVertexShaderConstant("worldUp", glm::value_ptr(light.up), 3);
+  const float crowd[] = {light.crowd.center.x, light.crowd.center.y, light.crowd.center.z,
+                         light.crowd.radius};
+  services->setVertexShaderConstant("crowd", crowd, 4);
+  services->setVertexShaderConstant("crowdShade", &light.crowd.shade, 1);
   services->setVertexShaderConstant("itemColor", glm::value_ptr(look.color), 4);
   services->setVertexShaderConstant("itemLook", lookValues, 3);
 }

@@ -73,10 +73,7 @@ class NullRenderer final : public Renderer {
     int height = 0;
     // A frame can only begin once the letters have been drawn.
     io.Fonts->GetTexDataAsAlpha8(&letters, &width, &height);
-    io.DisplaySize = ImVec2(static_cast<float>(size_.x), static_cast<float>(size_.y));
-    io.DeltaTime = 1.0F / 60.0F;
-    input_.showToPanels();
-    ImGui::NewFrame();
+    beginPanels(input_, size_, 1.0F / 60.0F);
     if (panels) panels();
     ImGui::Render();
     statistics_.panelVertices = static_cast<std::size_t>(ImGui::GetDrawData()->TotalVtxCount);
@@ -94,9 +91,7 @@ class NullRenderer final : public Renderer {
 
 Result<std::unique_ptr<Renderer>> makeNullRenderer(const WindowDef& window) {
   auto renderer = std::make_unique<NullRenderer>(glm::max(window.size, glm::ivec2(1)));
-  return setUpPanels(window.panelScale).map([&]() -> std::unique_ptr<Renderer> {
-    return std::move(renderer);
-  });
+  return setUpPanels().map([&]() -> std::unique_ptr<Renderer> { return std::move(renderer); });
 }
 
 }  // namespace scatter::viewer

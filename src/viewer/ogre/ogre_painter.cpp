@@ -135,7 +135,8 @@ void OgrePainter::drawSurroundings(const View& view, const DrawList& list) {
   over.lineWidth = kStarPixels;
   drawPainted(stars(view), Ogre::RenderOperation::OT_POINT_LIST, over);
   drawPainted(ground(view), Ogre::RenderOperation::OT_TRIANGLE_LIST, {});
-  // Only the ground is there yet: what lies on it needs no depth test, and cannot flicker against it.
+  for (const DrawCall& call : list.floors) drawItem(call);
+  // Only ground and floor are there yet: what lies on it needs no depth test, and cannot flicker against it.
   for (const ShadowCall& call : list.shadows) drawShadow(call);
   over.lineWidth = 1.0F;
   drawPainted(groundGrid(view), Ogre::RenderOperation::OT_LINE_LIST, over);

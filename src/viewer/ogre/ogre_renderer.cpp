@@ -79,7 +79,7 @@ Result<void> OgreRenderer::open(const WindowDef& window) {
   scene_ = root_->createSceneManager();
   scene_->addRenderQueueListener(overlays_.get());
   openPanels();
-  if (auto ready = setUpPanels(window.panelScale); !ready) return ready;
+  if (auto ready = setUpPanels(); !ready) return ready;
   painter_ = std::make_unique<OgrePainter>(*scene_);
   knownSize_ = size();
   return {};
@@ -87,6 +87,7 @@ Result<void> OgreRenderer::open(const WindowDef& window) {
 
 void OgreRenderer::openWindow(const WindowDef& window) {
   Ogre::NameValuePairList parameters;
+  parameters["FSAA"] = std::to_string(window.samples);
   parameters["vsync"] = window.waitForScreen ? "true" : "false";
   window_ = root_->createRenderWindow(window.title, static_cast<unsigned>(std::max(1, window.size.x)),
                                       static_cast<unsigned>(std::max(1, window.size.y)), false, &parameters);
@@ -134,11 +135,7 @@ void OgreRenderer::draw(const Picture& picture, const Panels& panels, Image* sho
 void OgreRenderer::runPanels(const Panels& panels) {
   // The overlay draws the letters when it is first shown, and a frame can only begin after that.
   Ogre::OverlayManager::getSingleton().getByName("ImGuiOverlay")->show();
-  ImGuiIO& io = ImGui::GetIO();
-  io.DisplaySize = ImVec2(static_cast<float>(size().x), static_cast<float>(size().y));
-  io.DeltaTime = clock_.next();
-  input_.showToPanels();
-  ImGui::NewFrame();
+  beginPanels(input_, size(), clock_.next());
   if (panels) panels();
 }
 

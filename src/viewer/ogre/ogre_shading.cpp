@@ -67,6 +67,8 @@ void OgreShading::setCamera(const glm::mat4& view, const glm::mat4& projection, 
   const auto constants = item_->getVertexProgramParameters();
   constants->setNamedConstant("toLight", toOgre(light.toLight));
   constants->setNamedConstant("worldUp", toOgre(light.up));
+  constants->setNamedConstant("crowd", Ogre::Vector4(toOgre(light.crowd.center), light.crowd.radius));
+  constants->setNamedConstant("crowdShade", light.crowd.shade);
   painted_->getVertexProgramParameters()->setNamedConstant("toClip", toOgre(projection * view));
 }
 

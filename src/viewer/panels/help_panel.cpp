@@ -1,73 +1,109 @@
 #include <imgui.h>
 
+#include <span>
 #include <string>
+#include <vector>
 
 #include "viewer/panels/panels.h"
 
 namespace scatter::viewer {
 namespace {
 
-void row(const char* key, const char* what, const char* help) {
-  ImGui::TableNextRow();
-  ImGui::TableNextColumn();
-  ImGui::TextUnformatted(key);
-  ImGui::TableNextColumn();
-  ImGui::TextUnformatted(what);
-  ImGui::TableNextColumn();
-  ImGui::TextUnformatted(help);
+struct HelpLine {
+  std::string key{};
+  std::string what{};
+  std::string help{};  ///< Empty in a heading.
+};
+
+void addHeading(const std::string& title, std::vector<HelpLine>& lines) {
+  lines.push_back({"", title, ""});
 }
 
-void showCommands(const Commands& commands) {
+void addMouse(std::vector<HelpLine>& lines) {
+  addHeading("Mouse", lines);
+  lines.push_back({"left", "hand", "What the chosen hand does, in both worlds"});
+  lines.push_back({"right", "turn", "Drag: turn the camera"});
+  lines.push_back({"middle", "move", "Drag: move the camera sideways"});
+  lines.push_back({"wheel", "zoom", "Come nearer or go away"});
+  lines.push_back({"WASDQE", "fly", "Move the flying camera"});
+}
+
+void addCommandLines(const Commands& commands, std::vector<HelpLine>& lines) {
   std::string group;
   for (const Command& command : commands.all()) {
-    if (command.group != group) {
-      group = command.group;
-      ImGui::TableNextRow();
-      ImGui::TableNextColumn();
-      ImGui::TableNextColumn();
-      ImGui::TextColored({0.5F, 0.85F, 0.75F, 1.0F}, "%s", group.c_str());
-    }
-    row(std::string(keyName(command.key)).c_str(), command.label.c_str(), command.help.c_str());
+    if (command.group != group) addHeading(group = command.group, lines);
+    lines.push_back({std::string(keyName(command.key)), command.label, command.help});
   }
 }
 
-void showMouse() {
-  row("left", "hand", "Does what the chosen hand does; in both worlds, if there are two");
-  row("right drag", "turn", "Turns the camera");
-  row("middle drag", "move", "Moves the camera sideways");
-  row("wheel", "zoom", "Comes nearer or goes away");
-  row("W A S D Q E", "fly", "Move the flying camera: forward, left, back, right, down, up");
+/// What has no key: sliders and boxes of the panels.
+void addSliders(std::vector<HelpLine>& lines) {
+  addHeading("Sliders", lines);
+  lines.push_back({"", "frame", "The bar at the bottom: any frame that is kept"});
+  lines.push_back({"", "rate of time", "Of the physics, 0.05 to 4; Ctrl and click to type"});
+  lines.push_back({"", "push, throw", "Speed that a push or a throw gives, m/s"});
+  lines.push_back({"", "budget", "Processor time of a physics step, for hybrid worlds"});
+  lines.push_back({"", "levels of", "What has a level: pairs, or bodies"});
+  lines.push_back({"", "policies", "What asks for levels; see `scatter list`"});
 }
 
-/// What has no key: sliders and boxes of the panels.
-void showSliders() {
+void showLine(const HelpLine& line) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
+  ImGui::TextUnformatted(line.key.c_str());
   ImGui::TableNextColumn();
-  ImGui::TextColored({0.5F, 0.85F, 0.75F, 1.0F}, "Sliders and boxes");
-  row("", "frame", "The bar at the bottom: any frame that is kept");
-  row("", "rate of time", "Of the physics, 0.05 to 4; Ctrl and click to type");
-  row("", "push, throw", "Change of speed of a push, speed of a throw, m/s");
-  row("", "budget, ms", "Processor time of a physics step, for hybrid worlds");
-  row("", "switch", "Levels of pairs, or of bodies");
-  row("", "policies", "What asks for levels; see `scatter list`");
+  if (line.help.empty()) {
+    ImGui::TextColored({0.5F, 0.85F, 0.75F, 1.0F}, "%s", line.what.c_str());
+    return;
+  }
+  ImGui::TextUnformatted(line.what.c_str());
+  ImGui::TableNextColumn();
+  ImGui::TextWrapped("%s", line.help.c_str());
+}
+
+/// The heading next to the middle: there the second column begins.
+std::size_t secondColumn(std::span<const HelpLine> lines) {
+  std::size_t best = 0;
+  const auto fromMiddle = [&](std::size_t i) {
+    return 2 * i > lines.size() ? 2 * i - lines.size() : lines.size() - 2 * i;
+  };
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (lines[i].help.empty() && fromMiddle(i) < fromMiddle(best)) best = i;
+  }
+  return best;
+}
+
+void showColumn(const char* name, std::span<const HelpLine> lines, float width, float scale) {
+  if (ImGui::BeginTable(name, 3, ImGuiTableFlags_RowBg, ImVec2(width, 0.0F))) {
+    ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, 66.0F * scale);
+    ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed, 92.0F * scale);
+    ImGui::TableSetupColumn("help");
+    for (const HelpLine& line : lines) showLine(line);
+    ImGui::EndTable();
+  }
 }
 
 }  // namespace
 
 void showHelpPanel(ViewerState& state, const Layout& layout) {
-  const ImVec2 middle(0.5F * layout.window().x, 0.5F * layout.window().y);
-  ImGui::SetNextWindowPos(middle, ImGuiCond_Appearing, {0.5F, 0.5F});
-  ImGui::SetNextWindowSize({640.0F, 0.9F * layout.window().y}, ImGuiCond_Appearing);
-  if (ImGui::Begin("Help", &state.helpShown)) {
-    if (ImGui::BeginTable("keys", 3, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_RowBg)) {
-      showMouse();
-      showCommands(state.commands);
-      showSliders();
-      ImGui::EndTable();
-    }
+  std::vector<HelpLine> lines;
+  addMouse(lines);
+  addCommandLines(state.commands, lines);
+  addSliders(lines);
+  const std::size_t second = secondColumn(lines);
+  const float scale = layout.scale();
+  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(4.0F * scale, 1.0F * scale));
+  if (beginPanel("Help", layout.help(), false)) {
+    commandButton(state.commands, "help");
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const ImVec2 corner = ImGui::GetCursorPos();
+    const float width = 0.5F * (ImGui::GetContentRegionAvail().x - gap);
+    showColumn("first", std::span(lines).first(second), width, scale);
+    ImGui::SetCursorPos({corner.x + width + gap, corner.y});
+    showColumn("second", std::span(lines).subspan(second), width, scale);
   }
   ImGui::End();
+  ImGui::PopStyleVar();
 }
 
 }  // namespace scatter::viewer

@@ -45,9 +45,8 @@ void showRequest(const World& world, const ObservedRequest& request) {
 }
 
 void showVector(const char* name, const Vec3& vector, const char* unit) {
-  ImGui::Text("%s %.2f, %.2f, %.2f %s (%.2f)", name, static_cast<double>(vector.x),
-              static_cast<double>(vector.y), static_cast<double>(vector.z), unit,
-              static_cast<double>(glm::length(vector)));
+  ImGui::Text("%s %.2f, %.2f, %.2f %s", name, static_cast<double>(vector.x), static_cast<double>(vector.y),
+              static_cast<double>(vector.z), unit);
 }
 
 void showBody(const WorldObject& object) {
@@ -56,6 +55,8 @@ void showBody(const WorldObject& object) {
   showVector("position", state.pose.position, "m");
   showVector("velocity", state.linearVelocity, "m/s");
   showVector("spin", state.angularVelocity, "rad/s");
+  ImGui::Text("in all %.2f m/s, %.2f rad/s", static_cast<double>(glm::length(state.linearVelocity)),
+              static_cast<double>(glm::length(state.angularVelocity)));
 }
 
 void showPairs(const World& world, const Observation& observed, BodyId body) {
@@ -64,12 +65,12 @@ void showPairs(const World& world, const Observation& observed, BodyId body) {
   for (const ObservedPair& pair : observed.pairs) {
     if (pair.a != body && pair.b != body) continue;
     if (++count > kMostPairs) continue;
-    ImGui::BulletText("%s: %s", nameOf(world, pair.a == body ? pair.b : pair.a).c_str(),
-                      kNearness[static_cast<std::size_t>(pair.nearness)]);
-    if (pair.level > 0) {
-      ImGui::SameLine();
-      ImGui::Text("level %d of %d%s", pair.level, pair.levelCount, pair.credited ? ", on credit" : "");
-    }
+    std::string text = "- " + nameOf(world, pair.a == body ? pair.b : pair.a) + ": " +
+                       kNearness[static_cast<std::size_t>(pair.nearness)];
+    if (pair.level > 0)
+      text += ", level " + std::to_string(pair.level) + " of " + std::to_string(pair.levelCount);
+    if (pair.credited) text += ", on credit";
+    ImGui::TextUnformatted(text.c_str());
     if (pair.request) showRequest(world, *pair.request);
   }
   if (count > kMostPairs) ImGui::Text("and %zu more pairs", count - kMostPairs);
@@ -100,17 +101,16 @@ void showWorld(const Pane& pane, BodyId body) {
 void showInspectorPanel(ViewerState& state, const Layout& layout) {
   const auto picked = state.hands.picked();
   if (!picked) return;
-  ImGui::SetNextWindowPos({layout.leftWidth() + 8.0F, layout.sideHeight() - 8.0F}, ImGuiCond_Always,
-                          {0.0F, 1.0F});
-  ImGui::SetNextWindowSizeConstraints({330.0F, 60.0F}, {330.0F, 0.6F * layout.sideHeight()});
   const std::string title = nameOf(state.panes.front()->experiment().world(), *picked) + "###picked";
-  if (ImGui::Begin(title.c_str(), nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
+  if (beginPanel(title.c_str(), layout.inspector())) {
+    ImGui::PushTextWrapPos(0.0F);
     for (const auto& pane : state.panes) {
       if (state.panes.size() > 1 &&
           !ImGui::CollapsingHeader(pane->label().c_str(), ImGuiTreeNodeFlags_DefaultOpen))
         continue;
       showWorld(*pane, *picked);
     }
+    ImGui::PopTextWrapPos();
   }
   ImGui::End();
 }

@@ -101,51 +101,55 @@ StageFigures figuresOf(const FrameData& data, std::string_view channel) {
 void stageRow(const char* name, const StageFigures& figures) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  ImGui::TextUnformatted(name);
+  ImGui::TextWrapped("%s", name);
   for (const double value : {figures.now, figures.mean, figures.worst}) {
     ImGui::TableNextColumn();
-    ImGui::Text("%6.2f", value);
+    ImGui::Text("%5.1f", value);
   }
 }
 
 void showStageTable(const Pane& pane) {
-  if (!ImGui::BeginTable(("stages of " + pane.label()).c_str(), 4, ImGuiTableFlags_SizingStretchProp)) return;
-  for (const char* title : {pane.label().c_str(), "now", "mean", "worst"}) ImGui::TableSetupColumn(title);
-  ImGui::TableHeadersRow();
-  const FrameData& data = pane.experiment().data();
-  stageRow("physics, CPU", figuresOf(data, "physics_cpu_ms"));
-  for (std::size_t i = 0; i < kStageCount; ++i) {
-    const auto stage = static_cast<Stage>(i);
-    stageRow(stageName(stage).c_str(), figuresOf(data, stageColumn(stage)));
+  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(2.0F, 1.0F));
+  if (ImGui::BeginTable(("stages of " + pane.label()).c_str(), 4)) {
+    const float number = ImGui::CalcTextSize("worst").x;
+    ImGui::TableSetupColumn(pane.label().c_str());
+    for (const char* title : {"now", "mean", "worst"})
+      ImGui::TableSetupColumn(title, ImGuiTableColumnFlags_WidthFixed, number);
+    ImGui::TableHeadersRow();
+    const FrameData& data = pane.experiment().data();
+    stageRow("physics, CPU", figuresOf(data, "physics_cpu_ms"));
+    for (std::size_t i = 0; i < kStageCount; ++i) {
+      const auto stage = static_cast<Stage>(i);
+      stageRow(stageName(stage).c_str(), figuresOf(data, stageColumn(stage)));
+    }
+    ImGui::EndTable();
   }
-  ImGui::EndTable();
+  ImGui::PopStyleVar();
 }
 
-void showPlots(const ViewerState& state) {
+void showPlots(const ViewerState& state, float scale) {
   PlotDef time = plotOf(state, "physics", "physics_cpu_ms", "ms");
   time.limit = static_cast<float>(state.control.now().budget.milliseconds);
-  time.height = 110.0F;
-  drawPlot(time);
-  drawPlot(stagesPlot(*state.panes.back()));
-  drawPlot(plotOf(state, "manifolds", "manifolds", ""));
-  drawPlot(plotOf(state, "contacts", "contacts", ""));
-  drawPlot(plotOf(state, "pairs", "narrowphase_pairs", ""));
-  drawPlot(levelsPlot(state));
+  time.height = 100.0F;
+  drawPlot(time, scale);
+  drawPlot(stagesPlot(*state.panes.back()), scale);
+  drawPlot(plotOf(state, "manifolds", "manifolds", ""), scale);
+  drawPlot(plotOf(state, "contacts", "contacts", ""), scale);
+  drawPlot(plotOf(state, "pairs", "narrowphase_pairs", ""), scale);
+  drawPlot(levelsPlot(state), scale);
 }
 
 }  // namespace
 
 void showNumbersPanel(ViewerState& state, const Layout& layout) {
-  if (layout.rightWidth() > 0.0F) {
-    placePanel({layout.window().x - layout.rightWidth(), 0.0F}, {layout.rightWidth(), layout.sideHeight()});
-  }
-  if (ImGui::Begin("Numbers")) {
-    ImGui::Text("picture %.1f ms, %zu bodies, %zu k faces", state.drawMilliseconds, state.statistics.items,
-                state.statistics.triangles / 1000);
-    showPlots(state);
+  const Place place = layout.numbers(state.hands.picked().has_value());
+  if (beginFoldingPanel("Numbers", place, state.open.numbers)) {
+    showPlots(state, layout.scale());
     if (ImGui::CollapsingHeader("Stages, last 600 frames, ms", ImGuiTreeNodeFlags_DefaultOpen)) {
       for (const auto& pane : state.panes) showStageTable(*pane);
     }
+    ImGui::TextWrapped("picture %.1f ms, %zu bodies, %zu k faces", state.drawMilliseconds,
+                       state.statistics.items, state.statistics.triangles / 1000);
   }
   ImGui::End();
 }

@@ -1,42 +1,71 @@
 #include "viewer/panels/panels.h"
 
 #include <imgui.h>
+#include <scatter/lab/frame_table.h>
 
+#include <cstdint>
+#include <cstdio>
 #include <string>
+#include <vector>
 
 namespace scatter::viewer {
 namespace {
+
+/// What a world is, and what the step to a frame of it cost.
+std::string labelOf(const Experiment& experiment, std::uint64_t frame) {
+  std::string text = experiment.options().scene + ", " + experiment.options().label;
+  const std::vector<double>& costs = experiment.table().values("physics_cpu_ms");
+  if (frame == 0 || frame > costs.size()) return text;
+  char cost[32];
+  std::snprintf(cost, sizeof cost, ": %.1f ms", costs[frame - 1]);
+  return text + cost;
+}
 
 /// The name of each world at the top of its picture.
 void showLabels(const ViewerState& state, const Layout& layout) {
   ImDrawList& draw = *ImGui::GetBackgroundDrawList();
   for (std::size_t i = 0; i < state.panes.size(); ++i) {
     const Experiment& experiment = state.panes[i]->experiment();
-    const std::string text = experiment.options().scene + ", " + state.panes[i]->label();
+    const std::string text = labelOf(experiment, state.playback.shown());
     const glm::vec2 corner = layout.corner(i);
-    const float left = corner.x + 0.5F * (layout.size().x - ImGui::CalcTextSize(text.c_str()).x);
-    draw.AddText({left + 1.0F, 9.0F}, IM_COL32(0, 0, 0, 200), text.c_str());
-    draw.AddText({left, 8.0F}, IM_COL32(235, 240, 245, 255), text.c_str());
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const float left = corner.x + 0.5F * (layout.size().x - size.x);
+    const float top = 8.0F * layout.scale();
+    const float around = 4.0F * layout.scale();
+    draw.AddRectFilled({left - around, top - around}, {left + size.x + around, top + size.y + around},
+                       IM_COL32(8, 10, 16, 150), around);
+    draw.AddText({left, top}, IM_COL32(235, 240, 245, 255), text.c_str());
     if (i > 0) draw.AddLine({corner.x, 0.0F}, {corner.x, layout.size().y}, IM_COL32(200, 210, 220, 120));
   }
 }
 
 }  // namespace
 
-void placePanel(const glm::vec2& corner, const glm::vec2& size) {
-  ImGui::SetNextWindowPos({corner.x, corner.y});
-  ImGui::SetNextWindowSize({size.x, size.y});
+bool beginPanel(const char* title, const Place& place, bool titled) {
+  ImGui::SetNextWindowPos({place.corner.x, place.corner.y});
+  ImGui::SetNextWindowSize({place.size.x, place.size.y});
+  ImGuiWindowFlags flags = ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize;
+  if (!titled) flags |= ImGuiWindowFlags_NoTitleBar;
+  return ImGui::Begin(title, nullptr, flags);
+}
+
+bool beginFoldingPanel(const char* title, const Place& place, bool& open) {
+  ImGui::SetNextWindowCollapsed(!open);
+  const bool shown = beginPanel(title, place);
+  open = !ImGui::IsWindowCollapsed();
+  return shown;
 }
 
 void showPanels(ViewerState& state, const Layout& layout) {
   showLabels(state, layout);
-  if (state.panelsShown) {
+  if (state.helpShown) {
+    showHelpPanel(state, layout);
+  } else if (state.panelsShown) {
     showControlPanel(state, layout);
     showNumbersPanel(state, layout);
     showInspectorPanel(state, layout);
     showTimePanel(state, layout);
   }
-  if (state.helpShown) showHelpPanel(state, layout);
 }
 
 }  // namespace scatter::viewer

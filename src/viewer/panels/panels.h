@@ -17,8 +17,12 @@ void showInspectorPanel(ViewerState& state, const Layout& layout);
 void showHelpPanel(ViewerState& state, const Layout& layout);
 /// @}
 
-/// The next panel of Dear ImGui is there, whatever the user did to it.
-void placePanel(const glm::vec2& corner, const glm::vec2& size);
+/// Begins a panel that is there and nowhere else. Returns whether there is something to be shown in it; to be
+/// ended with ImGui::End() in any case.
+[[nodiscard]] bool beginPanel(const char* title, const Place& place, bool titled = true);
+
+/// The same of one that folds: `open` follows the user's click on its title, and the title follows `open`.
+[[nodiscard]] bool beginFoldingPanel(const char* title, const Place& place, bool& open);
 
 /// A command as a button with its key, lit if it is on; its help is the tip.
 void commandButton(const Commands& commands, std::string_view name);

@@ -4,11 +4,15 @@
 #include <cmath>
 #include <cstdio>
 
+#include "viewer/panels/plot_axis.h"
+
 namespace scatter::viewer {
 namespace {
 
 constexpr ImU32 kBackground = IM_COL32(20, 24, 32, 200);
 constexpr ImU32 kLimit = IM_COL32(255, 80, 80, 200);
+constexpr ImU32 kMark = IM_COL32(130, 145, 165, 110);
+constexpr ImU32 kMarkText = IM_COL32(150, 165, 185, 255);
 constexpr ImU32 kPeak = IM_COL32(255, 255, 255, 230);
 
 std::string withUnit(float value, const std::string& unit) {
@@ -31,37 +35,41 @@ float valueAt(const PlotLine& line, std::size_t frame) {
   return frame < line.values.size() ? line.values[frame] : 0.0F;
 }
 
-float topOf(const PlotDef& plot) {
-  float top = plot.limit;
-  for (std::size_t frame = 0; frame < framesOf(plot); ++frame) {
-    float sum = 0.0F;
+PlotAxis axisOf(const PlotDef& plot) {
+  std::vector<std::vector<float>> values;
+  if (plot.stacked) {
+    values.emplace_back(framesOf(plot), 0.0F);
     for (const PlotLine& line : plot.lines) {
-      sum = plot.stacked ? sum + valueAt(line, frame) : valueAt(line, frame);
-      top = std::max(top, sum);
+      for (std::size_t frame = 0; frame < line.values.size(); ++frame)
+        values.front()[frame] += line.values[frame];
     }
+  } else {
+    for (const PlotLine& line : plot.lines) values.push_back(line.values);
   }
-  return top > 0.0F ? 1.15F * top : 1.0F;
+  return chooseAxis(values, plot.limit);
 }
 
 /// From values to pixels.
 class Canvas {
  public:
-  Canvas(const PlotDef& plot, const ImVec2& corner, const ImVec2& size)
-      : corner_(corner), size_(size), top_(topOf(plot)), frames_(framesOf(plot)) {}
+  Canvas(const PlotDef& plot, const PlotAxis& axis, const ImVec2& corner, const ImVec2& size)
+      : corner_(corner), size_(size), axis_(axis), frames_(framesOf(plot)) {}
 
   [[nodiscard]] ImVec2 at(std::size_t frame, float value) const {
     const float share = frames_ > 1 ? static_cast<float>(frame) / static_cast<float>(frames_ - 1) : 0.0F;
-    return {corner_.x + share * size_.x, corner_.y + size_.y * (1.0F - value / top_)};
+    return {corner_.x + share * size_.x, corner_.y + size_.y * (1.0F - axis_.shareOf(value))};
   }
   [[nodiscard]] std::size_t frameAt(float x) const {
     const float share = std::clamp((x - corner_.x) / size_.x, 0.0F, 1.0F);
     return frames_ > 0 ? static_cast<std::size_t>(std::lround(share * static_cast<float>(frames_ - 1))) : 0;
   }
 
+  [[nodiscard]] const PlotAxis& axis() const { return axis_; }
+
  private:
   ImVec2 corner_;
   ImVec2 size_;
-  float top_;
+  PlotAxis axis_;
   std::size_t frames_;
 };
 
@@ -78,33 +86,55 @@ void drawLayers(const PlotDef& plot, const Canvas& canvas, ImDrawList& draw) {
   }
 }
 
-void drawLines(const PlotDef& plot, const Canvas& canvas, ImDrawList& draw) {
+void drawLines(const PlotDef& plot, const Canvas& canvas, float scale, ImDrawList& draw) {
   std::vector<ImVec2> points;
   for (const PlotLine& line : plot.lines) {
     points.clear();
     for (std::size_t frame = 0; frame < line.values.size(); ++frame)
       points.push_back(canvas.at(frame, line.values[frame]));
-    draw.AddPolyline(points.data(), static_cast<int>(points.size()), line.color, ImDrawFlags_None, 1.5F);
+    draw.AddPolyline(points.data(), static_cast<int>(points.size()), line.color, ImDrawFlags_None,
+                     1.5F * scale);
+  }
+}
+
+/// As many of the axis' marks as there is room for, powers of ten first.
+void drawMarks(const Canvas& canvas, ImDrawList& draw) {
+  const ImVec2 low = ImGui::GetItemRectMin();
+  const ImVec2 high = ImGui::GetItemRectMax();
+  const float line = ImGui::GetFontSize();
+  std::vector<float> taken;
+  for (const float mark : canvas.axis().marks()) {
+    const float y = canvas.at(0, mark).y;
+    const bool isFree =
+        std::none_of(taken.begin(), taken.end(), [&](float other) { return std::abs(other - y) < line; });
+    if (!isFree || y < low.y + 0.5F * line || y > high.y - 0.5F * line) continue;
+    taken.push_back(y);
+    char text[24];
+    std::snprintf(text, sizeof text, "%g", static_cast<double>(mark));
+    draw.AddText({low.x + 2.0F, y - 0.5F * line}, kMarkText, text);
+    draw.AddLine({low.x + ImGui::CalcTextSize(text).x + 5.0F, y}, {high.x, y}, kMark);
   }
 }
 
 /// A small triangle and the number.
-void markPeak(const PlotDef& plot, const Canvas& canvas, ImDrawList& draw) {
+void markPeak(const PlotDef& plot, const Canvas& canvas, float scale, ImDrawList& draw) {
   const auto& values = plot.lines.front().values;
   const auto peak = std::max_element(values.begin(), values.end());
   if (peak == values.end() || !(*peak > 0.0F)) return;
   const ImVec2 at = canvas.at(static_cast<std::size_t>(peak - values.begin()), *peak);
-  draw.AddTriangleFilled({at.x - 4.0F, at.y - 6.0F}, {at.x + 4.0F, at.y - 6.0F}, at, kPeak);
+  const ImVec2 half(4.0F * scale, 6.0F * scale);
+  draw.AddTriangleFilled({at.x - half.x, at.y - half.y}, {at.x + half.x, at.y - half.y}, at, kPeak);
   const std::string text = withUnit(*peak, plot.unit);
   const float width = ImGui::CalcTextSize(text.c_str()).x;
   const ImVec2 low = ImGui::GetItemRectMin();
   const ImVec2 high = ImGui::GetItemRectMax();
-  const float left = at.x + 8.0F + width < high.x ? at.x + 6.0F : at.x - 8.0F - width;
-  draw.AddText({std::max(low.x, left), std::max(low.y + 1.0F, at.y - 8.0F)}, kPeak, text.c_str());
+  const float gap = 2.0F * half.x;
+  const float left = at.x + gap + width < high.x ? at.x + half.x + 2.0F : at.x - gap - width;
+  draw.AddText({std::max(low.x, left), std::max(low.y + 1.0F, at.y - 1.4F * half.y)}, kPeak, text.c_str());
 }
 
-void drawLegend(const PlotDef& plot) {
-  ImGui::TextUnformatted(plot.title.c_str());
+void drawLegend(const PlotDef& plot, bool logarithmic) {
+  ImGui::Text("%s%s", plot.title.c_str(), logarithmic ? ", log scale" : "");
   for (const PlotLine& line : plot.lines) {
     ImGui::SameLine();
     const std::string text =
@@ -128,23 +158,25 @@ void showTip(const PlotDef& plot, const Canvas& canvas) {
 
 }  // namespace
 
-void drawPlot(const PlotDef& plot) {
+void drawPlot(const PlotDef& plot, float scale) {
   if (framesOf(plot) == 0) return;
-  drawLegend(plot);
-  const ImVec2 size(std::max(40.0F, ImGui::GetContentRegionAvail().x), plot.height);
+  const PlotAxis axis = axisOf(plot);
+  drawLegend(plot, axis.logarithmic);
+  const ImVec2 size(std::max(40.0F, ImGui::GetContentRegionAvail().x), scale * plot.height);
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton(plot.title.c_str(), size);
   const bool pointed = ImGui::IsItemHovered();
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const Canvas canvas(plot, corner, size);
+  const Canvas canvas(plot, axis, corner, size);
   draw.AddRectFilled(corner, {corner.x + size.x, corner.y + size.y}, kBackground, 3.0F);
   draw.PushClipRect(corner, {corner.x + size.x, corner.y + size.y}, true);
-  plot.stacked ? drawLayers(plot, canvas, draw) : drawLines(plot, canvas, draw);
+  drawMarks(canvas, draw);
+  plot.stacked ? drawLayers(plot, canvas, draw) : drawLines(plot, canvas, scale, draw);
   if (plot.limit > 0.0F) {
     const float y = canvas.at(0, plot.limit).y;
-    draw.AddLine({corner.x, y}, {corner.x + size.x, y}, kLimit);
+    draw.AddLine({corner.x, y}, {corner.x + size.x, y}, kLimit, scale);
   }
-  if (!plot.stacked) markPeak(plot, canvas, draw);
+  if (!plot.stacked) markPeak(plot, canvas, scale, draw);
   draw.PopClipRect();
   if (pointed) showTip(plot, canvas);
 }

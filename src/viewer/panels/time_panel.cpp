@@ -10,7 +10,7 @@
 namespace scatter::viewer {
 namespace {
 
-constexpr float kLeastHeight = 92.0F;
+constexpr float kRateWidth = 140.0F;  // pixels at scale 1
 
 std::string stateOf(const ViewerState& state) {
   for (const auto& pane : state.panes) {
@@ -34,32 +34,39 @@ void showScrubber(ViewerState& state) {
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("Drag to look at any frame since %d, in all worlds", oldest);
 }
 
-void showRate(Playback& time) {
+void showRate(Playback& time, float scale) {
   auto rate = static_cast<float>(time.rate());
-  ImGui::SetNextItemWidth(150.0F);
+  ImGui::SetNextItemWidth(kRateWidth * scale);
   if (ImGui::SliderFloat("rate of time", &rate, static_cast<float>(Loop::kMinRate),
                          static_cast<float>(Loop::kMaxRate), "%.2f x", ImGuiSliderFlags_Logarithmic)) {
     time.setRate(static_cast<double>(rate));
   }
 }
 
+void showState(const ViewerState& state) {
+  ImGui::TextColored({0.5F, 0.85F, 0.75F, 1.0F}, "%s", stateOf(state).c_str());
+  const std::string& said = !state.hands.message().empty()     ? state.hands.message()
+                            : !state.control.message().empty() ? state.control.message()
+                                                               : state.outputs.message();
+  if (said.empty()) return;
+  ImGui::SameLine();
+  ImGui::TextUnformatted(said.c_str());
+}
+
 }  // namespace
 
 void showTimePanel(ViewerState& state, const Layout& layout) {
-  const float height = std::max(layout.bottomHeight(), kLeastHeight);
-  placePanel({0.0F, layout.window().y - height}, {layout.window().x, height});
-  if (ImGui::Begin("Time", nullptr,
-                   ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
-    showScrubber(state);
-    commandButtons(state.commands, "Time");
+  if (beginPanel("Time", layout.time(), false)) {
+    const ImGuiDir way = state.open.time ? ImGuiDir_Down : ImGuiDir_Up;
+    if (ImGui::ArrowButton("fold", way)) state.open.time = !state.open.time;
     ImGui::SameLine();
-    showRate(state.playback);
-    ImGui::TextColored({0.5F, 0.85F, 0.75F, 1.0F}, "%s", stateOf(state).c_str());
-    const std::string& said = !state.hands.message().empty()     ? state.hands.message()
-                              : !state.control.message().empty() ? state.control.message()
-                                                                 : state.outputs.message();
-    if (!said.empty()) ImGui::SameLine();
-    ImGui::TextUnformatted(said.c_str());
+    showScrubber(state);
+    if (state.open.time) {
+      commandButtons(state.commands, "Time");
+      ImGui::SameLine();
+      showRate(state.playback, layout.scale());
+      showState(state);
+    }
   }
   ImGui::End();
 }
