@@ -183,7 +183,7 @@ class ComparisonRunner {
     return checkSameHashes(comparison_.worlds[world]);
   }
 
-  Result<std::optional<Run>> finishedRun(std::size_t world, int repeat) const {
+  [[nodiscard]] Result<std::optional<Run>> finishedRun(std::size_t world, int repeat) const {
     return folder_ ? folder_->finishedRun(world, repeat) : std::optional<Run>();
   }
 

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <utility>
 
 namespace scatter::lab {
 
@@ -29,7 +30,7 @@ class ComparisonFolder {
   [[nodiscard]] Result<void> begin(const std::filesystem::path& run);
 
  private:
-  explicit ComparisonFolder(const CompareOptions& options) : options_(options) {}
+  explicit ComparisonFolder(CompareOptions options) : options_(std::move(options)) {}
   [[nodiscard]] bool isFinished(std::size_t world, int repeat) const;
   [[nodiscard]] int finishedRuns() const;
   [[nodiscard]] Result<void> checkEarlier() const;

@@ -84,11 +84,11 @@ struct Comparison {
 /// A plain-text table for the terminal; ends with a new line.
 [[nodiscard]] std::string formatTable(const Comparison& comparison);
 
-/// Writes LABEL/frames.csv, LABEL/events.csv and LABEL/summary.json of each world's typical repeat (events.csv
-/// only if the run kept its events or has been written with CompareOptions::out), comparison.json, worlds.csv
-/// (times, ratios and fidelity of all worlds), figures/*.svg and *.png, and report.html, whole or not at all;
-/// files of other names in an existing folder are left alone. Call prepareOutputFolder() before a long run to
-/// know that this will work.
+/// Writes LABEL/frames.csv, LABEL/events.csv and LABEL/summary.json of each world's typical repeat
+/// (events.csv only if the run kept its events or has been written with CompareOptions::out),
+/// comparison.json, worlds.csv (times, ratios and fidelity of all worlds), figures/*.svg and *.png, and
+/// report.html, whole or not at all; files of other names in an existing folder are left alone. Call
+/// prepareOutputFolder() before a long run to know that this will work.
 [[nodiscard]] Result<void> writeComparison(const Comparison& comparison, const std::filesystem::path& folder);
 
 }  // namespace scatter
