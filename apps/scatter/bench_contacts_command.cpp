@@ -6,9 +6,12 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "bench_arguments.h"
+#include "lab/text.h"
+#include "lab/text_table.h"
 #include "number_checks.h"
 
 namespace scatter::app {
@@ -23,16 +26,20 @@ struct BenchContactsArguments {
   std::optional<int> random;
 };
 
-constexpr const char* kRow = "{:<26} {:>7} {:>12} {:>10} {:>7} {:>6} {:>9} {:>12}\n";
+using Cells = std::vector<std::string>;
 
-std::string rowOf(const ContactTrial& trial) {
-  return fmt::format(fmt::runtime(kRow), trial.shape, trial.worlds, trial.childPairs, trial.expected,
-                     trial.missed, trial.extra, trial.doubtful, trial.engineErrs);
-}
+constexpr const char* kLegend =
+    "Pairs: of parts. Expected: those that a plain engine has in contact at the same places; of these "
+    "missed, and "
+    "besides these extra. Doubt: rounding decides. Errs: the engine's own detector errs, by proof.";
 
-std::string csvOf(const ContactTrial& trial) {
-  return fmt::format("{},{},{},{},{},{},{},{}\n", trial.shape, trial.worlds, trial.childPairs, trial.expected,
-                     trial.missed, trial.extra, trial.doubtful, trial.engineErrs);
+Cells cellsOf(const ContactTrial& trial) {
+  Cells cells{trial.shape};
+  for (const auto count : {trial.worlds, trial.childPairs, trial.expected, trial.missed, trial.extra,
+                           trial.doubtful, trial.engineErrs}) {
+    cells.push_back(std::to_string(count));
+  }
+  return cells;
 }
 
 /// Random worlds of every kind of convex shape, so many of each.
@@ -40,20 +47,22 @@ ExitStatus tryShapes(const BenchContactsArguments& arguments) {
   if (auto writable = prepareCsv(arguments.bench); !writable) {
     return refuse(writable.error());
   }
-  std::string table = fmt::format(fmt::runtime(kRow), "shape", "worlds", "child pairs", "expected", "missed",
-                                  "extra", "doubtful", "engine errs");
-  std::string csv = "shape,worlds,child_pairs,expected,missed,extra,doubtful,engine_errs\n";
+  std::vector<Cells> table{{"shape", "worlds", "pairs", "expected", "missed", "extra", "doubt", "errs"}};
+  std::vector<Cells> csv{
+      {"shape", "worlds", "child_pairs", "expected", "missed", "extra", "doubtful", "engine_errs"}};
   ContactTrial all{.shape = "all"};
   for (const std::string& shape : contactTrialShapes()) {
     ContactTrial trials{.shape = shape};
     for (int seed = 0; seed < *arguments.random; ++seed) {
       trials += runContactTrial(shape, static_cast<std::uint64_t>(seed));
     }
-    table += rowOf(trials);
-    csv += csvOf(trials);
+    table.push_back(cellsOf(trials));
+    csv.push_back(cellsOf(trials));
     all += trials;
   }
-  const ExitStatus status = report(arguments.bench, table + rowOf(all), csv);
+  table.push_back(cellsOf(all));
+  const ExitStatus status =
+      report(arguments.bench, lab::textTable(table) + lab::fitTerminal(kLegend), lab::csvText(csv));
   const bool differs = all.missed > 0 || all.extra > 0;
   return status == ExitStatus::kOk && differs ? ExitStatus::kFailed : status;
 }

@@ -3,7 +3,6 @@
 #include <scatter/lab/recorder.h>
 #include <scatter/lab/summary.h>
 
-#include "lab/mean_of_last.h"
 #include "lab/model_length.h"
 #include "lab/pile_size.h"
 

@@ -39,15 +39,21 @@ std::optional<std::size_t> findCell(std::string_view line, std::string_view want
   return std::nullopt;
 }
 
+// All of the cell, finite or not.
+std::optional<double> numberIn(std::string_view cell) {
+  double number = 0.0;
+  const auto [stop, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
+  const bool whole = error == std::errc() && stop == cell.data() + cell.size();
+  return whole ? std::optional(number) : std::nullopt;
+}
+
 std::optional<double> numberAt(std::string_view line, std::size_t index) {
   std::string_view cell = takeUntil(line, ',');
   for (; index > 0; --index) {
     cell = takeUntil(line, ',');
   }
-  double number = 0.0;
-  const auto [stop, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
-  const bool whole = error == std::errc() && stop == cell.data() + cell.size();
-  return whole && std::isfinite(number) ? std::optional(number) : std::nullopt;
+  const auto number = numberIn(cell);
+  return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
 // The whole lines of a file; what a killed program has left of another one is left out.
@@ -71,10 +77,7 @@ std::optional<double> valueOf(const Channel& channel, std::string_view cell) {
   if (cell.empty() && channel.sampled) {
     return std::numeric_limits<double>::quiet_NaN();
   }
-  double number = 0.0;
-  const auto [stop, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
-  const bool whole = error == std::errc() && stop == cell.data() + cell.size();
-  return whole ? std::optional(number) : std::nullopt;
+  return numberIn(cell);
 }
 
 bool readRow(std::string_view line, std::vector<FrameColumn>& columns) {

@@ -1,6 +1,5 @@
 #include <scatter/lab/spread_study.h>
 
-#include "lab/mean_of_last.h"
 #include "lab/pile_size.h"
 #include "lab/text.h"
 #include "lab/text_table.h"
@@ -32,7 +31,7 @@ std::vector<double> measure(const Run& run, const lab::PileSize& pile) {
   values[kDeepest] = nearestRank(depths, 1.0);
   values[kP99] = nearestRank(depths, 0.99);
   values[kEnergyPeak] = nearestRank(energies, 1.0);
-  values[kEnergyEnd] = lab::meanOfLast(energies);
+  values[kEnergyEnd] = meanOfLast(energies);
   values[kRadius] = pile.radius;
   values[kMedianDistance] = pile.medianDistance;
   return values;

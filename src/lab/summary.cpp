@@ -1,7 +1,6 @@
 #include <scatter/io/file.h>
 #include <scatter/lab/summary.h>
 
-#include "lab/mean_of_last.h"
 #include "lab/summary_json.h"
 
 #include <algorithm>
@@ -24,7 +23,7 @@ bool isCounter(const Channel& channel) {
 
 }  // namespace
 
-double lab::meanOfLast(const std::vector<double>& values) {
+double meanOfLast(const std::vector<double>& values) {
   constexpr std::ptrdiff_t kLastFrames = 100;
   const auto first = values.end() - std::min<std::ptrdiff_t>(kLastFrames, std::ssize(values));
   return values.empty()
@@ -62,7 +61,7 @@ TimeStatistics timeStatistics(const std::vector<double>& milliseconds, double bu
           .p99 = nearestRank(milliseconds, 0.99),
           .median = nearestRank(milliseconds, 0.5),
           .total = std::accumulate(milliseconds.begin(), milliseconds.end(), 0.0),
-          .lastHundred = lab::meanOfLast(milliseconds),
+          .lastHundred = meanOfLast(milliseconds),
           .framesOverBudget = static_cast<std::uint64_t>(over)};
 }
 

@@ -36,6 +36,10 @@ struct TimeStatistics {
 /// Over repeats: of an even number the mean of the middle two, since there are few. Zero for none.
 [[nodiscard]] double medianOf(std::vector<double> values);
 
+/// Of the last hundred frames, or of all if there are fewer; zero for none. Single frames at the end differ
+/// much more from run to run.
+[[nodiscard]] double meanOfLast(const std::vector<double>& values);
+
 [[nodiscard]] TimeStatistics timeStatistics(const std::vector<double>& milliseconds, double budgetMs);
 
 struct CounterStatistics {
