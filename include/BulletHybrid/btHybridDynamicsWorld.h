@@ -8,54 +8,13 @@
 #include "BulletHybrid/btHybridRigidBody.h"
 #include "BulletHybrid/btHybridSwitching.h"
 
+class btHybridBodySwitching;
 class btHybridContactVerifier;
 class btHybridNarrowphase;
 class btHybridNeighbourhood;
 class btHybridPlanner;
-
-/// Counts of one step. In pair switching those of the program's requests for bodies; btHybridPairStepInfo has the rest.
-struct btHybridStepInfo
-{
-	int m_standingRequests;  ///< after the step
-	int m_switchesCoarser;
-	int m_switchesFiner;
-	int m_retractions;
-	int m_blockedTries;
-	int m_separationQueries;
-
-	btHybridStepInfo()
-	    : m_standingRequests(0), m_switchesCoarser(0), m_switchesFiner(0), m_retractions(0), m_blockedTries(0), m_separationQueries(0)
-	{
-	}
-};
-
-/// When and how bodies switch, in body switching. Read in every step, so that values may be changed at any time. Each has
-/// a meaning whatever it is set to.
-struct btHybridSwitchingInfo
-{
-	/// The world asks for level 1 when another moving body is near, and for the finest level when none is.
-	/// Static bodies count for safety, but do not ask for anything: a floor is always near.
-	bool m_proximity;
-
-	/// A request comes at least this many steps before the level-1 bounds of two bodies can touch at their present
-	/// velocities; 1 or less comes too late to be sure of that, and 0 once they overlap (report, section 5.1.2.1). Below 0
-	/// and what is not a number act as 0, above 1000 acts as 1000.
-	btScalar m_proximitySteps;
-
-	int m_retryInterval;  ///< steps between tries of a blocked request; below 1 it acts as 1, above a million as that
-	int m_quietSteps;     ///< steps without a neighbour before the finest level is asked for; below 1 it acts as 1
-
-	/// Distance that must separate shapes for a switch to be safe, metres. What is negative or not a number acts as 0,
-	/// above 1000 it acts as 1000. In both kinds of switching the bounds of hybrids are wider by at least this much.
-	btScalar m_safetyGap;
-
-	bool m_safetyConditions;  ///< off only to show what they prevent
-
-	btHybridSwitchingInfo()
-	    : m_proximity(true), m_proximitySteps(3), m_retryInterval(10), m_quietSteps(30), m_safetyGap(btScalar(0.01)), m_safetyConditions(true)
-	{
-	}
-};
+class btHybridRegistration;
+class btHybridRequests;
 
 /// A btDiscreteDynamicsWorld that switches the encapsulation levels of btHybridRigidBody objects, between
 /// the broadphase and the narrowphase, on request and only when it is safe.
@@ -74,37 +33,26 @@ class btHybridDynamicsWorld : public btDiscreteDynamicsWorld
 	btHybridSwitchingInfo m_switching;
 	btHybridPairSwitchingInfo m_pairSwitching;
 	btHybridSwitchingInfo m_effective;  ///< what m_switching acts as in the step under way
-	btHybridStepInfo m_stepInfo;
-	btHybridStepInfo m_counting;  ///< of the step under way, and of calls since the last one
-	btHybridListener* m_listener;
 	bool m_loadIsFine;
-	int m_step;
-	int m_standingRequests;
 	bool m_detects;         ///< inside performDiscreteCollisionDetection
 	const char* m_refusal;  ///< of the last call that adds or removes an object
 	bool m_isIndexed;       ///< the neighbourhood knows which object is which hybrid
 	btAlignedObjectArray<const btCollisionObject*> m_held;
 
+	btHybridRequests* m_requests;
 	btHybridNeighbourhood* m_neighbourhood;
+	btHybridBodySwitching* m_bodySwitching;
 	btHybridNarrowphase* m_narrowphase;
+	btHybridRegistration* m_registration;
 	btHybridPlanner* m_planner;  ///< the narrowphase's; 0 in body switching
 	btHybridContactVerifier* m_verifier;
 	int m_verifyEvery;
 
-	void planSwitching();
+	void planBodies();
 	void planPairs();
 	void closeRequests();
 	void findAsked();
-	void closeCounts();
 	void updateHybridAabb(btHybridRigidBody* body);
-	void followProximity(btHybridRigidBody* body);
-	void followHand(btHybridRigidBody* body);
-	void tryRequest(btHybridRigidBody* body);
-	bool isSafe(btHybridRigidBody* body, int level);
-	const btCollisionObject* findObstacle(const btHybridRigidBody* body, int level);
-	void switchLevel(btHybridRigidBody* body, int level);
-	void makeRequest(btHybridRigidBody* body, int level, btHybridScope scope, bool byProximity);
-	void retract(btHybridRigidBody* body, btHybridRetraction reason);
 	bool owns(const btCollisionObject* object) const;
 	bool accepts(const btCollisionObject* object);
 	bool refuse(const char* reason);
@@ -171,10 +119,7 @@ public:
 	}
 
 	/// Of the last step, and of the calls since the step before it.
-	const btHybridStepInfo& getStepInfo() const
-	{
-		return m_stepInfo;
-	}
+	const btHybridStepInfo& getStepInfo() const;
 
 	/// Pair switching. While bodies switch it is kept for when pairs do.
 	btHybridPairSwitchingInfo& getPairSwitchingInfo()

@@ -6,6 +6,7 @@
 #include "BulletHybrid/btHybridLevelSet.h"
 #include "BulletHybrid/btHybridRequest.h"
 
+class btDynamicsWorld;
 class btHybridDynamicsWorld;
 
 /// A rigid body with several encapsulation levels, of which one is its collision shape: in pair switching always the
@@ -14,8 +15,9 @@ class btHybridDynamicsWorld;
 /// Mass and inertia are the caller's and do not change with the level.
 class btHybridRigidBody : public btRigidBody
 {
+	friend class btHybridBodySwitching;
 	friend class btHybridDynamicsWorld;
-	friend class btHybridPlanner;
+	friend class btHybridRequests;
 
 	const btHybridLevelSet* m_levels;
 	int m_finestLevel;
@@ -23,6 +25,7 @@ class btHybridRigidBody : public btRigidBody
 	btHybridRequest m_request;
 	int m_lonelySteps;
 	btHybridDynamicsWorld* m_world;
+	btDynamicsWorld* m_home;  ///< the same, to leave it
 	int m_hybridIndex;
 	bool m_isHeld;
 

@@ -14,6 +14,50 @@ enum btHybridSwitchingMode
 	BT_HYBRID_BODY_SWITCHING
 };
 
+/// Counts of one step. In pair switching those of the program's requests for bodies; btHybridPairStepInfo has the rest.
+struct btHybridStepInfo
+{
+	int m_standingRequests;  ///< after the step
+	int m_switchesCoarser;
+	int m_switchesFiner;
+	int m_retractions;
+	int m_blockedTries;
+	int m_separationQueries;
+
+	btHybridStepInfo()
+	    : m_standingRequests(0), m_switchesCoarser(0), m_switchesFiner(0), m_retractions(0), m_blockedTries(0), m_separationQueries(0)
+	{
+	}
+};
+
+/// When and how bodies switch, in body switching. Read in every step, so that values may be changed at any time. Each has
+/// a meaning whatever it is set to.
+struct btHybridSwitchingInfo
+{
+	/// The world asks for level 1 when another moving body is near, and for the finest level when none is.
+	/// Static bodies count for safety, but do not ask for anything: a floor is always near.
+	bool m_proximity;
+
+	/// A request comes at least this many steps before the level-1 bounds of two bodies can touch at their present
+	/// velocities; 1 or less comes too late to be sure of that, and 0 once they overlap (report, section 5.1.2.1). Below 0
+	/// and what is not a number act as 0, above 1000 acts as 1000.
+	btScalar m_proximitySteps;
+
+	int m_retryInterval;  ///< steps between tries of a blocked request; below 1 it acts as 1, above a million as that
+	int m_quietSteps;     ///< steps without a neighbour before the finest level is asked for; below 1 it acts as 1
+
+	/// Distance that must separate shapes for a switch to be safe, metres. What is negative or not a number acts as 0,
+	/// above 1000 it acts as 1000. In both kinds of switching the bounds of hybrids are wider by at least this much.
+	btScalar m_safetyGap;
+
+	bool m_safetyConditions;  ///< off only to show what they prevent
+
+	btHybridSwitchingInfo()
+	    : m_proximity(true), m_proximitySteps(3), m_retryInterval(10), m_quietSteps(30), m_safetyGap(btScalar(0.01)), m_safetyConditions(true)
+	{
+	}
+};
+
 /// When and how pairs switch. Read in every step, so that values may be changed at any time. Each has a meaning whatever
 /// it is set to.
 struct btHybridPairSwitchingInfo

@@ -64,6 +64,28 @@ Vec3 towards(const Vec3& from, const Vec3& to) {
 
 }  // namespace
 
+namespace {
+
+constexpr int PairWork::*kCounts[]{
+    &PairWork::pairs,        &PairWork::pairsSkipped,     &PairWork::rebuilds,
+    &PairWork::childPairs,   &PairWork::childPairsAsleep, &PairWork::boundsRejected,
+    &PairWork::axisRejected, &PairWork::gjkRuns,          &PairWork::gjkIterations,
+    &PairWork::detectorRuns};
+static_assert(sizeof(kCounts) / sizeof(kCounts[0]) == sizeof(PairWork) / sizeof(int));
+
+}  // namespace
+
+PairWork& PairWork::operator+=(const PairWork& other) {
+  for (const auto count : kCounts) this->*count += other.*count;
+  return *this;
+}
+
+PairWork PairWork::operator-(const PairWork& other) const {
+  PairWork difference = *this;
+  for (const auto count : kCounts) difference.*count -= other.*count;
+  return difference;
+}
+
 void PartPair::reset(float threshold) {
   children_.clear();
   threshold_ = threshold;

@@ -26,6 +26,7 @@ struct PairSteps {
   bool cachedAxis = true;
   bool ownGjk = true;
   bool warmSimplex = true;
+  bool lazyManifolds = true;  ///< A child pair has a record of contacts only while it has contacts.
 };
 
 /// Exact counts of work.
@@ -39,6 +40,10 @@ struct PairWork {
   int axisRejected = 0;
   int gjkRuns = 0;
   int gjkIterations = 0;
+  int detectorRuns = 0;  ///< Child pairs that the engine's own detectors decided.
+
+  PairWork& operator+=(const PairWork& other);
+  [[nodiscard]] PairWork operator-(const PairWork& other) const;
 };
 
 /// Two parts, one of each body, that are near each other.

@@ -64,7 +64,10 @@ class Governor {
   void spend(double units) { spent_ += units; }
 
   /// Whether the step under way is about to exceed its budget: what can be put off to the next one should be.
-  [[nodiscard]] bool isShort() const { return fixed_ + spent_ + correction_ * remaining_ > limit_; }
+  /// `more`: units that are going to be spent.
+  [[nodiscard]] bool isShort(double more = 0.0) const {
+    return fixed_ + (spent_ + more) + correction_ * remaining_ > limit_;
+  }
 
   /// After each planned step: what it did cost, fixed units included, to correct the next plans.
   void learn(double actualUnits);

@@ -5,11 +5,13 @@
 #include <LinearMath/btIDebugDraw.h>
 #include <LinearMath/btQuickprof.h>
 
-#include "BulletHybrid/btHybridSeparation.h"
+#include "btHybridBodySwitching.h"
 #include "btHybridContactVerifier.h"
 #include "btHybridNarrowphase.h"
 #include "btHybridNeighbourhood.h"
 #include "btHybridPlanner.h"
+#include "btHybridRegistration.h"
+#include "btHybridRequests.h"
 #include "btHybridSettings.h"
 #include "btHybridStepClock.h"
 
@@ -37,15 +39,15 @@ public:
 
 btHybridDynamicsWorld::btHybridDynamicsWorld(btDispatcher* dispatcher, btBroadphaseInterface* pairCache, btConstraintSolver* constraintSolver, btCollisionConfiguration* collisionConfiguration, btHybridSwitchingMode mode)
     : btDiscreteDynamicsWorld(dispatcher, pairCache, constraintSolver, collisionConfiguration),
-      m_listener(0),
       m_loadIsFine(false),
-      m_step(0),
-      m_standingRequests(0),
       m_detects(false),
       m_refusal(0),
       m_isIndexed(false),
+      m_requests(new btHybridRequests),
       m_neighbourhood(new btHybridNeighbourhood),
-      m_narrowphase(new btHybridNarrowphase(dispatcher, this, mode == BT_HYBRID_PAIR_SWITCHING)),
+      m_bodySwitching(new btHybridBodySwitching(*m_requests, *m_neighbourhood)),
+      m_narrowphase(new btHybridNarrowphase(mode == BT_HYBRID_PAIR_SWITCHING)),
+      m_registration(new btHybridRegistration(dispatcher, this, m_narrowphase)),
       m_planner(m_narrowphase->getPlanner()),
       m_verifier(new btHybridContactVerifier),
       m_verifyEvery(0)
@@ -60,6 +62,7 @@ btHybridDynamicsWorld::~btHybridDynamicsWorld()
 		if (!hybrid || hybrid->m_world != this)
 			continue;
 		hybrid->m_world = 0;
+		hybrid->m_home = 0;
 		hybrid->m_hybridIndex = -1;
 		hybrid->m_request = btHybridRequest();
 		// So that it is in no world for Bullet, either.
@@ -69,8 +72,11 @@ btHybridDynamicsWorld::~btHybridDynamicsWorld()
 	if (m_planner)
 		m_planner->setListener(0);
 	delete m_verifier;
-	m_narrowphase->retire();
+	delete m_registration;
+	m_narrowphase->removeUser();
+	delete m_bodySwitching;
 	delete m_neighbourhood;
+	delete m_requests;
 }
 
 bool btHybridDynamicsWorld::owns(const btCollisionObject* object) const
@@ -108,6 +114,7 @@ void btHybridDynamicsWorld::registerHybrid(btRigidBody* body)
 	if (!hybrid || !owns(body))
 		return;
 	hybrid->m_world = this;
+	hybrid->m_home = this;
 	if (hybrid->getFinestLevel() == 0)
 		return;
 	m_isIndexed = false;
@@ -123,9 +130,10 @@ void btHybridDynamicsWorld::registerHybrid(btRigidBody* body)
 void btHybridDynamicsWorld::unregisterHybrid(btHybridRigidBody* hybrid)
 {
 	hybrid->m_world = 0;
+	hybrid->m_home = 0;
 	if (hybrid->m_hybridIndex < 0)
 		return;
-	retract(hybrid, BT_HYBRID_RETRACTED_BY_REMOVAL);
+	m_requests->retract(hybrid, BT_HYBRID_RETRACTED_BY_REMOVAL);
 	btHybridRigidBody* last = m_hybrids[m_hybrids.size() - 1];
 	m_hybrids[hybrid->m_hybridIndex] = last;
 	last->m_hybridIndex = hybrid->m_hybridIndex;
@@ -213,7 +221,7 @@ int btHybridDynamicsWorld::setSwitchingMode(btHybridSwitchingMode mode)
 		return -1;
 	if (mode == getSwitchingMode())
 		return 0;
-	const int numDeep = m_planner ? m_planner->countDeepPairs(c_mostOverlap) : 0;
+	const int numDeep = m_planner ? m_narrowphase->countDeepPairs(c_mostOverlap) : 0;
 	if (numDeep > 0)
 		return numDeep;
 	retractAllRequests();
@@ -232,7 +240,7 @@ int btHybridDynamicsWorld::setSwitchingMode(btHybridSwitchingMode mode)
 	}
 	if (m_planner)
 	{
-		m_planner->setListener(m_listener);
+		m_planner->setListener(m_requests->getListener());
 		m_planner->setHeld(m_held);
 	}
 	return 0;
@@ -240,7 +248,7 @@ int btHybridDynamicsWorld::setSwitchingMode(btHybridSwitchingMode mode)
 
 void btHybridDynamicsWorld::setListener(btHybridListener* listener)
 {
-	m_listener = listener;
+	m_requests->setListener(listener);
 	if (m_planner)
 		m_planner->setListener(listener);
 }
@@ -252,9 +260,13 @@ bool btHybridDynamicsWorld::requestLevel(btHybridRigidBody* body, int level, btH
 	if (m_planner && getNarrowphaseMistake())
 		return false;
 	if (level == body->m_level)
-		retract(body, BT_HYBRID_RETRACTED_BY_CALLER);
-	else
-		makeRequest(body, level, scope, false);
+	{
+		m_requests->retract(body, BT_HYBRID_RETRACTED_BY_CALLER);
+		return true;
+	}
+	m_requests->make(body, level, scope, false);
+	if (m_planner && m_requests->getNumStanding() > 0)
+		m_planner->setAsks(true);
 	return true;
 }
 
@@ -262,48 +274,14 @@ bool btHybridDynamicsWorld::retractRequest(btHybridRigidBody* body)
 {
 	if (!body || body->m_world != this || !body->m_request.isStanding())
 		return false;
-	retract(body, BT_HYBRID_RETRACTED_BY_CALLER);
+	m_requests->retract(body, BT_HYBRID_RETRACTED_BY_CALLER);
 	return true;
 }
 
 void btHybridDynamicsWorld::retractAllRequests()
 {
 	for (int i = 0; i < m_hybrids.size(); i++)
-		retract(m_hybrids[i], BT_HYBRID_RETRACTED_BY_CALLER);
-}
-
-void btHybridDynamicsWorld::makeRequest(btHybridRigidBody* body, int level, btHybridScope scope, bool byProximity)
-{
-	if (body->m_request.m_targetLevel == level)
-	{
-		body->m_request.m_scope = scope;
-		body->m_request.m_byProximity = byProximity;
-		return;
-	}
-	retract(body, BT_HYBRID_RETRACTED_BY_CALLER);
-	m_standingRequests++;
-	if (m_planner)
-		m_planner->setAsks(true);
-	btHybridRequest& request = body->m_request;
-	request.m_targetLevel = level;
-	request.m_scope = scope;
-	request.m_byProximity = byProximity;
-	request.m_stepMade = m_step;
-	request.m_nextTry = m_step;
-	if (m_listener)
-		m_listener->requested(body, request);
-}
-
-void btHybridDynamicsWorld::retract(btHybridRigidBody* body, btHybridRetraction reason)
-{
-	if (!body->m_request.isStanding())
-		return;
-	const btHybridRequest request = body->m_request;
-	body->m_request = btHybridRequest();
-	m_standingRequests--;
-	m_counting.m_retractions++;
-	if (m_listener)
-		m_listener->retracted(body, request, reason);
+		m_requests->retract(m_hybrids[i], BT_HYBRID_RETRACTED_BY_CALLER);
 }
 
 void btHybridDynamicsWorld::updateAabbs()
@@ -353,6 +331,11 @@ void btHybridDynamicsWorld::updateHybridAabb(btHybridRigidBody* body)
 		updateSingleAabb(body);  // Bullet's own refusal of an overflowing AABB
 }
 
+const btHybridStepInfo& btHybridDynamicsWorld::getStepInfo() const
+{
+	return m_requests->getStepInfo();
+}
+
 const btHybridCollisionInfo& btHybridDynamicsWorld::getCollisionInfo() const
 {
 	return m_narrowphase->getInfo();
@@ -369,7 +352,7 @@ const char* btHybridDynamicsWorld::setCollisionInfo(const btHybridCollisionInfo&
 
 const char* btHybridDynamicsWorld::getNarrowphaseMistake() const
 {
-	return m_narrowphase->getMistake();
+	return m_registration->getMistake();
 }
 
 void btHybridDynamicsWorld::dropContactsOfHybrids()
@@ -422,11 +405,11 @@ const btHybridContactReport& btHybridDynamicsWorld::getContactReport() const
 void btHybridDynamicsWorld::performDiscreteCollisionDetection()
 {
 	const DetectionScope scope(m_detects);
-	m_step++;
+	m_requests->beginStep();
 	m_narrowphase->beginStep();
 	if (m_hybrids.size() == 0)
 	{
-		closeCounts();
+		m_requests->endStep();
 		btDiscreteDynamicsWorld::performDiscreteCollisionDetection();
 		return;
 	}
@@ -436,14 +419,14 @@ void btHybridDynamicsWorld::performDiscreteCollisionDetection()
 	if (m_planner)
 		planPairs();
 	else
-		planSwitching();
+		planBodies();
 	if (m_verifyEvery > 0)
 		m_verifier->begin(m_planner, this);
 	{
 		BT_PROFILE("dispatchAllCollisionPairs");
-		m_narrowphase->setDispatching(true);
+		m_narrowphase->getObjects().setDispatching(true);
 		getDispatcher()->dispatchAllCollisionPairs(m_broadphasePairCache->getOverlappingPairCache(), getDispatchInfo(), m_dispatcher1);
-		m_narrowphase->setDispatching(false);
+		m_narrowphase->getObjects().setDispatching(false);
 	}
 	if (m_planner)
 	{
@@ -451,7 +434,7 @@ void btHybridDynamicsWorld::performDiscreteCollisionDetection()
 		closeRequests();
 	}
 	if (m_verifyEvery > 0)
-		m_verifier->finish(this, m_step % m_verifyEvery == 0);
+		m_verifier->finish(this, m_requests->getStep() % m_verifyEvery == 0);
 }
 
 void btHybridDynamicsWorld::internalSingleStepSimulation(btScalar timeStep)
@@ -466,18 +449,20 @@ void btHybridDynamicsWorld::internalSingleStepSimulation(btScalar timeStep)
 	m_planner->takeTime(btHybridStepClock::getThreadMilliseconds() - before);
 }
 
+void btHybridDynamicsWorld::planBodies()
+{
+	BT_PROFILE("planSwitching");
+	const btHybridBodySwitching::Step step = {m_hybrids, m_nonStaticRigidBodies, m_held, m_broadphasePairCache, getDispatcher(), m_effective, m_dispatchInfo.m_timeStep, m_loadIsFine};
+	m_bodySwitching->plan(step);
+	m_requests->endStep();
+}
+
 void btHybridDynamicsWorld::planPairs()
 {
 	BT_PROFILE("planSwitching");
-	for (int i = 0; m_standingRequests > 0 && i < m_hybrids.size(); i++)
-	{
-		btHybridRequest& request = m_hybrids[i]->m_request;
-		if (!request.isStanding() || request.m_acknowledged)
-			continue;
-		request.m_acknowledged = true;
-		if (m_listener)
-			m_listener->acknowledged(m_hybrids[i], request);
-	}
+	for (int i = 0; m_requests->getNumStanding() > 0 && i < m_hybrids.size(); i++)
+		if (m_hybrids[i]->m_request.isStanding())
+			m_requests->acknowledge(m_hybrids[i]);
 	m_planner->setInfo(btHybridEffective(m_pairSwitching));
 	m_planner->plan(m_collisionObjects, m_nonStaticRigidBodies.size(), m_broadphasePairCache->getOverlappingPairCache()->getNumOverlappingPairs());
 }
@@ -485,30 +470,19 @@ void btHybridDynamicsWorld::planPairs()
 // A body has switched when all its pairs have.
 void btHybridDynamicsWorld::closeRequests()
 {
-	for (int i = 0; m_standingRequests > 0 && i < m_hybrids.size(); i++)
+	for (int i = 0; m_requests->getNumStanding() > 0 && i < m_hybrids.size(); i++)
 	{
-		btHybridRigidBody* body = m_hybrids[i];
-		const btHybridRequest request = body->m_request;
-		if (!request.isStanding() || !request.m_acknowledged || !m_planner->complies(body))
-			continue;
-		const int from = body->m_level;
-		body->m_level = request.m_targetLevel;
-		body->m_request = btHybridRequest();
-		m_standingRequests--;
-		if (body->m_level < from)
-			m_counting.m_switchesCoarser++;
-		else
-			m_counting.m_switchesFiner++;
-		if (m_listener)
-			m_listener->switched(body, from, body->m_level, request);
+		const btHybridRequest& request = m_hybrids[i]->m_request;
+		if (request.isStanding() && request.m_acknowledged && m_planner->complies(m_hybrids[i]))
+			m_requests->fulfil(m_hybrids[i], request.m_targetLevel);
 	}
-	closeCounts();
+	m_requests->endStep();
 	findAsked();
 }
 
 void btHybridDynamicsWorld::findAsked()
 {
-	bool asks = m_standingRequests > 0;
+	bool asks = m_requests->getNumStanding() > 0;
 	for (int i = 0; !asks && i < m_hybrids.size(); i++)
 		asks = m_hybrids[i]->m_level < m_hybrids[i]->getFinestLevel();
 	m_planner->setAsks(asks);
@@ -602,172 +576,4 @@ const char* btHybridDynamicsWorld::removeFocus()
 	if (!mistake)
 		m_planner->removeFocus();
 	return mistake;
-}
-
-void btHybridDynamicsWorld::closeCounts()
-{
-	m_stepInfo = m_counting;
-	m_stepInfo.m_standingRequests = m_standingRequests;
-	m_counting = btHybridStepInfo();
-}
-
-void btHybridDynamicsWorld::planSwitching()
-{
-	BT_PROFILE("planSwitching");
-	if (!m_switching.m_proximity && m_standingRequests == 0 && m_held.size() == 0)
-	{
-		closeCounts();
-		return;
-	}
-	m_neighbourhood->collectPairs(m_broadphasePairCache->getOverlappingPairCache()->getOverlappingPairArray(), m_hybrids.size());
-	if (m_switching.m_proximity)
-		m_neighbourhood->measureSpeeds(m_nonStaticRigidBodies);
-	for (int i = 0; i < m_hybrids.size(); i++)
-	{
-		btHybridRigidBody* body = m_hybrids[i];
-		if (!body->isActive())
-			continue;
-		if (m_held.findLinearSearch2(body) >= 0)
-			followHand(body);
-		else if (m_switching.m_proximity)
-			followProximity(body);
-		if (body->m_request.isStanding() && m_step >= body->m_request.m_nextTry)
-			tryRequest(body);
-	}
-	closeCounts();
-}
-
-static btCollisionObject* partnerIn(const btBroadphasePair* pair, const btCollisionObject* body)
-{
-	btCollisionObject* first = static_cast<btCollisionObject*>(pair->m_pProxy0->m_clientObject);
-	return first == body ? static_cast<btCollisionObject*>(pair->m_pProxy1->m_clientObject) : first;
-}
-
-static bool canPush(const btCollisionObject* body, const btCollisionObject* partner)
-{
-	return body->hasContactResponse() && partner->hasContactResponse() && body->checkCollideWith(partner) && partner->checkCollideWith(body);
-}
-
-void btHybridDynamicsWorld::followProximity(btHybridRigidBody* body)
-{
-	const btHybridRequest& request = body->m_request;
-	const bool mayReplace = !request.isStanding() || request.m_byProximity;
-	const bool wantsCoarser = request.isStanding() && request.m_targetLevel < body->m_level;
-	const btScalar lookAhead = m_effective.m_proximitySteps * m_dispatchInfo.m_timeStep;
-	if (m_neighbourhood->hasMovingNeighbour(body, body->m_hybridIndex, lookAhead, m_broadphasePairCache))
-	{
-		body->m_lonelySteps = 0;
-		if (!mayReplace)
-			return;
-		if (request.isStanding() && !wantsCoarser)
-			retract(body, BT_HYBRID_RETRACTED_BY_APPROACH);
-		if (m_loadIsFine)
-			retract(body, BT_HYBRID_RETRACTED_BY_LOAD);
-		else if (body->m_level > 1)
-			makeRequest(body, 1, BT_HYBRID_LOCAL, true);
-		return;
-	}
-	body->m_lonelySteps++;
-	if (!mayReplace)
-		return;
-	if (wantsCoarser)
-		retract(body, BT_HYBRID_RETRACTED_BY_SEPARATION);
-	if (body->m_lonelySteps >= m_effective.m_quietSteps && body->m_level < body->getFinestLevel())
-		makeRequest(body, body->getFinestLevel(), BT_HYBRID_LOCAL, true);
-}
-
-// What the user holds asks for nothing coarser, whoever wants it.
-void btHybridDynamicsWorld::followHand(btHybridRigidBody* body)
-{
-	body->m_lonelySteps = 0;
-	if (body->m_level < body->getFinestLevel())
-		makeRequest(body, body->getFinestLevel(), BT_HYBRID_LOCAL, false);
-	else
-		retract(body, BT_HYBRID_RETRACTED_BY_CALLER);
-}
-
-void btHybridDynamicsWorld::tryRequest(btHybridRigidBody* body)
-{
-	btHybridRequest& request = body->m_request;
-	if (!request.m_acknowledged)
-	{
-		request.m_acknowledged = true;
-		if (m_listener)
-			m_listener->acknowledged(body, request);
-		// The listener may have retracted it, or asked for something else.
-		if (!request.isStanding() || request.m_targetLevel == body->m_level)
-			return;
-	}
-	request.m_nextTry = m_step + m_effective.m_retryInterval;
-	if (request.m_targetLevel > body->m_level)
-	{
-		if (isSafe(body, request.m_targetLevel))
-		{
-			switchLevel(body, request.m_targetLevel);
-			return;
-		}
-	}
-	else
-	{
-		// The coarsest that is safe: part of the way helps, and the request for the rest stands.
-		for (int level = request.m_targetLevel; level < body->m_level; level++)
-		{
-			if (isSafe(body, level))
-			{
-				switchLevel(body, level);
-				return;
-			}
-		}
-	}
-	request.m_tries++;
-	m_counting.m_blockedTries++;
-	if (m_listener)
-		m_listener->blocked(body, request);
-}
-
-// Report, section 3.4.3: finer only if there is no contact, coarser only if the coarser level is free of
-// collision. Free of contact is measured at the present level, which holds the finer one.
-bool btHybridDynamicsWorld::isSafe(btHybridRigidBody* body, int level)
-{
-	if (!m_switching.m_safetyConditions)
-		return true;
-	body->m_request.m_blockedBy = findObstacle(body, btMin(level, body->m_level));
-	return body->m_request.m_blockedBy == 0;
-}
-
-const btCollisionObject* btHybridDynamicsWorld::findObstacle(const btHybridRigidBody* body, int level)
-{
-	const btCollisionShape* shape = body->m_levels->getLevelShape(level);
-	for (int i = 0; i < m_neighbourhood->getNumPairs(body->m_hybridIndex); i++)
-	{
-		const btCollisionObject* partner = partnerIn(m_neighbourhood->getPair(body->m_hybridIndex, i), body);
-		if (!canPush(body, partner))
-			continue;
-		m_counting.m_separationQueries++;
-		if (!btHybridIsSeparated(shape, body->getWorldTransform(), partner->getCollisionShape(), partner->getWorldTransform(), m_effective.m_safetyGap))
-			return partner;
-	}
-	return 0;
-}
-
-void btHybridDynamicsWorld::switchLevel(btHybridRigidBody* body, int level)
-{
-	const int from = body->m_level;
-	body->m_level = level;
-	body->setCollisionShape(body->m_levels->getLevelShape(level));
-	// A cached algorithm was made for the old shape's type.
-	for (int i = 0; i < m_neighbourhood->getNumPairs(body->m_hybridIndex); i++)
-		m_broadphasePairCache->getOverlappingPairCache()->cleanOverlappingPair(*m_neighbourhood->getPair(body->m_hybridIndex, i), getDispatcher());
-	if (level < from)
-		m_counting.m_switchesCoarser++;
-	else
-		m_counting.m_switchesFiner++;
-	const btHybridRequest request = body->m_request;
-	if (request.m_targetLevel == level)
-	{
-		body->m_request = btHybridRequest();
-		m_standingRequests--;
-	}
-	if (m_listener)
-		m_listener->switched(body, from, level, request);
 }

@@ -16,7 +16,7 @@ class btHybridLevelBodies
 	btAlignedObjectArray<btHybridPartBody*> m_bodies;  ///< by level; 0 as long as none was needed
 	int m_users;
 
-	friend class btHybridNarrowphase;
+	friend class btHybridObjects;
 
 	btHybridLevelBodies(const btCollisionObject* object, const btHybridRigidBody* hybrid);
 

@@ -317,8 +317,7 @@ btHybridParallelWorld::Fate btHybridParallelWorld::getFate(const btCollisionObje
 	const btHybridPairAlgorithm* algorithm = findAlgorithm(a, b);
 	if (!m_planner || !algorithm)
 		return LOOKED_AT_FINEST;
-	const scatter::lod::PairView& view = m_planner->getPair(algorithm->getPlanIndex()).view;
-	if (view.level != view.finest)
+	if (!m_planner->isAtFinest(algorithm->getIndex()))
 		return AT_COARSER;
 	return algorithm->hasReused() ? KEPT_CONTACTS : LOOKED_AT_FINEST;
 }

@@ -9,31 +9,10 @@ btHybridPartBody::btHybridPartBody(const btCollisionObject* object, btHybridPart
 {
 }
 
-scatter::Frame btHybridFrameOf(const btTransform& transform)
-{
-	scatter::Frame frame;
-	for (int i = 0; i < 3; i++)
-	{
-		const btVector3& row = transform.getBasis()[i];
-		frame.row[i] = scatter::Vec3(row.x(), row.y(), row.z());
-	}
-	const btVector3& origin = transform.getOrigin();
-	frame.origin = scatter::Vec3(origin.x(), origin.y(), origin.z());
-	return frame;
-}
-
-// Exact: a frame has the same numbers.
-static btTransform transformOf(const scatter::Frame& frame)
-{
-	const scatter::Vec3* row = frame.row;
-	const btMatrix3x3 basis(row[0].x, row[0].y, row[0].z, row[1].x, row[1].y, row[1].z, row[2].x, row[2].y, row[2].z);
-	return btTransform(basis, btVector3(frame.origin.x, frame.origin.y, frame.origin.z));
-}
-
 void btHybridPartBody::boundsOf(int part, const scatter::Frame& frame, scatter::Vec3& low, scatter::Vec3& high) const
 {
 	btVector3 aabbMin, aabbMax;
-	getChildShape(part)->getAabb(getChildTransform(part, transformOf(frame)), aabbMin, aabbMax);
+	getChildShape(part)->getAabb(getChildTransform(part, btHybridTransformOf(frame)), aabbMin, aabbMax);
 	low = scatter::Vec3(aabbMin.x(), aabbMin.y(), aabbMin.z());
 	high = scatter::Vec3(aabbMax.x(), aabbMax.y(), aabbMax.z());
 }

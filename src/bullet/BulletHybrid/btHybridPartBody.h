@@ -4,11 +4,9 @@
 #include <BulletCollision/CollisionDispatch/btCollisionObject.h>
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 
+#include "btHybridConversions.h"
 #include "btHybridParts.h"
 #include "collision/part_body.h"
-
-/// As src/collision has it.
-scatter::Frame btHybridFrameOf(const btTransform& transform);
 
 /// A collision object, with one of its shapes, as a body of parts: shared by its pair algorithms.
 class btHybridPartBody : private scatter::EngineBounds
@@ -20,7 +18,7 @@ class btHybridPartBody : private scatter::EngineBounds
 	int m_version;      ///< counts the changes of its parts
 	int m_checkedStep;  ///< the last step in which its shape was looked at thoroughly
 
-	friend class btHybridNarrowphase;
+	friend class btHybridObjects;
 
 	btHybridPartBody(const btCollisionObject* object, btHybridParts* parts);
 

@@ -15,6 +15,8 @@
 #include <typeinfo>
 #include <vector>
 
+#include "btHybridConversions.h"
+
 namespace
 {
 const int c_mostParts = std::numeric_limits<unsigned short>::max();
@@ -48,14 +50,9 @@ btTransform partTransform(const btCollisionShape* shape, int part)
 	return compound ? compound->getChildTransform(part) : btTransform::getIdentity();
 }
 
-scatter::Vec3 vec3(const btVector3& v)
-{
-	return scatter::Vec3(v.x(), v.y(), v.z());
-}
-
 scatter::Mat3 mat3(const btMatrix3x3& m)
 {
-	return scatter::Mat3(vec3(m.getColumn(0)), vec3(m.getColumn(1)), vec3(m.getColumn(2)));
+	return scatter::Mat3(btHybridVec3(m.getColumn(0)), btHybridVec3(m.getColumn(1)), btHybridVec3(m.getColumn(2)));
 }
 
 void addCorners(scatter::PartDef& part, const btTransform& transform, const btVector3& center, const btVector3& half)
@@ -63,22 +60,22 @@ void addCorners(scatter::PartDef& part, const btTransform& transform, const btVe
 	for (int corner = 0; corner < 8; corner++)
 	{
 		const btVector3 local((corner & 1) ? half.x() : -half.x(), (corner & 2) ? half.y() : -half.y(), (corner & 4) ? half.z() : -half.z());
-		part.core.push_back(vec3(transform(center + local)));
+		part.core.push_back(btHybridVec3(transform(center + local)));
 	}
 }
 
 void addHull(scatter::PartDef& part, const btTransform& transform, const btConvexHullShape* hull)
 {
 	for (int i = 0; i < hull->getNumPoints(); i++)
-		part.core.push_back(vec3(transform(hull->getScaledPoint(i))));
+		part.core.push_back(btHybridVec3(transform(hull->getScaledPoint(i))));
 }
 
 void addCapsule(scatter::PartDef& part, const btTransform& transform, const btCapsuleShape* capsule)
 {
 	btVector3 end(0, 0, 0);
 	end[capsule->getUpAxis()] = capsule->getHalfHeight();
-	part.core.push_back(vec3(transform(end)));
-	part.core.push_back(vec3(transform(-end)));
+	part.core.push_back(btHybridVec3(transform(end)));
+	part.core.push_back(btHybridVec3(transform(-end)));
 }
 
 // From the shape's own support function: getAabb is too small for a few (a cylinder of two radii, say).
@@ -119,9 +116,9 @@ void bound(scatter::PartDef& part, const btTransform& transform, const btConvexS
 	btVector3 aabbMin, aabbMax;
 	shape->getAabb(btTransform::getIdentity(), aabbMin, aabbMax);
 	const btVector3 half = btScalar(0.5) * (aabbMax - aabbMin);
-	part.boundsCenter = vec3(transform(btScalar(0.5) * (aabbMin + aabbMax)));
+	part.boundsCenter = btHybridVec3(transform(btScalar(0.5) * (aabbMin + aabbMax)));
 	part.boundsAxes = mat3(transform.getBasis());
-	part.boundsHalf = vec3(half);
+	part.boundsHalf = btHybridVec3(half);
 	part.asksBounds = !turnsItsBox(shape);
 }
 
@@ -196,7 +193,7 @@ scatter::PartDef makePart(const btConvexShape* shape, const btTransform& transfo
 	{
 		case SPHERE_SHAPE_PROXYTYPE:
 			part.kind = scatter::PartKind::kSphere;
-			part.core.push_back(vec3(transform.getOrigin()));
+			part.core.push_back(btHybridVec3(transform.getOrigin()));
 			part.margin = static_cast<const btSphereShape*>(shape)->getRadius();
 			part.boundsMargin = part.margin;
 			part.boundsHalf = scatter::Vec3(0.0f);

@@ -36,7 +36,7 @@ class btHybridParts
 	scatter::PartList m_list;
 	int m_users;
 
-	friend class btHybridNarrowphase;
+	friend class btHybridObjects;
 
 public:
 	BT_DECLARE_ALIGNED_ALLOCATOR();

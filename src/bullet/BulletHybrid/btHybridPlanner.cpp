@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "BulletHybrid/btHybridRigidBody.h"
+#include "btHybridConversions.h"
 #include "btHybridLevelBodies.h"
-#include "btHybridPairAlgorithm.h"
 #include "lod/make_policy.h"
 
 using scatter::lod::BodyView;
@@ -16,16 +16,13 @@ using scatter::lod::PlannedPair;
 using scatter::lod::SwitchChoice;
 using scatter::lod::SwitchKind;
 using scatter::lod::Wish;
+using scatter::pairs::PairOutcome;
+using scatter::pairs::PairPlan;
 
 namespace
 {
 // Policies look at a pair every so many steps, and at a new one at once.
 const int c_adviceInterval = 4;
-
-scatter::Vec3 asVec3(const btVector3& v)
-{
-	return scatter::Vec3(v.x(), v.y(), v.z());
-}
 
 // Twice the logarithm to base 2, so that kinds differ by less than a half.
 unsigned char kindOf(double numChildPairs)
@@ -46,11 +43,11 @@ BodyView viewOf(const btCollisionObject* object)
 {
 	BodyView view;
 	view.present = true;
-	view.center = asVec3(object->getWorldTransform().getOrigin());
+	view.center = btHybridVec3(object->getWorldTransform().getOrigin());
 	const btRigidBody* body = btRigidBody::upcast(object);
 	if (body && body->getInvMass() > 0)
 	{
-		view.velocity = asVec3(body->getLinearVelocity());
+		view.velocity = btHybridVec3(body->getLinearVelocity());
 		view.mass = 1 / body->getInvMass();
 	}
 	const btHybridRigidBody* hybrid = btHybridRigidBody::upcast(object);
@@ -112,18 +109,12 @@ void btHybridPlanner::removePolicies()
 
 void btHybridPlanner::setFocus(const btVector3& eye, const btVector3& target, btScalar fieldOfView)
 {
-	m_situation.focus = scatter::lod::Focus{asVec3(eye), asVec3(target), fieldOfView};
+	m_situation.focus = scatter::lod::Focus{btHybridVec3(eye), btHybridVec3(target), fieldOfView};
 }
 
 void btHybridPlanner::removeFocus()
 {
 	m_situation.focus.reset();
-}
-
-bool btHybridPlanner::isAtFinest(const btCollisionAlgorithm* algorithm) const
-{
-	const btHybridPairAlgorithm* pair = dynamic_cast<const btHybridPairAlgorithm*>(algorithm);
-	return !pair || (m_planned[pair->getPlanIndex()].view.level == m_planned[pair->getPlanIndex()].view.finest && !pair->hasReused());
 }
 
 scatter::lod::SwitchRules btHybridPlanner::getRules(int pair) const
@@ -136,7 +127,7 @@ scatter::lod::SwitchRules btHybridPlanner::getRules(int pair) const
 	return rules;
 }
 
-int btHybridPlanner::addPair(btHybridPairAlgorithm* algorithm, const btHybridLevelBodies* object0, const btHybridLevelBodies* object1)
+void btHybridPlanner::addPair(btHybridLevelBodies* object0, btHybridLevelBodies* object1)
 {
 	PlannedPair planned;
 	planned.view.finest = btMax(object0->getNumLevels(), object1->getNumLevels());
@@ -144,9 +135,8 @@ int btHybridPlanner::addPair(btHybridPairAlgorithm* algorithm, const btHybridLev
 	planned.identity = m_numCreated++;
 	planned.kind = kindOf(double(object0->getNumParts()) * object1->getNumParts());
 	m_planned.push_back(planned);
-	const Pair pair = {algorithm, {object0, object1}, false, false, planned.target, m_step, m_step};
+	const Pair pair = {{object0, object1}, false, false, planned.target, m_step, m_step, 0};
 	m_pairs.push_back(pair);
-	return int(m_pairs.size()) - 1;
 }
 
 void btHybridPlanner::removePair(int pair)
@@ -160,8 +150,6 @@ void btHybridPlanner::removePair(int pair)
 	m_planned.pop_back();
 	m_pairs[pair] = m_pairs.back();
 	m_pairs.pop_back();
-	if (pair < int(m_pairs.size()))
-		m_pairs[pair].m_algorithm->setPlanIndex(pair);
 }
 
 void btHybridPlanner::showBodies(const btCollisionObjectArray& objects)
@@ -341,7 +329,7 @@ void btHybridPlanner::acknowledge(int pair)
 	tell(BT_HYBRID_PAIR_ACKNOWLEDGED, pair, m_planned[pair].view.level, m_planned[pair].target, false);
 }
 
-void btHybridPlanner::take(int pair, const SwitchChoice& choice)
+void btHybridPlanner::takeChoice(int pair, const SwitchChoice& choice)
 {
 	PlannedPair& planned = m_planned[pair];
 	const int from = planned.view.level;
@@ -375,17 +363,54 @@ void btHybridPlanner::spend(double units)
 	m_governor.spend(units);
 }
 
-void btHybridPlanner::countQuery()
+void btHybridPlanner::countQueries(int queries)
 {
-	m_stepInfo.m_separationQueries++;
-	spend(m_costs.weights().separationQuery);
+	m_stepInfo.m_separationQueries += queries;
+	for (int i = 0; i < queries; i++)
+		spend(m_costs.weights().separationQuery);
 }
 
-bool btHybridPlanner::mayReuse(int pair) const
+// Queries that a pair in contact must have made before it should keep its contacts for this step, as the budget is about to
+// be exceeded.
+int btHybridPlanner::keepsFrom(int pair) const
 {
 	const PlannedPair& planned = m_planned[pair];
 	const bool isPlain = planned.view.touching && planned.view.level == planned.view.finest && !planned.view.credited;
-	return isPlain && planned.wish.atLeast < planned.view.finest && isShort();
+	for (int queries = 0; m_plans && isPlain && planned.wish.atLeast < planned.view.finest && queries <= planned.view.finest; queries++)
+		if (m_governor.isShort(queries * m_costs.weights().separationQuery))
+			return queries;
+	return PairPlan::kNever;
+}
+
+PairPlan btHybridPlanner::planPair(int pair)
+{
+	PairPlan plan;
+	plan.target = getTarget(pair);
+	const PlannedPair& planned = m_planned[pair];
+	plan.view = planned.view;
+	const bool canWait = plan.target > plan.view.level && plan.view.level >= planned.wish.atLeast && !planned.mustSave;
+	const bool isPutOff = plan.view.level > 0 && (planned.blockedSteps > 0 || (canWait && isShort()));
+	plan.tries = plan.target != plan.view.level && !isPutOff;
+	plan.rules = getRules(pair);
+	plan.auditDistance = m_info.m_auditDistance;
+	plan.mayAudit = m_info.m_auditDistance > 0 && mayAudit();
+	plan.keepsFrom = keepsFrom(pair);
+	return plan;
+}
+
+void btHybridPlanner::take(int pair, const PairOutcome& outcome)
+{
+	if (outcome.tried)
+		acknowledge(pair);
+	countQueries(outcome.choiceQueries);
+	if (outcome.tried)
+		takeChoice(pair, outcome.choice);
+	m_stepInfo.m_unsafeSwitches += outcome.isUnsafe ? 1 : 0;
+	btAssert(!outcome.isUnsafe || !m_info.m_safetyConditions);
+	countQueries(outcome.gapQueries);
+	if (outcome.audited)
+		takeAudit(outcome.auditWork);
+	takeWork(pair, outcome);
 }
 
 // A fifth of the budget at most, so that looking does not cost the detail that it serves.
@@ -395,41 +420,39 @@ bool btHybridPlanner::mayAudit() const
 	return !hasBudget() || (!isShort() && m_auditUnits < (c_least + (c_most - c_least) * m_governor.admission()) * m_budgetUnits);
 }
 
-void btHybridPlanner::countAudit()
+void btHybridPlanner::takeAudit(const scatter::lod::PairWorkload& work)
 {
 	m_stepInfo.m_audits++;
 	m_stepInfo.m_separationQueries++;
-}
-
-void btHybridPlanner::takeAudit(const scatter::lod::PairWorkload& work)
-{
 	m_auditUnits += m_costs.weights().audit + m_costs.units(work);
 }
 
-void btHybridPlanner::takeWork(int pair, const scatter::lod::PairWorkload& work, bool touching, bool credited, float* average)
+void btHybridPlanner::takeWork(int pair, const PairOutcome& outcome)
 {
 	PlannedPair& planned = m_planned[pair];
 	PairView& view = planned.view;
-	const double units = m_costs.units(work);
+	Pair& known = m_pairs[pair];
+	const bool reuses = outcome.work.reuses;
+	const double units = m_costs.units(outcome.work);
 	m_units += units;
-	m_governor.spend(planned, units, work.reuses ? btMax(double(planned.expected), units) : units);
-	m_pairs[pair].m_step = m_step;
-	m_stepInfo.m_reusedPairs += work.reuses ? 1 : 0;
-	if (average)
-		*average += (float(units) - *average) / 8;
-	if (hasBudget() && !work.reuses)
-		m_costs.learn(planned.cost, view.level, view.finest, touching, average ? double(*average) : units);
+	m_governor.spend(planned, units, reuses ? btMax(double(planned.expected), units) : units);
+	known.m_step = m_step;
+	m_stepInfo.m_reusedPairs += reuses ? 1 : 0;
+	if (outcome.credited)
+		known.m_averageUnits += (float(units) - known.m_averageUnits) / 8;
+	if (hasBudget() && !reuses)
+		m_costs.learn(planned.cost, view.level, view.finest, outcome.touching, outcome.credited ? double(known.m_averageUnits) : units);
 	const unsigned short most = std::numeric_limits<unsigned short>::max();
-	view.contactSteps = !touching ? 0 : view.contactSteps < most ? view.contactSteps + 1
-	                                                             : most;
-	view.touching = touching;
-	view.credited = credited;
+	view.contactSteps = !outcome.touching ? 0 : view.contactSteps < most ? view.contactSteps + 1
+	                                                                     : most;
+	view.touching = outcome.touching;
+	view.credited = outcome.credited;
 	const bool isFinest = view.level == view.finest;
 	m_stepInfo.m_pairs++;
 	m_stepInfo.m_finestPairs += isFinest ? 1 : 0;
-	m_stepInfo.m_creditedPairs += credited ? 1 : 0;
-	m_stepInfo.m_touchingPairs += touching ? 1 : 0;
-	m_stepInfo.m_touchingFinest += touching && isFinest ? 1 : 0;
+	m_stepInfo.m_creditedPairs += outcome.credited ? 1 : 0;
+	m_stepInfo.m_touchingPairs += outcome.touching ? 1 : 0;
+	m_stepInfo.m_touchingFinest += outcome.touching && isFinest ? 1 : 0;
 }
 
 void btHybridPlanner::finish()

@@ -13,9 +13,9 @@
 #include "lod/pair_switch.h"
 #include "lod/policy_list.h"
 #include "lod/unit_budget.h"
+#include "pairs/pair_plan.h"
 
 class btHybridLevelBodies;
-class btHybridPairAlgorithm;
 
 /// Says what level every pair should have: keeps the table of all pairs that switch, and shows it to the policies and
 /// the governor between broadphase and narrowphase.
@@ -23,13 +23,13 @@ class btHybridPlanner
 {
 	struct Pair
 	{
-		btHybridPairAlgorithm* m_algorithm;
-		const btHybridLevelBodies* m_objects[2];
+		btHybridLevelBodies* m_objects[2];
 		bool m_requested;     ///< a change of level was asked for and has not happened
 		bool m_acknowledged;  ///< and was tried
 		unsigned char m_targetBefore;
-		int m_step;           ///< the last one in which it was processed
-		int m_stepRequested;  ///< in which the request was made
+		int m_step;            ///< the last one in which it was processed
+		int m_stepRequested;   ///< in which the request was made
+		float m_averageUnits;  ///< what it costs a step while on credit: that comes in bursts
 	};
 
 	static const unsigned char c_byProgram = 255;  ///< as scatter::lod::Wish::askedBy
@@ -74,6 +74,15 @@ class btHybridPlanner
 	const char* whoAsks(int pair, btHybridScope& scope) const;
 	bool hasBudget() const;
 	void spend(double units);
+	void countQueries(int queries);
+	int getTarget(int pair);
+	scatter::lod::SwitchRules getRules(int pair) const;
+	int keepsFrom(int pair) const;
+	bool mayAudit() const;
+	void acknowledge(int pair);
+	void takeChoice(int pair, const scatter::lod::SwitchChoice& choice);
+	void takeAudit(const scatter::lod::PairWorkload& work);
+	void takeWork(int pair, const scatter::pairs::PairOutcome& outcome);
 
 public:
 	btHybridPlanner();
@@ -99,9 +108,8 @@ public:
 	{
 		m_listener = listener;
 	}
-	scatter::lod::SwitchRules getRules(int pair) const;
-
-	int addPair(btHybridPairAlgorithm* algorithm, const btHybridLevelBodies* object0, const btHybridLevelBodies* object1);
+	/// At the end of the table; one that is removed gives its place to the last one.
+	void addPair(btHybridLevelBodies* object0, btHybridLevelBodies* object1);
 	void removePair(int pair);
 	int getNumPairs() const
 	{
@@ -116,14 +124,17 @@ public:
 		return sizeof(Pair) + sizeof(scatter::lod::PlannedPair) + sizeof(scatter::lod::PairView);
 	}
 
-	/// And looked for its contacts in the last step. Also of pairs that are none of the planner's.
-	bool isAtFinest(const btCollisionAlgorithm* algorithm) const;
+	bool isAtFinest(int pair) const
+	{
+		return m_planned[pair].view.level == m_planned[pair].view.finest;
+	}
 
 	/// Between broadphase and narrowphase.
 	void plan(const btCollisionObjectArray& objects, int numMoving, int numOverlappingPairs);
 
-	/// The level that a pair should have, in the narrowphase.
-	int getTarget(int pair);
+	/// In the narrowphase: what a pair is to do in this step, and what has become of it.
+	scatter::pairs::PairPlan planPair(int pair);
+	void take(int pair, const scatter::pairs::PairOutcome& outcome);
 
 	/// Whether a pair has the level that it should have, and no contacts.
 	bool isSettled(int pair) const
@@ -141,29 +152,10 @@ public:
 		m_stepInfo.m_creditedPairs += m_planned[pair].view.credited ? 1 : 0;
 	}
 
-	/// What has become of it.
-	void acknowledge(int pair);
-	void take(int pair, const scatter::lod::SwitchChoice& choice);
-	void countQuery();
-
 	/// Whether the budget is about to be exceeded, so that what is not urgent should wait for a step.
 	bool isShort() const
 	{
 		return m_plans && m_governor.isShort();
-	}
-
-	/// Whether a pair in contact should keep its contacts for this step, as the budget is about to be exceeded.
-	bool mayReuse(int pair) const;
-	bool mayAudit() const;
-	void countAudit();
-	void takeAudit(const scatter::lod::PairWorkload& work);
-
-	/// average: of the pair's cost, if that comes in bursts.
-	void takeWork(int pair, const scatter::lod::PairWorkload& work, bool touching, bool credited, float* average);
-
-	void countUnsafe()
-	{
-		m_stepInfo.m_unsafeSwitches++;
 	}
 
 	/// After the narrowphase.
@@ -199,11 +191,10 @@ public:
 		return findFinerPair(body) < 0;
 	}
 
-	/// Of the pair that is this algorithm's; all zero if it is none of the planner's.
-	btHybridPairView viewPair(const btCollisionAlgorithm* algorithm) const;
+	btHybridPairView viewPair(int pair) const;
 
-	/// Pairs on credit whose finest shapes can not be proven to overlap by no more than `depth`.
-	int countDeepPairs(btScalar depth) const;
+	/// Objects of pairs on credit, two for each.
+	void findCredited(btAlignedObjectArray<btHybridLevelBodies*>& objects) const;
 
 	/// Adds to the request of a body what holds it up.
 	void viewObstacle(const btCollisionObject* body, btHybridRequestView& request) const;

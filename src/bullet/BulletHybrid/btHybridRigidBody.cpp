@@ -1,8 +1,7 @@
 #include "BulletHybrid/btHybridRigidBody.h"
 
 #include <BulletCollision/CollisionShapes/btEmptyShape.h>
-
-#include "BulletHybrid/btHybridDynamicsWorld.h"
+#include <BulletDynamics/Dynamics/btDynamicsWorld.h>
 
 namespace
 {
@@ -43,6 +42,7 @@ btHybridRigidBody::btHybridRigidBody(const btRigidBodyConstructionInfo& construc
       m_level(startLevelOrFinest(levels, startLevel)),
       m_lonelySteps(0),
       m_world(0),
+      m_home(0),
       m_hybridIndex(-1),
       m_isHeld(false)
 {
@@ -50,6 +50,6 @@ btHybridRigidBody::btHybridRigidBody(const btRigidBodyConstructionInfo& construc
 
 btHybridRigidBody::~btHybridRigidBody()
 {
-	if (m_world)
-		m_world->removeRigidBody(this);
+	if (m_home)
+		m_home->removeRigidBody(this);
 }

@@ -1,7 +1,9 @@
 #ifndef BT_HYBRID_SETTINGS_H
 #define BT_HYBRID_SETTINGS_H
 
-#include "BulletHybrid/btHybridDynamicsWorld.h"
+#include <LinearMath/btVector3.h>
+
+#include "BulletHybrid/btHybridSwitching.h"
 
 /// What the program's settings act as: their documentation says what is done with values that make no sense.
 btHybridSwitchingInfo btHybridEffective(const btHybridSwitchingInfo& info);

@@ -1,25 +1,24 @@
-#include "BulletHybrid/btHybridObservation.h"
-
 #include "BulletHybrid/btHybridDynamicsWorld.h"
+#include "BulletHybrid/btHybridObservation.h"
 #include "btHybridNarrowphase.h"
 #include "btHybridPairAlgorithm.h"
 #include "btHybridPlanner.h"
+#include "btHybridRequests.h"
 
 // What is seen of worlds, planners and pairs between two steps.
 
 using scatter::lod::PlannedPair;
 
-static void addManifold(const btPersistentManifold* manifold, btScalar credit, bool isHeld, btAlignedObjectArray<btHybridManifoldView>& manifolds)
+static const btHybridPairAlgorithm* ownAlgorithm(const btCollisionAlgorithm* algorithm)
 {
-	const btHybridManifoldView view = {manifold, credit, isHeld};
-	manifolds.push_back(view);
+	return dynamic_cast<const btHybridPairAlgorithm*>(algorithm);
 }
 
 void btHybridGetManifolds(const btBroadphasePair& pair, btAlignedObjectArray<btHybridManifoldView>& manifolds)
 {
 	if (!pair.m_algorithm)
 		return;
-	if (const btHybridPairAlgorithm* own = dynamic_cast<const btHybridPairAlgorithm*>(pair.m_algorithm))
+	if (const btHybridPairAlgorithm* own = ownAlgorithm(pair.m_algorithm))
 	{
 		own->getManifolds(manifolds);
 		return;
@@ -27,38 +26,18 @@ void btHybridGetManifolds(const btBroadphasePair& pair, btAlignedObjectArray<btH
 	btManifoldArray all;
 	pair.m_algorithm->getAllContactManifolds(all);
 	for (int i = 0; i < all.size(); i++)
-		addManifold(all[i], 0, false, manifolds);
-}
-
-void btHybridPairAlgorithm::getManifolds(btAlignedObjectArray<btHybridManifoldView>& manifolds) const
-{
-	btManifoldArray others;
-	if (m_fallback)
-		m_fallback->getAllContactManifolds(others);
-	for (int i = 0; i < others.size(); i++)
-		addManifold(others[i], 0, false, manifolds);
-	for (int i = 0; i < m_memory->m_held.getNumManifolds(); i++)
-		addManifold(m_memory->m_held.getManifold(i), 0, true, manifolds);
-	const std::vector<scatter::ChildPair>& children = m_pair->children();
-	for (size_t i = 0; i < children.size(); i++)
-		if (children[i].contact)
-			addManifold(static_cast<const btPersistentManifold*>(children[i].contact), m_memory->m_credit.of(children[i].a, children[i].b), false, manifolds);
-}
-
-bool btHybridPairAlgorithm::overlapsFinely(btScalar depth) const
-{
-	const scatter::PartList* parts[2];
-	for (int i = 0; i < 2; i++)
-		parts[i] = &m_narrowphase->getBody(m_objects[i], m_objects[i]->getNumLevels())->getBody().parts();
-	const scatter::Frame frame = scatter::relativeFrame(btHybridFrameOf(m_objects[0]->getObject()->getWorldTransform()), btHybridFrameOf(m_objects[1]->getObject()->getWorldTransform()));
-	return !m_narrowphase->getQuery().isSeparated(*parts[0], *parts[1], frame, -depth);
+	{
+		const btHybridManifoldView view = {all[i], 0, false};
+		manifolds.push_back(view);
+	}
 }
 
 btHybridPairView btHybridDynamicsWorld::viewPair(const btBroadphasePair& pair) const
 {
 	btHybridPairView view;
-	if (m_planner && pair.m_algorithm)
-		view = m_planner->viewPair(pair.m_algorithm);
+	const btHybridPairAlgorithm* own = m_planner ? ownAlgorithm(pair.m_algorithm) : 0;
+	if (own)
+		view = m_planner->viewPair(own->getIndex());
 	if (view.m_level > 0)
 		return view;
 	const btCollisionObject* const objects[2] = {static_cast<const btCollisionObject*>(pair.m_pProxy0->m_clientObject), static_cast<const btCollisionObject*>(pair.m_pProxy1->m_clientObject)};
@@ -82,24 +61,20 @@ btHybridRequestView btHybridDynamicsWorld::viewRequest(const btHybridRigidBody* 
 	view.m_targetLevel = request.m_targetLevel;
 	view.m_scope = request.m_scope;
 	view.m_policy = request.m_byProximity ? "proximity" : "program";
-	view.m_waitingSteps = m_step - request.m_stepMade;
+	view.m_waitingSteps = m_requests->getStep() - request.m_stepMade;
 	view.m_tried = m_planner ? request.m_acknowledged : request.m_tries > 0;
 	if (!view.m_tried)
 		return view;
 	view.m_blockedBy = request.m_blockedBy;
-	view.m_retrySteps = btMax(request.m_nextTry - m_step, 1);
+	view.m_retrySteps = btMax(request.m_nextTry - m_requests->getStep(), 1);
 	if (m_planner)
 		m_planner->viewObstacle(body, view);
 	return view;
 }
 
-btHybridPairView btHybridPlanner::viewPair(const btCollisionAlgorithm* algorithm) const
+btHybridPairView btHybridPlanner::viewPair(int pair) const
 {
 	btHybridPairView view;
-	const btHybridPairAlgorithm* found = dynamic_cast<const btHybridPairAlgorithm*>(algorithm);
-	if (!found)
-		return view;
-	const int pair = found->getPlanIndex();
 	const PlannedPair& planned = m_planned[pair];
 	view.m_level = planned.view.level;
 	view.m_finestLevel = planned.view.finest;
@@ -120,15 +95,14 @@ void btHybridPlanner::viewObstacle(const btCollisionObject* body, btHybridReques
 	request.m_retrySteps = 1;
 	if (pair < 0)
 		return;
-	const btHybridLevelBodies* const* objects = m_pairs[pair].m_objects;
+	btHybridLevelBodies* const* objects = m_pairs[pair].m_objects;
 	request.m_blockedBy = objects[objects[0]->getObject() == body ? 1 : 0]->getObject();
 	request.m_retrySteps = btMax(int(m_planned[pair].blockedSteps), 1);
 }
 
-int btHybridPlanner::countDeepPairs(btScalar depth) const
+void btHybridPlanner::findCredited(btAlignedObjectArray<btHybridLevelBodies*>& objects) const
 {
-	int count = 0;
 	for (size_t i = 0; i < m_pairs.size(); i++)
-		count += m_planned[i].view.credited && m_pairs[i].m_algorithm->overlapsFinely(depth) ? 1 : 0;
-	return count;
+		for (int k = 0; k < 2 && m_planned[i].view.credited; k++)
+			objects.push_back(m_pairs[i].m_objects[k]);
 }

@@ -1,0 +1,119 @@
+#ifndef BT_HYBRID_PAIR_ENGINE_H
+#define BT_HYBRID_PAIR_ENGINE_H
+
+#include <BulletCollision/BroadphaseCollision/btDispatcher.h>
+#include <BulletCollision/CollisionDispatch/btManifoldResult.h>
+
+#include <optional>
+
+#include "btHybridLevelBodies.h"
+#include "btHybridObjects.h"
+#include "btHybridPartBody.h"
+#include "pairs/pair_engine.h"
+
+class btCollisionDispatcher;
+
+/// The two objects of a pair, with the shapes of the level that the pair has looked at last.
+struct btHybridPairBodies
+{
+	btHybridLevelBodies* m_objects[2];
+	btHybridPartBody* m_bodies[2];
+	int m_level;
+
+	/// No level yet: that is for take() to say.
+	btHybridPairBodies(btHybridLevelBodies* object0, btHybridLevelBodies* object1)
+	    : m_objects{object0, object1}, m_bodies{0, 0}, m_level(-1)
+	{
+	}
+
+	void take(int level, btHybridObjects& objects);
+};
+
+/// What one call of processCollision was given.
+struct btHybridPairCall
+{
+	const btCollisionObjectWrapper* m_wraps[2];
+	const btDispatcherInfo& m_info;
+	btManifoldResult* m_result;
+};
+
+/// Bullet, as a pair sees it in one step: wrappers in, manifolds out.
+class btHybridPairEngine : public scatter::pairs::PairEngine
+{
+	/// Shows a manifold result, and what is called with it, the shapes of the pair's level in the place of the finest ones,
+	/// for as long as it lives.
+	class LevelScope
+	{
+		btManifoldResult* m_result;
+		const btCollisionObjectWrapper* m_before[2];
+		btCollisionObjectWrapper m_levels[2];
+
+	public:
+		LevelScope(const btHybridPairCall& call, const btHybridPairBodies& bodies);
+		~LevelScope();
+
+		const btCollisionObjectWrapper* getWrap(int body) const
+		{
+			return &m_levels[body];
+		}
+	};
+
+	btCollisionDispatcher* m_dispatcher;
+	btHybridObjects& m_objects;
+	btHybridPairBodies& m_bodies;
+	const btHybridPairCall& m_call;
+	btCollisionAlgorithm*& m_fallback;
+	bool m_ownGjk;
+	bool m_switches;
+	std::optional<LevelScope> m_scope;  ///< of the bodies that are placed, once their contacts are looked for
+
+	const btCollisionObjectWrapper* getWrap(int body);
+	const scatter::PartList::Part& getPart(int body, int part) const;
+	const btCollisionShape* getShapeNow(int body) const;
+	bool isOdd(int body, int part) const;
+	bool looksFromB(const scatter::ChildPair& child) const;
+	bool areSpheres(const scatter::ChildPair& child) const;
+	btPersistentManifold* manifoldOf(scatter::ChildPair& child);
+	void detectByGjk(scatter::PartPair& parts, scatter::ChildPair& child);
+	void detectByAlgorithm(scatter::ChildPair& child);
+	void releaseFallback();
+
+public:
+	/// switches: the pair has a level, so that the bodies' shapes are not those of the call. fallback: Bullet's own algorithm for the
+	/// pair, while there is one. All must outlive it.
+	btHybridPairEngine(btCollisionDispatcher* dispatcher, btHybridObjects& objects, btHybridPairBodies& bodies, const btHybridPairCall& call, btCollisionAlgorithm*& fallback, bool ownGjk, bool switches)
+	    : m_dispatcher(dispatcher), m_objects(objects), m_bodies(bodies), m_call(call), m_fallback(fallback), m_ownGjk(ownGjk), m_switches(switches)
+	{
+	}
+
+	/// Where the bodies are, with the shapes that they have been placed with last; no contacts are going to be looked for.
+	bool follow(scatter::pairs::PlacedBodies& bodies);
+
+	virtual bool place(int level, scatter::pairs::PlacedBodies& bodies);
+	virtual const scatter::PartList& partsOf(int body, int level);
+	virtual scatter::Frame frameOf(int body) const;
+	virtual float threshold() const;
+	virtual float pointDistance() const;
+	virtual void fallBack();
+
+	virtual bool outlasts(void* contact) const;
+	virtual void* newManifold();
+	virtual void release(void* manifold);
+	virtual int countPoints(const void* manifold) const;
+	virtual bool isFull(const void* manifold) const;
+	virtual scatter::pairs::ContactPoint point(const void* manifold, int index) const;
+	virtual void write(void* manifold, int index, const scatter::pairs::ContactPoint& point);
+	virtual float distanceNow(const void* manifold, int index) const;
+	virtual void move(void* from, int index, void* to);
+	virtual void addImpulses(const void* from, int index, void* to, int indexTo);
+
+	virtual void add(scatter::ChildPair& child, const scatter::PartContact& contact);
+	virtual void detect(scatter::PartPair& parts, scatter::ChildPair& child);
+	virtual bool letsThrough(const scatter::ChildPair& child) const;
+	virtual bool mayBegin(const scatter::ChildPair& child) const;
+	virtual bool overlooks(const scatter::ChildPair& child) const;
+	virtual void looked(const scatter::ChildPair& child);
+	virtual void prefetch(const void* manifold) const;
+};
+
+#endif  // BT_HYBRID_PAIR_ENGINE_H

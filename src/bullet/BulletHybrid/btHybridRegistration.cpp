@@ -1,0 +1,121 @@
+#include "btHybridRegistration.h"
+
+#include <BulletCollision/CollisionDispatch/btCollisionConfiguration.h>
+#include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
+#include <BulletCollision/CollisionDispatch/btCollisionDispatcherMt.h>
+
+#include <mutex>
+#include <new>
+
+#include "BulletHybrid/btHybridRigidBody.h"
+#include "btHybridNarrowphase.h"
+#include "btHybridPairAlgorithm.h"
+
+btCollisionAlgorithm* btHybridRegistration::CreateFunc::CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap)
+{
+	if (!m_registration->takes(info, body0Wrap, body1Wrap))
+		return m_default->CreateCollisionAlgorithm(info, body0Wrap, body1Wrap);
+	void* memory = info.m_dispatcher1->allocateCollisionAlgorithm(sizeof(btHybridPairAlgorithm));
+	return new (memory) btHybridPairAlgorithm(info, m_registration->m_narrowphase, body0Wrap, body1Wrap);
+}
+
+static bool isTaken(int shapeType)
+{
+	return btBroadphaseProxy::isConvex(shapeType) || btBroadphaseProxy::isCompound(shapeType);
+}
+
+// Those that are in charge of a dispatcher: it does not tell who has registered with it, and worlds may be made in several
+// threads.
+static std::mutex s_inChargeMutex;
+static btHybridRegistration* s_inCharge = 0;
+
+btHybridRegistration::btHybridRegistration(btDispatcher* dispatcher, const btHybridDynamicsWorld* world, btHybridNarrowphase* narrowphase)
+    : m_narrowphase(narrowphase), m_world(world), m_dispatcher(0), m_next(0), m_mistake(takeCharge(dispatcher))
+{
+	m_narrowphase->addUser();
+	if (!m_dispatcher)
+		return;
+	const int types = MAX_BROADPHASE_COLLISION_TYPES;
+	m_createFuncs.resize(2 * types);
+	for (int type = 0; type < types; type++)
+	{
+		const int pairs[2][2] = {{COMPOUND_SHAPE_PROXYTYPE, type}, {type, COMPOUND_SHAPE_PROXYTYPE}};
+		for (int k = 0; k < 2 && isTaken(type); k++)
+		{
+			CreateFunc& create = m_createFuncs[2 * type + k];
+			create.m_registration = this;
+			create.m_default = m_dispatcher->getCollisionConfiguration()->getCollisionAlgorithmCreateFunc(pairs[k][0], pairs[k][1]);
+			m_dispatcher->registerCollisionCreateFunc(pairs[k][0], pairs[k][1], &create);
+		}
+	}
+}
+
+btHybridRegistration::~btHybridRegistration()
+{
+	for (int type = 0; m_dispatcher && type < MAX_BROADPHASE_COLLISION_TYPES; type++)
+	{
+		if (!isTaken(type))
+			continue;
+		m_dispatcher->registerCollisionCreateFunc(COMPOUND_SHAPE_PROXYTYPE, type, m_createFuncs[2 * type].m_default);
+		m_dispatcher->registerCollisionCreateFunc(type, COMPOUND_SHAPE_PROXYTYPE, m_createFuncs[2 * type + 1].m_default);
+	}
+	giveUpCharge();
+	m_narrowphase->removeUser();
+}
+
+const char* btHybridRegistration::takeCharge(btDispatcher* dispatcher)
+{
+	if (dynamic_cast<btCollisionDispatcherMt*>(dispatcher))
+		return "hybrid pairs run in Bullet's own algorithms, because the dispatcher is a btCollisionDispatcherMt; use a btCollisionDispatcher";
+	btCollisionDispatcher* const known = dynamic_cast<btCollisionDispatcher*>(dispatcher);
+	if (!known)
+		return "hybrid pairs run in Bullet's own algorithms, because the dispatcher is no btCollisionDispatcher; use one, or derive from it";
+	const std::lock_guard<std::mutex> lock(s_inChargeMutex);
+	for (const btHybridRegistration* other = s_inCharge; other; other = other->m_next)
+		if (other->m_dispatcher == known)
+			return "hybrid pairs run in Bullet's own algorithms, because another btHybridDynamicsWorld has the dispatcher; give every world its own";
+	m_dispatcher = known;
+	m_next = s_inCharge;
+	s_inCharge = this;
+	return 0;
+}
+
+void btHybridRegistration::giveUpCharge()
+{
+	const std::lock_guard<std::mutex> lock(s_inChargeMutex);
+	for (btHybridRegistration** link = &s_inCharge; *link; link = &(*link)->m_next)
+	{
+		if (*link != this)
+			continue;
+		*link = m_next;
+		break;
+	}
+}
+
+// In pair switching a hybrid's collision shape is its finest level, and the others come into use as well.
+bool btHybridRegistration::hasPartLists(const btCollisionObjectWrapper* wrap) const
+{
+	if (wrap->getCollisionShape() != wrap->getCollisionObject()->getCollisionShape() || !btHybridParts::isPartList(wrap->getCollisionShape()))
+		return false;
+	const btHybridRigidBody* hybrid = m_narrowphase->getPlanner() ? btHybridRigidBody::upcast(wrap->getCollisionObject()) : 0;
+	for (int level = 1; hybrid && level < hybrid->getFinestLevel(); level++)
+		if (!btHybridParts::isPartList(hybrid->getLevels().getLevelShape(level)))
+			return false;
+	return true;
+}
+
+// A hybrid of another world, or of none.
+bool btHybridRegistration::isForeign(const btCollisionObjectWrapper* wrap) const
+{
+	const btHybridRigidBody* hybrid = btHybridRigidBody::upcast(wrap->getCollisionObject());
+	return hybrid && hybrid->getWorld() != m_world;
+}
+
+bool btHybridRegistration::takes(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap) const
+{
+	if (!m_narrowphase->getInfo().m_pairAlgorithm || info.m_manifold)
+		return false;
+	if (!btHybridRigidBody::upcast(body0Wrap->getCollisionObject()) && !btHybridRigidBody::upcast(body1Wrap->getCollisionObject()))
+		return false;
+	return !isForeign(body0Wrap) && !isForeign(body1Wrap) && hasPartLists(body0Wrap) && hasPartLists(body1Wrap);
+}

@@ -1,0 +1,78 @@
+#include "pairs/child_pass.h"
+
+namespace scatter::pairs {
+
+void ChildPass::run(std::vector<int>& awake) {
+  std::vector<ChildPair>& children = parts_.children();
+  awake.clear();
+  for (std::size_t i = 0; i < children.size(); ++i) {
+    if (parts_.isAsleep(children[i])) continue;
+    if (children[i].touching) engine_.prefetch(children[i].contact);
+    awake.push_back(static_cast<int>(i));
+  }
+  work_.childPairs += static_cast<int>(children.size());
+  work_.childPairsAsleep += static_cast<int>(children.size() - awake.size());
+  for (const int i : awake) collide(children[static_cast<std::size_t>(i)]);
+}
+
+void ChildPass::collide(ChildPair& child) {
+  if (isExcused(child)) {
+    drop(child);
+    return;
+  }
+  if (!bounds_.overlap(child.a, child.b) || !engine_.letsThrough(child)) {
+    ++work_.boundsRejected;
+    keepOrDrop(child);
+    return;
+  }
+  if (child.touching) child.touching = engine_.outlasts(child.contact);
+  if (!steps_.lazyManifolds && child.contact == nullptr) child.contact = engine_.newManifold();
+  find(child);
+  if (child.contact == nullptr) return;
+  engine_.looked(child);
+  child.touching = engine_.countPoints(child.contact) > 0;
+  if (!child.touching && steps_.lazyManifolds) drop(child);
+}
+
+void ChildPass::keepOrDrop(ChildPair& child) {
+  if (child.touching && engine_.overlooks(child)) {
+    child.touching = engine_.outlasts(child.contact);
+  } else {
+    drop(child);
+  }
+}
+
+void ChildPass::find(ChildPair& child) {
+  PartContact contact;
+  const ChildVerdict verdict = parts_.judge(child, *bodies_.a, *bodies_.b, steps_, contact, work_);
+  if (verdict == ChildVerdict::kApart) return;
+  if ((!child.touching || areSpheres(child)) && !engine_.mayBegin(child)) return;
+  if (verdict == ChildVerdict::kContact) {
+    engine_.add(child, contact);
+  } else {
+    ++work_.detectorRuns;
+    engine_.detect(parts_, child);
+  }
+}
+
+void ChildPass::drop(ChildPair& child) {
+  if (child.contact != nullptr) engine_.release(child.contact);
+  child.contact = nullptr;
+  child.touching = false;
+}
+
+bool ChildPass::isExcused(ChildPair& child) const {
+  if (credit_ == nullptr || credit_->account.of(child.a, child.b) <= 0.0F) return false;
+  const double late = parts_.motion() - credit_->freshUntil;
+  if (late >= credit_->latest && !mayAudit_) return false;
+  child.wake = credit_->freshUntil;
+  return true;
+}
+
+// Engines keep no contact of two spheres from step to step: what is handed to their detector is found anew.
+bool ChildPass::areSpheres(const ChildPair& child) const {
+  return bodies_.a->parts().part(child.a).kind == PartKind::kSphere &&
+         bodies_.b->parts().part(child.b).kind == PartKind::kSphere;
+}
+
+}  // namespace scatter::pairs

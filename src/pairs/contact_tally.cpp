@@ -1,0 +1,43 @@
+#include "pairs/contact_tally.h"
+
+#include <algorithm>
+
+namespace scatter::pairs {
+
+void addCredit(void* manifold, float credit, PairEngine& engine) {
+  for (int i = 0; i < engine.countPoints(manifold); ++i) {
+    ContactPoint point = engine.point(manifold, i);
+    point.distance += credit;
+    point.eased = true;
+    engine.write(manifold, i, point);
+  }
+}
+
+void endCredit(void* manifold, PairEngine& engine) {
+  for (int i = 0; i < engine.countPoints(manifold); ++i) {
+    ContactPoint point = engine.point(manifold, i);
+    if (point.distance < 0.0F || !point.eased) continue;
+    point.eased = false;
+    engine.write(manifold, i, point);
+  }
+}
+
+float pressNow(const void* manifold, const PairEngine& engine) {
+  float most = 0.0F;
+  for (int i = 0; i < engine.countPoints(manifold); ++i) {
+    if (engine.point(manifold, i).presses) most = std::max(most, -engine.distanceNow(manifold, i));
+  }
+  return most;
+}
+
+void ContactTally::add(const void* manifold, const PairEngine& engine) {
+  ++manifolds;
+  for (int i = 0; i < engine.countPoints(manifold); ++i) {
+    const ContactPoint point = engine.point(manifold, i);
+    ++points;
+    least = std::min(least, point.distance);
+    if (point.presses) press = std::max(press, -point.distance);
+  }
+}
+
+}  // namespace scatter::pairs

@@ -1,0 +1,30 @@
+#include "pairs/pair.h"
+
+#include <utility>
+
+namespace scatter::pairs {
+
+void Pair::dropContacts(PairEngine& engine) {
+  for (ChildPair& child : parts.children()) {
+    if (child.contact != nullptr) engine.release(child.contact);
+    child.contact = nullptr;
+  }
+  parts.reset(0.0F);
+}
+
+void Pair::dropAll(PairEngine& engine) {
+  dropContacts(engine);
+  held.release(engine);
+}
+
+void Pair::renew() {
+  PartPair memory = std::move(parts);
+  lod::CreditAccount account = std::move(credit.account);
+  *this = Pair{};
+  memory.reset(0.0F);
+  account.close();
+  parts = std::move(memory);
+  credit.account = std::move(account);
+}
+
+}  // namespace scatter::pairs

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <limits>
+
+#include "lod/cost_model.h"
+#include "lod/pair_switch.h"
+
+namespace scatter::pairs {
+
+/// What a pair is to do in one step, and may.
+struct PairPlan {
+  lod::PairView view{};  ///< Its level, finest level, and whether it touches.
+  int target = 1;        ///< The level that it should have.
+  bool tries = false;    ///< It is to switch there now, if that is safe.
+  lod::SwitchRules rules{};
+
+  bool mayAudit = false;
+  float auditDistance = 0.0F;  ///< Metres; see CreditState.
+
+  /// It may keep the contacts of the step before if it has not switched, and made at least so many queries
+  /// about levels.
+  int keepsFrom = kNever;
+  static constexpr int kNever = std::numeric_limits<int>::max();
+};
+
+/// What has become of a pair in one step.
+struct PairOutcome {
+  bool tried = false;
+  lod::SwitchChoice choice{};
+  bool isUnsafe =
+      false;  ///< A switch presses the bodies apart deeper than the contacts of the level before would.
+
+  int choiceQueries = 0;  ///< About levels, before the switch.
+  int gapQueries = 0;     ///< About the gap between the finest shapes, after it.
+  bool audited = false;
+
+  lod::PairWorkload work{};       ///< Of all.
+  lod::PairWorkload auditWork{};  ///< Of these, of the audit.
+
+  bool touching = false;
+  bool credited = false;
+};
+
+}  // namespace scatter::pairs

@@ -1,0 +1,350 @@
+#include "pairs/pair_step.h"
+
+#include <algorithm>
+
+#include "pairs/contact_tally.h"
+#include "pairs/level_look.h"
+
+namespace scatter::pairs {
+
+namespace {
+
+/// Two bodies touch if they are this near, metres.
+constexpr float kTouching = 0.01F;
+
+/// Further away it does not matter how wide a gap is.
+constexpr float kWidestGap = 0.25F;
+
+/// Audit distances by which an audit may be late before the coarse shapes collide in the place of the finest
+/// ones.
+constexpr float kLateness = 2.0F;
+
+/// How far a pair may move before the first audit, metres; from then on as far again as it has moved.
+constexpr double kFirstAudit = 0.002;
+
+/// A switch may make a penetration this much deeper by rounding, metres.
+constexpr float kTolerance = 0.002F;
+
+lod::PairWorkload workloadOf(const PairWork& work) {
+  lod::PairWorkload load;
+  load.rebuilds = work.rebuilds;
+  load.childPairs = work.childPairs - work.childPairsAsleep;
+  load.gjkRuns = work.gjkRuns;
+  load.gjkIterations = work.gjkIterations;
+  load.detectorRuns = work.detectorRuns;
+  return load;
+}
+
+class PairStep {
+ public:
+  PairStep(Pair& pair, const PairPlan& plan, const PairSteps& steps, PairEngine& engine, StepScratch& scratch,
+           PairWork& work)
+      : pair_(pair),
+        credit_(pair.credit),
+        plan_(plan),
+        engine_(engine),
+        scratch_(scratch),
+        work_(work),
+        look_(pair, steps, engine, scratch, work),
+        level_(plan.view.level) {}
+
+  PairOutcome run() {
+    choose();
+    if (changesLevel_) {
+      changeLevel();
+    } else if (mayKeep()) {
+      keepContacts();
+      return outcome_;
+    }
+    findContacts();
+    settleCredit();
+    if (needsAudit()) audit();
+    if (!credit_.keepsHeld(pair_.parts.motion())) pair_.held.release(engine_);
+    outcome_.work = workloadOf(work_);
+    report();
+    const bool canBeQuiet = pair_.held.empty() && !pair_.hasFallenBack;
+    pair_.quietUntil = canBeQuiet ? pair_.parts.quietUntil() : Pair::kAwake;
+    pair_.jumps = pair_.parts.jumps();
+    return outcome_;
+  }
+
+ private:
+  [[nodiscard]] int finest() const { return plan_.view.finest; }
+
+  const Frame& frameB() {
+    if (!hasFrame_) frameB_ = relativeFrame(engine_.frameOf(0), engine_.frameOf(1));
+    hasFrame_ = true;
+    return frameB_;
+  }
+
+  bool isSeparated(int level, float gap) {
+    ++outcome_.choiceQueries;
+    return scratch_.query.isSeparated(engine_.partsOf(0, level), engine_.partsOf(1, level), frameB(), gap);
+  }
+
+  float findGap() {
+    ++outcome_.gapQueries;
+    return scratch_.query.distance(engine_.partsOf(0, finest()), engine_.partsOf(1, finest()), frameB(),
+                                   kWidestGap);
+  }
+
+  float depthOf(int a, int b) {
+    return partDepth(engine_.partsOf(0, level_).part(a), engine_.partsOf(1, level_).part(b), frameB());
+  }
+
+  void choose() {
+    if (!plan_.tries) return;
+    outcome_.tried = true;
+    // Coarser shapes that all but touch where finer ones do: the contacts are better held than dropped.
+    const float nearby = plan_.view.touching ? kTouching : 0.0F;
+    outcome_.choice = lod::chooseLevel(plan_.view, plan_.target, plan_.rules, [&](int level, float gap) {
+      return isSeparated(level, level < plan_.view.level ? gap + nearby : gap);
+    });
+    const lod::SwitchKind kind = outcome_.choice.kind;
+    changesLevel_ = kind == lod::SwitchKind::kFree || kind == lod::SwitchKind::kOnCredit;
+    if (!changesLevel_) return;
+    hasSwitched_ = plan_.view.level > 0;
+    isOnCredit_ = kind == lod::SwitchKind::kOnCredit;
+    for (const ChildPair& child : pair_.parts.children()) {
+      if (child.touching) mostPress_ = std::max(mostPress_, pressNow(child.contact, engine_));
+    }
+    for (const void* manifold : pair_.held.manifolds())
+      mostPress_ = std::max(mostPress_, pressNow(manifold, engine_));
+  }
+
+  // What is held is what the finest shapes have where the bodies are now: contacts of the step before may be
+  // gone by now.
+  void changeLevel() {
+    const int next = outcome_.choice.level;
+    const bool wasFinest = level_ == finest();
+    returns_ = next == finest() && !pair_.held.empty();
+    if (next < finest() && !isOnCredit_) {
+      pair_.held.release(engine_);
+    } else if (wasFinest) {
+      look_.atLevel(level_, false, plan_.mayAudit);
+      settleFinest();
+      pair_.held.gather(pair_.parts.children(), engine_.pointDistance(), engine_, scratch_.held);
+    }
+    level_ = next;
+    openCredit(wasFinest);
+    pair_.dropContacts(engine_);
+    pair_.versions[0] = pair_.versions[1] = Pair::kNoParts;
+  }
+
+  // The contacts of the finest level were looked for once more, before it is left on credit.
+  void settleFinest() {
+    const bool hadCredit = !credit_.account.empty();
+    shrinkCredit();
+    mostPress_ = std::max(mostPress_, settleContacts(hadCredit).press);
+  }
+
+  void openCredit(bool wasFinest) {
+    if (wasFinest) credit_.easedOverlap = easedOverlap();
+    credit_.account.close();
+    const bool isCoarser = isOnCredit_ && level_ < finest();
+    credit_.kind = isCoarser ? CreditKind::kCoarser : isOnCredit_ ? CreditKind::kFinest : CreditKind::kNone;
+    if (!isCoarser) return;
+    // Contacts of the finest shapes, found just now, tell the gap.
+    const float least = pair_.held.leastDistance(engine_);
+    credit_.gap = wasFinest && least < pair_.parts.threshold() ? least : findGap();
+    // Every overlap that there is at the new level is given credit for.
+    const auto& overlaps =
+        scratch_.query.overlaps(engine_.partsOf(0, level_), engine_.partsOf(1, level_), frameB());
+    for (const PartQuery::Overlap& overlap : overlaps)
+      credit_.account.grant(overlap.a, overlap.b, overlap.depth, credit_.gap);
+    // The pair's motion starts again with the level.
+    credit_.seenMotion = 0.0;
+    credit_.freshUntil = 0.0;
+    freshen();
+  }
+
+  // Of the finest shapes, as deep as their contacts do not press.
+  [[nodiscard]] float easedOverlap() const {
+    float overlap = 0.0F;
+    for (const void* manifold : pair_.held.manifolds()) {
+      for (int i = 0; i < engine_.countPoints(manifold); ++i) {
+        if (!engine_.point(manifold, i).presses)
+          overlap = std::max(overlap, -engine_.distanceNow(manifold, i));
+      }
+    }
+    return overlap;
+  }
+
+  // Nothing can come into contact before the gap has closed. Contacts that are new need not be all that there
+  // will be, as engines find a point at a time, or only those that are deep: the first looks are soon.
+  void freshen() {
+    const double looks =
+        std::min(static_cast<double>(plan_.auditDistance), std::max(kFirstAudit, credit_.freshUntil));
+    credit_.freshUntil += std::max(static_cast<double>(credit_.gap - kTouching), looks);
+    credit_.latest = static_cast<double>(kLateness * plan_.auditDistance);
+  }
+
+  // Not twice running, so that what comes upon the pair is found a step late at most.
+  [[nodiscard]] bool mayKeep() const {
+    return pair_.origin != ContactOrigin::kKept && !pair_.hasFallenBack && pair_.held.empty() &&
+           pair_.versions[0] != Pair::kNoParts && outcome_.choiceQueries >= plan_.keepsFrom;
+  }
+
+  // The contacts of the step before, where the bodies are now.
+  void keepContacts() {
+    scratch_.looked.clear();
+    std::vector<ChildPair>& children = pair_.parts.children();
+    for (std::size_t i = 0; i < children.size(); ++i) {
+      if (!children[i].touching) continue;
+      children[i].touching = engine_.outlasts(children[i].contact);
+      scratch_.looked.push_back(static_cast<int>(i));
+    }
+    settleCredit();
+    pair_.origin = ContactOrigin::kKept;
+    pair_.quietUntil = Pair::kAwake;
+    outcome_.work.reuses = true;
+    report();
+  }
+
+  void findContacts() {
+    pair_.origin = returns_ ? ContactOrigin::kGivenBack : ContactOrigin::kFound;
+    pair_.held.refresh(engine_);
+    look_.atLevel(level_, returns_, plan_.mayAudit);
+  }
+
+  void shrinkCredit() {
+    if (credit_.account.empty()) return;
+    credit_.account.shrink([this](int a, int b) { return depthOf(a, b); });
+  }
+
+  // Adds credit to the contacts of the child pairs that were looked at.
+  void settleCredit() {
+    const bool hadCredit = !credit_.account.empty();
+    if (hasSwitched_ && credit_.kind == CreditKind::kFinest) {
+      openFinestCredit();
+    } else {
+      shrinkCredit();
+    }
+    tally_ = settleContacts(hadCredit);
+  }
+
+  // The finest shapes overlap a little: as deep as their contacts were found just now.
+  void openFinestCredit() {
+    for (const ChildPair& child : pair_.parts.children()) {
+      if (!child.touching) continue;
+      ContactTally tally;
+      tally.add(child.contact, engine_);
+      if (tally.least < 0.0F) credit_.account.grant(child.a, child.b, -tally.least, 0.0F);
+    }
+  }
+
+  [[nodiscard]] ContactTally settleContacts(bool hadCredit) {
+    ContactTally tally;
+    for (const int i : scratch_.looked) {
+      const ChildPair& child = pair_.parts.children()[static_cast<std::size_t>(i)];
+      if (!child.touching) continue;
+      const float granted = credit_.account.of(child.a, child.b);
+      if (granted > 0.0F) {
+        addCredit(child.contact, granted, engine_);
+      } else if (hadCredit || hasSwitched_) {
+        endCredit(child.contact, engine_);
+      }
+      tally.add(child.contact, engine_);
+    }
+    return tally;
+  }
+
+  // Whether the pair is on credit and has moved so far that its finest shapes must be looked at.
+  [[nodiscard]] bool needsAudit() const {
+    if (credit_.kind != CreditKind::kCoarser || credit_.account.empty() || !plan_.mayAudit) return false;
+    const double motion = pair_.parts.motion();
+    const bool hasJumped = motion < credit_.seenMotion;
+    credit_.seenMotion = motion;
+    return hasJumped || motion >= credit_.freshUntil;
+  }
+
+  // How near are the finest shapes, and what contacts would they have? Sliding along each other they come
+  // upon other parts of each other.
+  void audit() {
+    outcome_.audited = true;
+    const PairWork before = work_;
+    const float threshold = pair_.parts.threshold();
+    if (credit_.gap >= threshold) credit_.gap = findGap();
+    if (credit_.gap < threshold) {
+      look_.atFinest(finest());
+    } else {
+      pair_.held.release(engine_);
+    }
+    takeAudit();
+    outcome_.auditWork = workloadOf(work_ - before);
+  }
+
+  void takeAudit() {
+    if (!pair_.held.empty()) {
+      credit_.gap = pair_.held.leastDistance(engine_);
+    } else if (credit_.gap < pair_.parts.threshold()) {
+      credit_.gap = findGap();
+    }
+    credit_.account.audit(credit_.gap, [this](int a, int b) { return depthOf(a, b); });
+    credit_.freshUntil = pair_.parts.motion();
+    freshen();
+    easeHeld();
+  }
+
+  // What was on credit at the finest level stays so: looking at it once more is no reason to press it apart.
+  void easeHeld() {
+    credit_.easedOverlap = std::min(credit_.easedOverlap, std::max(-credit_.gap, 0.0F));
+    if (!(credit_.easedOverlap > 0.0F)) return;
+    for (void* manifold : pair_.held.manifolds()) {
+      for (int i = 0; i < engine_.countPoints(manifold); ++i) {
+        ContactPoint point = engine_.point(manifold, i);
+        if (point.distance < -credit_.easedOverlap - kTolerance) continue;
+        point.eased = true;
+        engine_.write(manifold, i, point);
+      }
+    }
+  }
+
+  void report() {
+    for (const void* manifold : pair_.held.manifolds()) tally_.add(manifold, engine_);
+    outcome_.work.manifolds = tally_.manifolds;
+    outcome_.work.contacts = tally_.points;
+    // No switch may push: contacts that press deeper than those of the level before would here are told. In
+    // every build.
+    outcome_.isUnsafe = hasSwitched_ && tally_.press > mostPress_ + kTolerance;
+    outcome_.touching = tally_.least < kTouching;
+    outcome_.credited = !credit_.account.empty();
+  }
+
+  Pair& pair_;
+  CreditState& credit_;
+  const PairPlan& plan_;
+  PairEngine& engine_;
+  StepScratch& scratch_;
+  PairWork& work_;
+  LevelLook look_;
+
+  int level_;  ///< Whose shapes the contacts are of.
+  bool changesLevel_ = false;
+  bool hasSwitched_ = false;  ///< The same, but for new pairs.
+  bool isOnCredit_ = false;
+  bool returns_ = false;  ///< The contacts that were held go back to child pairs of the finest level.
+  Frame frameB_{};        ///< Body 1 in the frame of body 0; once it was asked for.
+  bool hasFrame_ = false;
+  ContactTally tally_{};
+  float mostPress_ = 0.0F;  ///< How deep contacts may press after a switch: as those of the level before do,
+                            ///< where the bodies are.
+  PairOutcome outcome_{};
+};
+
+}  // namespace
+
+void collidePair(Pair& pair, int level, const PairSteps& steps, PairEngine& engine, StepScratch& scratch,
+                 PairWork& work) {
+  LevelLook(pair, steps, engine, scratch, work).atLevel(level, false, false);
+}
+
+PairOutcome stepPair(Pair& pair, const PairPlan& plan, const PairSteps& steps, PairEngine& engine,
+                     StepScratch& scratch, PairWork& work) {
+  PairWork own;
+  const PairOutcome outcome = PairStep(pair, plan, steps, engine, scratch, own).run();
+  work += own;
+  return outcome;
+}
+
+}  // namespace scatter::pairs

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "pairs/pair.h"
+#include "pairs/pair_plan.h"
+#include "pairs/step_scratch.h"
+
+namespace scatter::pairs {
+
+/// Whether two bodies at the places where they are placed cannot be in contact, by what the pair's last look
+/// has proven.
+[[nodiscard]] inline bool staysQuiet(const Pair& pair, const PlacedBodies& bodies) {
+  return bodies.a->travel() + bodies.b->travel() < pair.quietUntil &&
+         bodies.a->jumps() + bodies.b->jumps() == pair.jumps && bodies.versions[0] == pair.versions[0] &&
+         bodies.versions[1] == pair.versions[1];
+}
+
+/// Finds the contacts of a pair whose level is somebody else's business, with the bodies' shapes of that
+/// level. Adds to `work`.
+void collidePair(Pair& pair, int level, const PairSteps& steps, PairEngine& engine, StepScratch& scratch,
+                 PairWork& work);
+
+/// One step of a pair that switches: chooses its level, finds its contacts, settles its credit, looks at its
+/// finest shapes if that is due. The level that is chosen is in the outcome. Adds to `work`.
+[[nodiscard]] PairOutcome stepPair(Pair& pair, const PairPlan& plan, const PairSteps& steps,
+                                   PairEngine& engine, StepScratch& scratch, PairWork& work);
+
+}  // namespace scatter::pairs

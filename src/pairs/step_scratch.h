@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "collision/part_pair.h"
+#include "collision/part_query.h"
+#include "pairs/held_contacts.h"
+
+namespace scatter::pairs {
+
+/// Memory that the steps of pairs use in turn, one step at a time; nothing is kept in it from one to the
+/// next.
+struct StepScratch {
+  PairScratch parts{};
+  PartQuery query{};
+  HeldScratch held{};
+  PartPair audit{};  ///< Of a look at the finest level from a coarser one.
+  std::vector<int> looked{};
+};
+
+}  // namespace scatter::pairs

@@ -1,0 +1,214 @@
+#include "pairs/pair_step.h"
+
+#include <gtest/gtest.h>
+
+#include "collision/geometry.h"
+#include "pairs/fake_engine.h"
+
+namespace scatter::pairs {
+namespace {
+
+using lod::SwitchKind;
+using testing::boxPart;
+using testing::FakeEngine;
+
+constexpr int kFinest = 3;
+
+// Each level within the one before: they touch at a distance of 2, 1.8 and 1.6 m.
+std::vector<std::vector<PartDef>> threeLevels() {
+  const Mat3 upright(1.0F);
+  const auto box = [&upright](float x, float y, float half) {
+    return boxPart(Vec3(x, y, 0.0F), Vec3(half), upright, 0.0F);
+  };
+  return {
+      {box(0.0F, 0.0F, 1.0F)},
+      {box(-0.45F, 0.0F, 0.45F), box(0.45F, 0.0F, 0.45F)},
+      {box(-0.6F, 0.21F, 0.2F), box(-0.6F, -0.21F, 0.2F), box(0.6F, 0.21F, 0.2F), box(0.6F, -0.21F, 0.2F)}};
+}
+
+/// A pair, and what its planner knows of it.
+struct LivingPair {
+  FakeEngine engine{threeLevels()};
+  Pair pair;
+  StepScratch scratch;
+  PairSteps steps;
+  PairWork work;
+  PairPlan plan;
+
+  LivingPair() {
+    plan.view.finest = kFinest;
+    plan.target = kFinest;
+    plan.auditDistance = 0.03F;
+    plan.mayAudit = true;
+  }
+  LivingPair(const LivingPair&) = delete;
+  LivingPair& operator=(const LivingPair&) = delete;
+  ~LivingPair() { pair.dropAll(engine); }
+
+  PairOutcome step(float x) {
+    engine.x = x;
+    plan.tries = plan.target != plan.view.level;
+    const PairOutcome outcome = stepPair(pair, plan, steps, engine, scratch, work);
+    if (outcome.tried) plan.view.level = static_cast<std::uint8_t>(outcome.choice.level);
+    plan.view.touching = outcome.touching;
+    plan.view.credited = outcome.credited;
+    return outcome;
+  }
+
+  [[nodiscard]] float press() const {
+    float most = 0.0F;
+    pair.forEachManifold([&](void* manifold) {
+      for (int i = 0; i < engine.countPoints(manifold); ++i) {
+        const ContactPoint point = engine.point(manifold, i);
+        if (point.presses) most = std::max(most, -point.distance);
+      }
+    });
+    return most;
+  }
+
+  [[nodiscard]] bool isQuiet() {
+    PlacedBodies bodies;
+    return engine.place(plan.view.level, bodies) && staysQuiet(pair, bodies);
+  }
+};
+
+TEST(PairStep, LivesFromTheFirstLookToTheLast) {
+  LivingPair living;
+  // New, and apart: what it should have is free.
+  PairOutcome outcome = living.step(3.0F);
+  EXPECT_EQ(outcome.choice.kind, SwitchKind::kFree);
+  EXPECT_EQ(living.plan.view.level, kFinest);
+  EXPECT_FALSE(outcome.touching);
+  EXPECT_TRUE(living.isQuiet());
+  living.engine.x = 1.61F;
+  EXPECT_FALSE(living.isQuiet());
+
+  // In contact at its finest level: 1 cm deep, and pressed.
+  outcome = living.step(1.59F);
+  EXPECT_TRUE(outcome.touching);
+  EXPECT_EQ(outcome.work.contacts, outcome.work.manifolds);
+  EXPECT_NEAR(living.press(), 0.01F, 1e-4F);
+
+  // Coarser, on credit: the middle shapes overlap by 21 cm, and nothing is pressed that was not before.
+  living.plan.target = 1;
+  outcome = living.step(1.59F);
+  EXPECT_EQ(outcome.choice.kind, SwitchKind::kOnCredit);
+  EXPECT_EQ(living.plan.view.level, 2);
+  EXPECT_TRUE(outcome.credited);
+  EXPECT_FALSE(outcome.isUnsafe);
+  EXPECT_LE(living.press(), 0.01F + 1e-4F);
+  EXPECT_FALSE(living.pair.held.empty());
+  for (const ChildPair& child : living.pair.parts.children())
+    EXPECT_EQ(child.contact, nullptr) << "excused, as contacts are held";
+
+  // It is content there; moving on, it looks at its finest shapes again.
+  living.plan.target = 2;
+  EXPECT_FALSE(living.step(1.59F).audited);
+  outcome = living.step(1.585F);
+  EXPECT_TRUE(outcome.audited);
+  EXPECT_GT(outcome.auditWork.childPairs, 0);
+  EXPECT_NEAR(living.pair.credit.gap, -0.015F, 1e-4F);
+
+  // Finer again, with an overlap of 1.5 cm on credit: the contacts go back to the parts that they are of.
+  living.plan.target = kFinest;
+  outcome = living.step(1.585F);
+  EXPECT_EQ(outcome.choice.kind, SwitchKind::kOnCredit);
+  EXPECT_EQ(living.plan.view.level, kFinest);
+  EXPECT_EQ(living.pair.origin, ContactOrigin::kGivenBack);
+  EXPECT_TRUE(living.pair.held.empty());
+  EXPECT_FALSE(outcome.isUnsafe);
+  EXPECT_GT(outcome.work.contacts, 0);
+
+  // Apart: nothing is left of it but the proof that it is.
+  outcome = living.step(1.75F);
+  EXPECT_FALSE(outcome.touching);
+  EXPECT_FALSE(outcome.credited);
+  EXPECT_EQ(living.engine.manifolds(), 0);
+  EXPECT_TRUE(living.isQuiet());
+}
+
+TEST(PairStep, StaysWhereASwitchIsNotSafe) {
+  LivingPair living;
+  living.step(3.0F);
+  living.step(1.59F);
+  living.plan.target = 1;
+  living.plan.rules.credit = false;
+  const PairOutcome outcome = living.step(1.59F);
+  EXPECT_EQ(outcome.choice.kind, SwitchKind::kBlocked);
+  EXPECT_EQ(outcome.choiceQueries, 2);
+  EXPECT_EQ(living.plan.view.level, kFinest);
+  EXPECT_TRUE(outcome.touching);
+}
+
+TEST(PairStep, KeepsItsContactsOnceButNotTwice) {
+  LivingPair living;
+  living.step(3.0F);
+  const int looked = living.step(1.59F).work.detectorRuns;
+  EXPECT_GT(looked, 0);
+  living.plan.keepsFrom = 0;
+  const PairOutcome kept = living.step(1.58F);
+  EXPECT_TRUE(kept.work.reuses);
+  EXPECT_EQ(kept.work.detectorRuns, 0);
+  EXPECT_TRUE(kept.touching);
+  EXPECT_NEAR(living.press(), 0.02F, 1e-4F) << "where the bodies are now";
+  EXPECT_FALSE(living.step(1.58F).work.reuses);
+  EXPECT_TRUE(living.step(1.58F).work.reuses);
+}
+
+TEST(PairStep, LeavesShapesThatAreNoPartListsToTheEngine) {
+  LivingPair living;
+  living.step(3.0F);
+  living.step(1.59F);
+  EXPECT_GT(living.engine.manifolds(), 0);
+  living.engine.refuses = true;
+  living.step(1.59F);
+  EXPECT_EQ(living.engine.fallbacks, 1);
+  EXPECT_EQ(living.engine.manifolds(), 0);
+  EXPECT_FALSE(living.isQuiet());
+  living.engine.refuses = false;
+  EXPECT_TRUE(living.step(1.59F).touching);
+  EXPECT_TRUE(living.pair.restarted);
+}
+
+TEST(PairStep, BeginsAnewWithNewParts) {
+  LivingPair living;
+  living.step(3.0F);
+  living.step(1.59F);
+  living.step(1.59F);
+  EXPECT_FALSE(living.pair.restarted);
+  ++living.engine.version;
+  EXPECT_TRUE(living.step(1.59F).touching);
+  EXPECT_TRUE(living.pair.restarted);
+}
+
+TEST(PairStep, CountsItsOwnWorkOnly) {
+  LivingPair living;
+  living.step(3.0F);
+  const PairWork before = living.work;
+  const PairOutcome outcome = living.step(1.59F);
+  const PairWork own = living.work - before;
+  EXPECT_EQ(own.detectorRuns, outcome.work.detectorRuns);
+  EXPECT_EQ(own.childPairs - own.childPairsAsleep, outcome.work.childPairs);
+  EXPECT_EQ(own.pairs, 1);
+}
+
+// The law that switching stands on, on random walks in and out of each other at random wishes.
+TEST(PairStep, NeverPressesByASwitch) {
+  testing::Random random(7);
+  for (int trial = 0; trial < 200; ++trial) {
+    LivingPair living;
+    float x = random.uniform(1.7F, 2.5F);
+    for (int step = 0; step < 120; ++step) {
+      // Solvers keep bodies from sinking into each other.
+      x = std::max(x + random.uniform(-0.02F, 0.018F), 1.57F);
+      if (step % 5 == 0) living.plan.target = 1 + static_cast<int>(random.uniform(0.0F, 2.999F));
+      living.plan.mayAudit = random.uniform(0.0F, 1.0F) < 0.8F;
+      const PairOutcome outcome = living.step(x);
+      EXPECT_FALSE(outcome.isUnsafe) << "trial " << trial << ", step " << step;
+      EXPECT_EQ(outcome.credited, !living.pair.credit.account.empty());
+    }
+  }
+}
+
+}  // namespace
+}  // namespace scatter::pairs
