@@ -12,11 +12,16 @@ enum btHybridMidphase
 	BT_HYBRID_NEIGHBOUR_LIST  ///< the same with a skin, and only when the skin is used up
 };
 
-/// The narrowphase of hybrid bodies. The steps of the pair algorithm can be left out one by one to measure
+/// The narrowphase of bodies that are lists of convex parts. The steps of the pair algorithm can be left out one by one to measure
 /// what each is worth; none of them changes which child pairs are in contact.
 struct btHybridCollisionInfo
 {
 	bool m_pairAlgorithm;  ///< off: Bullet's own algorithms, as in btDiscreteDynamicsWorld
+
+	/// Also for pairs in which neither body has levels, if their shapes are compounds of convex shapes, or one is and the other one
+	/// is convex. Off, so that a world without hybrids gives the same bits as btDiscreteDynamicsWorld.
+	bool m_plainBodies;
+
 	btHybridMidphase m_midphase;
 	bool m_motionBound;    ///< skip child pairs that cannot have met since their distance was measured
 	bool m_cachedAxis;     ///< try the axis that separated a child pair before anything else
@@ -25,7 +30,7 @@ struct btHybridCollisionInfo
 	bool m_warmSimplex;    ///< GJK starts from the simplex it ended with
 
 	btHybridCollisionInfo()
-	    : m_pairAlgorithm(true), m_midphase(BT_HYBRID_NEIGHBOUR_LIST), m_motionBound(true), m_cachedAxis(true), m_lazyManifolds(true), m_ownGjk(true), m_warmSimplex(true)
+	    : m_pairAlgorithm(true), m_plainBodies(false), m_midphase(BT_HYBRID_NEIGHBOUR_LIST), m_motionBound(true), m_cachedAxis(true), m_lazyManifolds(true), m_ownGjk(true), m_warmSimplex(true)
 	{
 	}
 };

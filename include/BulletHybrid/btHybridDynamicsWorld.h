@@ -60,7 +60,7 @@ class btHybridDynamicsWorld : public btDiscreteDynamicsWorld
 	void registerHybrid(btRigidBody* body);
 	void unregisterHybrid(btHybridRigidBody* hybrid);
 	void forget(btCollisionObject* object);
-	void dropContactsOfHybrids();
+	void dropContacts(bool ofAll);
 
 	btHybridDynamicsWorld(const btHybridDynamicsWorld&);
 	btHybridDynamicsWorld& operator=(const btHybridDynamicsWorld&);
@@ -180,7 +180,7 @@ public:
 	/// and Bullet's multipoint settings, are not asked.
 	const btHybridCollisionInfo& getCollisionInfo() const;
 
-	/// Drops the contacts of all pairs with a hybrid. Returns 0; or, inside a step's collision detection, where listeners
+	/// Drops the contacts of all pairs with a hybrid, and with m_plainBodies those of all others. Returns 0; or, inside a step's collision detection, where listeners
 	/// are called, what is wrong, and then nothing has changed.
 	const char* setCollisionInfo(const btHybridCollisionInfo& info);
 

@@ -225,7 +225,7 @@ int btHybridDynamicsWorld::setSwitchingMode(btHybridSwitchingMode mode)
 	if (numDeep > 0)
 		return numDeep;
 	retractAllRequests();
-	dropContactsOfHybrids();
+	dropContacts(false);
 	if (m_planner)
 		m_pairSwitching = btHybridPairSwitchingInfo();
 	m_narrowphase->setSwitchesPairs(mode == BT_HYBRID_PAIR_SWITCHING);
@@ -345,7 +345,7 @@ const char* btHybridDynamicsWorld::setCollisionInfo(const btHybridCollisionInfo&
 {
 	if (m_detects)
 		return c_insideDetection;
-	dropContactsOfHybrids();
+	dropContacts(info.m_plainBodies || getCollisionInfo().m_plainBodies);
 	m_narrowphase->setInfo(info);
 	return 0;
 }
@@ -355,14 +355,15 @@ const char* btHybridDynamicsWorld::getNarrowphaseMistake() const
 	return m_registration->getMistake();
 }
 
-void btHybridDynamicsWorld::dropContactsOfHybrids()
+// Of all pairs with a hybrid, or of all.
+void btHybridDynamicsWorld::dropContacts(bool ofAll)
 {
 	btBroadphasePairArray& pairs = m_broadphasePairCache->getOverlappingPairCache()->getOverlappingPairArray();
 	for (int i = 0; i < pairs.size(); i++)
 	{
 		const btCollisionObject* first = static_cast<const btCollisionObject*>(pairs[i].m_pProxy0->m_clientObject);
 		const btCollisionObject* second = static_cast<const btCollisionObject*>(pairs[i].m_pProxy1->m_clientObject);
-		if (btHybridRigidBody::upcast(first) || btHybridRigidBody::upcast(second))
+		if (ofAll || btHybridRigidBody::upcast(first) || btHybridRigidBody::upcast(second))
 			m_broadphasePairCache->getOverlappingPairCache()->cleanOverlappingPair(pairs[i], getDispatcher());
 	}
 }
@@ -407,7 +408,7 @@ void btHybridDynamicsWorld::performDiscreteCollisionDetection()
 	const DetectionScope scope(m_detects);
 	m_requests->beginStep();
 	m_narrowphase->beginStep();
-	if (m_hybrids.size() == 0)
+	if (m_hybrids.size() == 0 && !getCollisionInfo().m_plainBodies)
 	{
 		m_requests->endStep();
 		btDiscreteDynamicsWorld::performDiscreteCollisionDetection();

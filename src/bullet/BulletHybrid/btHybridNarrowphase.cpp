@@ -61,18 +61,24 @@ const btHybridCollisionCounts& btHybridNarrowphase::getCounts() const
 	return m_counts;
 }
 
+static void count(const scatter::pairs::PairTable& pairs, size_t plannedBytes, btHybridCollisionMemory& memory)
+{
+	// An algorithm's place in Bullet's pool.
+	const size_t algorithmBytes = sizeof(btCompoundCompoundCollisionAlgorithm);
+	memory.m_pairs += pairs.count();
+	memory.m_pairBytes += size_t(pairs.count()) * (algorithmBytes + sizeof(scatter::pairs::Pair) + plannedBytes);
+	for (int i = 0; i < pairs.count(); i++)
+	{
+		memory.m_childPairs += int(pairs[i].parts.children().size());
+		memory.m_childPairBytes += pairs[i].parts.childBytes();
+	}
+}
+
 btHybridCollisionMemory btHybridNarrowphase::getMemory() const
 {
 	btHybridCollisionMemory memory;
-	memory.m_pairs = m_pairs.count();
-	// An algorithm's place in Bullet's pool.
-	const size_t algorithmBytes = sizeof(btCompoundCompoundCollisionAlgorithm);
-	for (int i = 0; i < m_pairs.count(); i++)
-	{
-		memory.m_childPairs += int(m_pairs[i].parts.children().size());
-		memory.m_pairBytes += algorithmBytes + sizeof(scatter::pairs::Pair) + (m_planner ? btHybridPlanner::getPairBytes() : 0);
-		memory.m_childPairBytes += m_pairs[i].parts.childBytes();
-	}
+	count(m_pairs, btHybridPlanner::getPairBytes(), memory);
+	count(m_plainPairs, 0, memory);
 	m_objects.count(memory);
 	return memory;
 }

@@ -20,6 +20,7 @@ class btHybridNarrowphase
 
 	btHybridObjects m_objects;
 	scatter::pairs::PairTable m_pairs;
+	scatter::pairs::PairTable m_plainPairs;
 	scatter::pairs::StepScratch m_scratch;
 	btHybridPlanner* m_planner;
 
@@ -41,7 +42,7 @@ public:
 		return m_planner;
 	}
 
-	/// Starts anew with a planner or without one. No pair algorithm must be left.
+	/// Starts anew with a planner or without one. No pair of a hybrid must be left.
 	void setSwitchesPairs(bool switchesPairs);
 
 	void addUser()
@@ -75,10 +76,10 @@ public:
 		return m_objects;
 	}
 
-	/// One for each pair algorithm, in the order of the planner's.
-	scatter::pairs::PairTable& getPairs()
+	/// One for each pair algorithm: of pairs that switch, in the order of the planner's, or of those that do not.
+	scatter::pairs::PairTable& getPairs(bool switches)
 	{
-		return m_pairs;
+		return switches ? m_pairs : m_plainPairs;
 	}
 	scatter::pairs::StepScratch& getScratch()
 	{

@@ -77,7 +77,7 @@ bool btHybridObjects::update(btHybridPartBody* body, const btCollisionShape* sha
 	const bool isChecked = m_dispatches && body->m_checkedStep == m_step && shape == body->m_parts->getShape();
 	if (isChecked)
 		return true;
-	if (shape != body->m_parts->getShape() || !body->m_parts->isCurrent(body->m_changes))
+	if (shape != body->m_parts->getShape() || !body->m_parts->isCurrent(body->m_changes && m_isTold))
 	{
 		if (!btHybridParts::isPartList(shape))
 			return false;

@@ -17,6 +17,7 @@ class btHybridObjects
 	btHashMap<btHashPtr, btHybridParts*> m_parts;
 	int m_step;
 	bool m_dispatches;  ///< a step's pairs are at work, so that shapes do not change
+	bool m_isTold;      ///< when steps begin and dispatch, so that a thorough look is due once a step
 
 	btHybridObjects(const btHybridObjects&);
 	btHybridObjects& operator=(const btHybridObjects&);
@@ -27,7 +28,7 @@ class btHybridObjects
 
 public:
 	btHybridObjects()
-	    : m_step(0), m_dispatches(false)
+	    : m_step(0), m_dispatches(false), m_isTold(false)
 	{
 	}
 
@@ -39,6 +40,7 @@ public:
 	/// Around the dispatch of a step's pairs.
 	void setDispatching(bool dispatches)
 	{
+		m_isTold = true;
 		m_dispatches = dispatches;
 	}
 

@@ -17,11 +17,12 @@ btHybridPairAlgorithm::btHybridPairAlgorithm(const btCollisionAlgorithmConstruct
       m_narrowphase(narrowphase),
       m_bodies(narrowphase->getObjects().acquire(body0Wrap->getCollisionObject(), narrowphase->getPlanner()), narrowphase->getObjects().acquire(body1Wrap->getCollisionObject(), narrowphase->getPlanner())),
       m_fallback(0),
-      m_index(-1)
+      m_index(-1),
+      m_switches(m_narrowphase->getPlanner() && btMax(m_bodies.m_objects[0]->getNumLevels(), m_bodies.m_objects[1]->getNumLevels()) > 0)
 {
 	m_narrowphase->addUser();
-	m_narrowphase->getPairs().add(&m_index);
-	if (m_narrowphase->getPlanner())
+	m_narrowphase->getPairs(m_switches).add(&m_index);
+	if (m_switches)
 		m_narrowphase->getPlanner()->addPair(m_bodies.m_objects[0], m_bodies.m_objects[1]);
 	m_bodies.take(btMax(m_bodies.m_objects[0]->getNumLevels(), m_bodies.m_objects[1]->getNumLevels()), m_narrowphase->getObjects());
 }
@@ -30,7 +31,7 @@ btHybridPairAlgorithm::btHybridPairAlgorithm(const btCollisionAlgorithmConstruct
 btHybridPairAlgorithm::~btHybridPairAlgorithm()
 {
 	btManifoldArray own;
-	m_narrowphase->getPairs()[m_index].forEachManifold([&own](void* manifold)
+	getPair().forEachManifold([&own](void* manifold)
 	                                                   { own.push_back(static_cast<btPersistentManifold*>(manifold)); });
 	for (int i = 0; i < own.size(); i++)
 		m_dispatcher->releaseManifold(own[i]);
@@ -39,17 +40,17 @@ btHybridPairAlgorithm::~btHybridPairAlgorithm()
 		m_fallback->~btCollisionAlgorithm();
 		m_dispatcher->freeCollisionAlgorithm(m_fallback);
 	}
-	if (m_narrowphase->getPlanner())
+	if (m_switches)
 		m_narrowphase->getPlanner()->removePair(m_index);
-	m_narrowphase->getPairs().remove(m_index);
+	m_narrowphase->getPairs(m_switches).remove(m_index);
 	for (int i = 0; i < 2; i++)
 		m_narrowphase->getObjects().release(m_bodies.m_objects[i]);
 	m_narrowphase->removeUser();
 }
 
-const Pair& btHybridPairAlgorithm::getPair() const
+Pair& btHybridPairAlgorithm::getPair() const
 {
-	return m_narrowphase->getPairs()[m_index];
+	return m_narrowphase->getPairs(m_switches)[m_index];
 }
 
 bool btHybridPairAlgorithm::hasReused() const
@@ -73,10 +74,10 @@ bool btHybridPairAlgorithm::staysQuiet(btHybridPairEngine& engine) const
 void btHybridPairAlgorithm::processCollision(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut)
 {
 	btHybridNarrowphase& shared = *m_narrowphase;
-	btHybridPlanner* planner = shared.getPlanner();
+	btHybridPlanner* planner = m_switches ? shared.getPlanner() : 0;
 	const btHybridPairCall call = {{body0Wrap, body1Wrap}, dispatchInfo, resultOut};
-	btHybridPairEngine engine(static_cast<btCollisionDispatcher*>(m_dispatcher), shared.getObjects(), m_bodies, call, m_fallback, shared.getSteps().ownGjk, planner != 0);
-	Pair& pair = shared.getPairs()[m_index];
+	btHybridPairEngine engine(static_cast<btCollisionDispatcher*>(m_dispatcher), shared.getObjects(), m_bodies, call, m_fallback, shared.getSteps().ownGjk, m_switches);
+	Pair& pair = getPair();
 	if (!planner)
 	{
 		scatter::pairs::collidePair(pair, m_bodies.m_level, shared.getSteps(), engine, shared.getScratch(), shared.getWork());

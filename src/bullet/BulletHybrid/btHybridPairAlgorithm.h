@@ -16,18 +16,20 @@ class btHybridPairAlgorithm : public btCollisionAlgorithm
 	btHybridNarrowphase* m_narrowphase;
 	btHybridPairBodies m_bodies;
 	btCollisionAlgorithm* m_fallback;  ///< Bullet's own, while a shape is no list of parts any more
-	int m_index;                       ///< of the pair, in the table and in the planner
+	int m_index;                       ///< of the pair, in its table, and in the planner if it switches
+	bool m_switches;
 
-	const scatter::pairs::Pair& getPair() const;
+	scatter::pairs::Pair& getPair() const;
 	bool staysQuiet(btHybridPairEngine& engine) const;
 
 public:
 	btHybridPairAlgorithm(const btCollisionAlgorithmConstructionInfo& info, btHybridNarrowphase* narrowphase, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap);
 	virtual ~btHybridPairAlgorithm();
 
-	int getIndex() const
+	/// In the planner; -1 if the pair does not switch.
+	int getPlanIndex() const
 	{
-		return m_index;
+		return m_switches ? m_index : -1;
 	}
 
 	/// Whether it kept its contacts in the last step instead of looking for them, or was given those that were held.

@@ -315,9 +315,9 @@ btHybridParallelWorld::Fate btHybridParallelWorld::getFate(const btCollisionObje
 	if (!m_original->getDispatcher()->needsCollision(a, b))
 		return LEFT_ALONE;
 	const btHybridPairAlgorithm* algorithm = findAlgorithm(a, b);
-	if (!m_planner || !algorithm)
+	if (!m_planner || !algorithm || algorithm->getPlanIndex() < 0)
 		return LOOKED_AT_FINEST;
-	if (!m_planner->isAtFinest(algorithm->getIndex()))
+	if (!m_planner->isAtFinest(algorithm->getPlanIndex()))
 		return AT_COARSER;
 	return algorithm->hasReused() ? KEPT_CONTACTS : LOOKED_AT_FINEST;
 }

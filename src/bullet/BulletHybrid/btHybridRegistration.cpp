@@ -73,7 +73,7 @@ const char* btHybridRegistration::takeCharge(btDispatcher* dispatcher)
 	const std::lock_guard<std::mutex> lock(s_inChargeMutex);
 	for (const btHybridRegistration* other = s_inCharge; other; other = other->m_next)
 		if (other->m_dispatcher == known)
-			return "hybrid pairs run in Bullet's own algorithms, because another btHybridDynamicsWorld has the dispatcher; give every world its own";
+			return "hybrid pairs run in Bullet's own algorithms, because another btHybridDynamicsWorld or btHybridInstallation has the dispatcher; give every world its own";
 	m_dispatcher = known;
 	m_next = s_inCharge;
 	s_inCharge = this;
@@ -115,7 +115,8 @@ bool btHybridRegistration::takes(const btCollisionAlgorithmConstructionInfo& inf
 {
 	if (!m_narrowphase->getInfo().m_pairAlgorithm || info.m_manifold)
 		return false;
-	if (!btHybridRigidBody::upcast(body0Wrap->getCollisionObject()) && !btHybridRigidBody::upcast(body1Wrap->getCollisionObject()))
+	const bool isPlain = !btHybridRigidBody::upcast(body0Wrap->getCollisionObject()) && !btHybridRigidBody::upcast(body1Wrap->getCollisionObject());
+	if (isPlain && !m_narrowphase->getInfo().m_plainBodies)
 		return false;
 	return !isForeign(body0Wrap) && !isForeign(body1Wrap) && hasPartLists(body0Wrap) && hasPartLists(body1Wrap);
 }

@@ -41,7 +41,7 @@ class btHybridRegistration
 	bool takes(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap) const;
 
 public:
-	/// For pairs with a hybrid of `world`. Uses the narrowphase as long as it lives.
+	/// For pairs with a hybrid of `world`, and as the narrowphase's settings say; 0: of no world. Uses the narrowphase as long as it lives.
 	btHybridRegistration(btDispatcher* dispatcher, const btHybridDynamicsWorld* world, btHybridNarrowphase* narrowphase);
 	~btHybridRegistration();
 

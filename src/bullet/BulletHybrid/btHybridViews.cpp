@@ -36,8 +36,8 @@ btHybridPairView btHybridDynamicsWorld::viewPair(const btBroadphasePair& pair) c
 {
 	btHybridPairView view;
 	const btHybridPairAlgorithm* own = m_planner ? ownAlgorithm(pair.m_algorithm) : 0;
-	if (own)
-		view = m_planner->viewPair(own->getIndex());
+	if (own && own->getPlanIndex() >= 0)
+		view = m_planner->viewPair(own->getPlanIndex());
 	if (view.m_level > 0)
 		return view;
 	const btCollisionObject* const objects[2] = {static_cast<const btCollisionObject*>(pair.m_pProxy0->m_clientObject), static_cast<const btCollisionObject*>(pair.m_pProxy1->m_clientObject)};
