@@ -32,7 +32,7 @@ btHybridPairAlgorithm::~btHybridPairAlgorithm()
 {
 	btManifoldArray own;
 	getPair().forEachManifold([&own](void* manifold)
-	                                                   { own.push_back(static_cast<btPersistentManifold*>(manifold)); });
+	                          { own.push_back(static_cast<btPersistentManifold*>(manifold)); });
 	for (int i = 0; i < own.size(); i++)
 		m_dispatcher->releaseManifold(own[i]);
 	if (m_fallback)
