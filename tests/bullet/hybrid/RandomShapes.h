@@ -16,7 +16,7 @@ namespace scatter::test {
 /// Random numbers that are the same everywhere: std's distributions are not.
 class Random {
  public:
-  explicit Random(std::uint64_t seed) : engine_(seed) {}
+  explicit Random(std::uint64_t first) : engine_(first) {}
 
   float unit() { return static_cast<float>(engine_() >> 40U) / 16777216.0F; }
   float between(float low, float high) { return low + (high - low) * unit(); }
@@ -53,7 +53,7 @@ class Random {
 /// Makes shapes of all convex kinds, degenerate ones among them, and owns them.
 class RandomShapes {
  public:
-  explicit RandomShapes(std::uint64_t seed) : random(seed) {}
+  explicit RandomShapes(std::uint64_t first) : random(first) {}
 
   template <class Shape, class... Args>
   Shape* make(Args&&... args) {
