@@ -119,10 +119,6 @@ double squaredDistanceToTriangle(const glm::dvec3& p, const glm::dvec3& a, const
 
 }  // namespace
 
-double HalfSpace::signedDistance(const glm::dvec3& point) const {
-  return glm::dot(normal, point) - offset;
-}
-
 void DoubleBounds::add(const glm::dvec3& point) {
   min = glm::min(min, point);
   max = glm::max(max, point);

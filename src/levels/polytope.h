@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
@@ -15,7 +16,9 @@ struct HalfSpace {
   double offset = 0.0;
 
   /// Positive outside.
-  [[nodiscard]] double signedDistance(const glm::dvec3& point) const;
+  [[nodiscard]] double signedDistance(const glm::dvec3& point) const {
+    return glm::dot(normal, point) - offset;
+  }
   [[nodiscard]] HalfSpace flipped() const { return {-normal, -offset}; }
   [[nodiscard]] HalfSpace movedOut(double distance) const { return {normal, offset + distance}; }
 };

@@ -70,9 +70,10 @@ void addSphere(std::vector<Point>& points, const Point& center, double radius, i
 		points.push_back(center + radius * directions[i]);
 }
 
-// The plane through a face of the hull, moved out so that it holds all points; false if there is no such face.
+// The plane through a face of the hull, moved out so that it holds all points, which are within `extent` of the middle; false if
+// there is no such face.
 bool makePlane(const std::vector<Point>& points, const std::vector<Point>& corners,
-               const std::vector<std::uint32_t>& loop, const Point& middle, HalfSpace& plane)
+               const std::vector<std::uint32_t>& loop, const Point& middle, double extent, HalfSpace& plane)
 {
 	Point normal(0.0);
 	for (size_t i = 1; i + 1 < loop.size(); i++)
@@ -83,13 +84,11 @@ bool makePlane(const std::vector<Point>& points, const std::vector<Point>& corne
 	plane.normal = normal / (glm::dot(normal, corners[loop[0]] - middle) < 0 ? -area : area);
 	plane.offset = -std::numeric_limits<double>::infinity();
 	double low = std::numeric_limits<double>::infinity();
-	double extent = 0;
 	for (size_t i = 0; i < points.size(); i++)
 	{
 		const double along = glm::dot(plane.normal, points[i]);
 		plane.offset = std::max(plane.offset, along);
 		low = std::min(low, along);
-		extent = std::max(extent, glm::length(points[i] - middle));
 	}
 	return plane.offset - low > c_flatness * extent;
 }
@@ -111,6 +110,9 @@ Polytope hullOf(const std::vector<Point>& points)
 		middle += corners.back() / double(computer.original_vertex_index.size());
 		result.addVertex(corners.back());
 	}
+	double extent = 0;
+	for (size_t i = 0; i < points.size(); i++)
+		extent = std::max(extent, glm::length(points[i] - middle));
 	for (int i = 0; i < computer.faces.size(); i++)
 	{
 		std::vector<std::uint32_t> loop;
@@ -118,7 +120,7 @@ Polytope hullOf(const std::vector<Point>& points)
 		for (const btConvexHullComputer::Edge* edge = first; edge != first || loop.empty(); edge = edge->getNextEdgeOfFace())
 			loop.push_back(static_cast<std::uint32_t>(edge->getSourceVertex()));
 		HalfSpace plane;
-		if (makePlane(points, corners, loop, middle, plane))
+		if (makePlane(points, corners, loop, middle, extent, plane))
 			result.addFace(plane, loop);
 	}
 	return result.isEmpty() ? Polytope() : result;

@@ -4,6 +4,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <map>
+#include <numeric>
 #include <queue>
 #include <tuple>
 #include <utility>
@@ -77,7 +78,8 @@ class GreedyMerger {
       : grid_(grid), patches_(std::move(patches)), definition_(definition), diagonal_(mesh.diagonal) {
     const auto count = static_cast<std::uint32_t>(patches_.clusters.size());
     nodes_.resize(count);
-    alive_ = count;
+    alive_.resize(count);
+    std::iota(alive_.begin(), alive_.end(), 0U);
     for (std::uint32_t i = 0; i < count; ++i) {
       nodes_[i].id = i;
       buildHull(cornersOf(mesh, patches_.clusters[i]));
@@ -93,8 +95,8 @@ class GreedyMerger {
     const auto total = static_cast<double>(nodes_.size());
     std::vector<MergeTree::Merge> merges;
     bool hasAllPairs = false;
-    while (alive_ > 1) {
-      if (!hasAllPairs && (alive_ <= kAllPairs || queue_.empty())) {
+    while (alive_.size() > 1) {
+      if (!hasAllPairs && (alive_.size() <= kAllPairs || queue_.empty())) {
         hasAllPairs = true;
         linkAll();
       }
@@ -113,7 +115,7 @@ class GreedyMerger {
       merge(best.a, best.b);
       nodes_[best.a].id = static_cast<NodeIndex>(nodes_.size() + merges.size() - 1);
       if (!hasAllPairs && nodes_[best.a].neighbours.size() < kFewNeighbours) linkNearest(best.a);
-      if (definition_.progress) definition_.progress(1.0 - static_cast<double>(alive_) / total);
+      if (definition_.progress) definition_.progress(1.0 - static_cast<double>(alive_.size()) / total);
     }
     return {std::move(patches_.clusters), std::move(merges)};
   }
@@ -176,7 +178,7 @@ class GreedyMerger {
     into.setHull(hull_.vertices);
     ++into.version;
     from.isAlive = false;
-    --alive_;
+    alive_.erase(std::lower_bound(alive_.begin(), alive_.end(), b));
     into.neighbours.erase(b);
     for (const auto& [other, cost] : from.neighbours) {
       if (other == a) continue;
@@ -194,8 +196,8 @@ class GreedyMerger {
 
   void linkNearest(std::uint32_t node) {
     std::vector<std::pair<double, std::uint32_t>> others;
-    for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
-      if (i == node || !nodes_[i].isAlive) continue;
+    for (const std::uint32_t i : alive_) {
+      if (i == node) continue;
       const double apart = boxDistance(nodes_[node].bounds, nodes_[i].bounds);
       others.emplace_back(apart + 0.3 * glm::length(nodes_[node].middle - nodes_[i].middle), i);
     }
@@ -205,10 +207,8 @@ class GreedyMerger {
   }
 
   void linkAll() {
-    for (std::uint32_t a = 0; a < nodes_.size(); ++a) {
-      for (std::uint32_t b = a + 1; b < nodes_.size(); ++b) {
-        if (nodes_[a].isAlive && nodes_[b].isAlive) link(a, b);
-      }
+    for (auto a = alive_.begin(); a != alive_.end(); ++a) {
+      for (auto b = a + 1; b != alive_.end(); ++b) link(*a, *b);
     }
   }
 
@@ -217,7 +217,7 @@ class GreedyMerger {
   const MergeDef& definition_;
   double diagonal_;
   std::vector<Node> nodes_;
-  std::size_t alive_ = 0;
+  std::vector<std::uint32_t> alive_;  ///< Nodes that are not merged into another, in order.
   std::priority_queue<MergeCandidate, std::vector<MergeCandidate>, std::greater<>> queue_;
   HullBuilder builder_;
   TriangleHull hull_;

@@ -19,10 +19,10 @@ template <class GapAt>
   struct Patch {
     Corners corners{};
     double bound = 0.0;
-    double size = 0.0;
   };
   double largest = 0.0;
-  const auto sampled = [&](const Corners& corners) {
+  std::vector<Patch> open;
+  const auto sample = [&](const Corners& corners) {
     const glm::dvec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
     const double gap = gapAt(middle);
     largest = std::max(largest, gap);
@@ -30,16 +30,16 @@ template <class GapAt>
     for (const glm::dvec3& corner : corners) {
       squared = std::max(squared, glm::dot(corner - middle, corner - middle));
     }
-    return Patch{corners, gap + std::sqrt(squared), std::sqrt(squared)};
+    const double size = std::sqrt(squared);
+    if (size > spacing && gap + size > largest) open.push_back({corners, gap + size});
   };
-  std::vector<Patch> open;
   for (const Triangle& t : hull.triangles) {
-    open.push_back(sampled({hull.vertices[t[0]], hull.vertices[t[1]], hull.vertices[t[2]]}));
+    sample({hull.vertices[t[0]], hull.vertices[t[1]], hull.vertices[t[2]]});
   }
   while (!open.empty()) {
     const Patch patch = open.back();
     open.pop_back();
-    if (patch.bound <= largest || patch.size <= spacing) continue;
+    if (patch.bound <= largest) continue;
     const auto& [a, b, c] = patch.corners;
     const double ab = glm::dot(b - a, b - a);
     const double bc = glm::dot(c - b, c - b);
@@ -48,8 +48,8 @@ template <class GapAt>
                                  : bc >= ca           ? Corners{b, c, a}
                                                       : Corners{c, a, b};
     const glm::dvec3 half = 0.5 * (longestFirst[0] + longestFirst[1]);
-    open.push_back(sampled({longestFirst[0], half, longestFirst[2]}));
-    open.push_back(sampled({half, longestFirst[1], longestFirst[2]}));
+    sample({longestFirst[0], half, longestFirst[2]});
+    sample({half, longestFirst[1], longestFirst[2]});
   }
   return largest;
 }
