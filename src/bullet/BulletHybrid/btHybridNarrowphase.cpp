@@ -5,7 +5,7 @@
 #include "btHybridPlanner.h"
 
 btHybridNarrowphase::btHybridNarrowphase(bool switchesPairs)
-    : m_users(1), m_planner(switchesPairs ? new btHybridPlanner : 0)
+    : m_users(1), m_depth(0), m_planner(switchesPairs ? new btHybridPlanner : 0)
 {
 }
 
@@ -83,10 +83,18 @@ btHybridCollisionMemory btHybridNarrowphase::getMemory() const
 	return memory;
 }
 
+scatter::pairs::StepScratch& btHybridNarrowphase::beginPair()
+{
+	if (m_depth == m_scratches.size())
+		m_scratches.push_back(std::make_unique<scatter::pairs::StepScratch>());
+	return *m_scratches[m_depth++];
+}
+
 int btHybridNarrowphase::countDeepPairs(btScalar depth)
 {
 	btAlignedObjectArray<btHybridLevelBodies*> objects;
 	m_planner->findCredited(objects);
+	scatter::PartQuery query;
 	int count = 0;
 	for (int i = 0; i < objects.size(); i += 2)
 	{
@@ -97,7 +105,7 @@ int btHybridNarrowphase::countDeepPairs(btScalar depth)
 			parts[k] = &m_objects.getBody(objects[i + k], objects[i + k]->getNumLevels())->getBody().parts();
 			frames[k] = btHybridFrameOf(objects[i + k]->getObject()->getWorldTransform());
 		}
-		count += m_scratch.query.isSeparated(*parts[0], *parts[1], scatter::relativeFrame(frames[0], frames[1]), -depth) ? 0 : 1;
+		count += query.isSeparated(*parts[0], *parts[1], scatter::relativeFrame(frames[0], frames[1]), -depth) ? 0 : 1;
 	}
 	return count;
 }

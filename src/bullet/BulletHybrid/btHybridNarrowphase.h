@@ -1,6 +1,9 @@
 #ifndef BT_HYBRID_NARROWPHASE_H
 #define BT_HYBRID_NARROWPHASE_H
 
+#include <memory>
+#include <vector>
+
 #include "BulletHybrid/btHybridCollision.h"
 #include "btHybridObjects.h"
 #include "pairs/pair_step.h"
@@ -21,7 +24,8 @@ class btHybridNarrowphase
 	btHybridObjects m_objects;
 	scatter::pairs::PairTable m_pairs;
 	scatter::pairs::PairTable m_plainPairs;
-	scatter::pairs::StepScratch m_scratch;
+	std::vector<std::unique_ptr<scatter::pairs::StepScratch>> m_scratches;
+	size_t m_depth;  ///< of pairs' steps inside each other's
 	btHybridPlanner* m_planner;
 
 	~btHybridNarrowphase();
@@ -81,9 +85,12 @@ public:
 	{
 		return switches ? m_pairs : m_plainPairs;
 	}
-	scatter::pairs::StepScratch& getScratch()
+
+	/// Memory for one step of a pair, until the end of the step. A program's callback may collide two objects inside of it.
+	scatter::pairs::StepScratch& beginPair();
+	void endPair()
 	{
-		return m_scratch;
+		m_depth--;
 	}
 
 	/// Pairs on credit whose finest shapes can not be proven to overlap by no more than `depth`.

@@ -80,7 +80,8 @@ void btHybridPairAlgorithm::processCollision(const btCollisionObjectWrapper* bod
 	Pair& pair = getPair();
 	if (!planner)
 	{
-		scatter::pairs::collidePair(pair, m_bodies.m_level, shared.getSteps(), engine, shared.getScratch(), shared.getWork());
+		scatter::pairs::collidePair(pair, m_bodies.m_level, shared.getSteps(), engine, shared.beginPair(), shared.getWork());
+		shared.endPair();
 		return;
 	}
 	if (staysQuiet(engine))
@@ -91,7 +92,9 @@ void btHybridPairAlgorithm::processCollision(const btCollisionObjectWrapper* bod
 		return;
 	}
 	const scatter::pairs::PairPlan plan = planner->planPair(m_index);
-	planner->take(m_index, scatter::pairs::stepPair(pair, plan, shared.getSteps(), engine, shared.getScratch(), shared.getWork()));
+	const scatter::pairs::PairOutcome outcome = scatter::pairs::stepPair(pair, plan, shared.getSteps(), engine, shared.beginPair(), shared.getWork());
+	shared.endPair();
+	planner->take(m_index, outcome);
 }
 
 btScalar btHybridPairAlgorithm::calculateTimeOfImpact(btCollisionObject*, btCollisionObject*, const btDispatcherInfo&, btManifoldResult*)

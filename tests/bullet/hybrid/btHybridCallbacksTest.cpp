@@ -54,12 +54,12 @@ class Heap : public ScriptedWorld {
 
 using Heard = std::multiset<std::array<int, 4>>;
 
-Heard listen(Heap& w, std::vector<AddedContact>& contacts) {
+Heard listen(Heap& w, std::vector<AddedContact>& contacts, ContactAddedCallback callback = hear) {
   for (auto& body : w.bodies) {
     body->setCollisionFlags(body->getCollisionFlags() | btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
   }
   heard = &contacts;
-  gContactAddedCallback = hear;
+  gContactAddedCallback = callback;
   w.detect();
   gContactAddedCallback = nullptr;
   heard = nullptr;
@@ -103,6 +103,46 @@ TEST_P(ContactCallbacks, GiveTheChildrenAsBulletGivesThem) {
         EXPECT_EQ(contact.shapes[side], root);
       }
     }
+  }
+}
+
+Heap* asked = nullptr;
+int answers = 0;
+
+/// Counts the contacts of two bodies.
+struct Answer : btCollisionWorld::ContactResultCallback {
+  btScalar addSingleResult(btManifoldPoint&, const btCollisionObjectWrapper*, int, int,
+                           const btCollisionObjectWrapper*, int, int) override {
+    ++answers;
+    return 0;
+  }
+};
+
+// Asks about two other bodies, whose pair comes and goes inside of the step of the one that is told of.
+bool hearAndAsk(btManifoldPoint& point, const btCollisionObjectWrapper* wrap0, int part0, int index0,
+                const btCollisionObjectWrapper* wrap1, int part1, int index1) {
+  static bool isAsking = false;
+  if (isAsking) return false;
+  isAsking = true;
+  Answer answer;
+  asked->world.contactPairTest(asked->bodies[0].get(), asked->bodies[3].get(), answer);
+  isAsking = false;
+  return hear(point, wrap0, part0, index0, wrap1, part1, index1);
+}
+
+TEST_P(ContactCallbacks, MayAskAboutOtherPairs) {
+  Heap quiet(true);
+  Heap curious(true);
+  std::vector<AddedContact> heardQuiet;
+  std::vector<AddedContact> heardCurious;
+  for (int step = 0; step < 3; ++step) {
+    heardQuiet.clear();
+    heardCurious.clear();
+    answers = 0;
+    asked = &curious;
+    const Heard plain = listen(quiet, heardQuiet);
+    EXPECT_EQ(listen(curious, heardCurious, hearAndAsk), plain);
+    EXPECT_GT(answers, static_cast<int>(plain.size()));
   }
 }
 
