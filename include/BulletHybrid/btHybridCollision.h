@@ -48,9 +48,10 @@ struct btHybridCollisionCounts
 	int m_gjkRuns;
 	int m_gjkIterations;
 	int m_detectorRuns;  ///< child pairs that Bullet's own detectors decided
+	int m_pieces;        ///< triangles of meshes, or clipped large shapes, that were looked up anew near bodies
 
 	btHybridCollisionCounts()
-	    : m_pairs(0), m_pairsSkipped(0), m_rebuilds(0), m_childPairs(0), m_childPairsAsleep(0), m_boundsRejected(0), m_axisRejected(0), m_gjkRuns(0), m_gjkIterations(0), m_detectorRuns(0)
+	    : m_pairs(0), m_pairsSkipped(0), m_rebuilds(0), m_childPairs(0), m_childPairsAsleep(0), m_boundsRejected(0), m_axisRejected(0), m_gjkRuns(0), m_gjkIterations(0), m_detectorRuns(0), m_pieces(0)
 	{
 	}
 };

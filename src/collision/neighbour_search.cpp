@@ -84,10 +84,31 @@ void NeighbourSearch::byPartBoxes(const PartList& a, const PartList& b, const Fr
   for (const std::uint16_t part : nearA_) {
     const Box inA{at(a.boxes().center, part), at(a.boxes().half, part)};
     const Box inB{frameB.toLocal(inA.center), halfIn(spread.toB, inA.half)};
-    if (!isFurther(inB.center - b.center(), inB.half + b.half() + limit)) {
-      pairUp(part, inA, inB, frameB, limit);
-    }
+    if (isFurther(inB.center - b.center(), inB.half + b.half() + limit)) continue;
+    const std::size_t first = found_.size();
+    pairUp(part, inA, inB, frameB, limit);
+    if (a.part(part).kind == PartKind::kTriangle) cutByPlane(first, a.part(part), b, frameB, limit);
   }
+}
+
+// The box around a triangle that leans is full of nothing: its plane tells more.
+void NeighbourSearch::cutByPlane(std::size_t first, const PartList::Part& triangle, const PartList& b,
+                                 const Frame& frameB, float limit) {
+  if (triangle.normal == Vec3(0.0F)) return;
+  const Vec3 spread = glm::abs(frameB.rotateBack(triangle.normal)) + kAxisRounding;
+  std::size_t kept = first;
+  for (std::size_t i = first; i < found_.size(); ++i) {
+    Neighbours near = found_[i];
+    const float height = glm::dot(triangle.normal, frameB(at(b.boxes().center, near.b))) - triangle.offset;
+    const float apart = std::abs(height) - glm::dot(spread, at(b.boxes().half, near.b)) - triangle.margin;
+    if (apart > limit) continue;
+    if (apart > near.separation) {
+      near.separation = apart;
+      near.axis = height < 0.0F ? -triangle.normal : triangle.normal;
+    }
+    found_[kept++] = near;
+  }
+  found_.resize(kept);
 }
 
 void NeighbourSearch::collectNear(const PartList& list, const Box& other, float limit,

@@ -19,7 +19,8 @@ struct Neighbours {
 class NeighbourSearch {
  public:
   /// All pairs of parts whose boxes are not separated by more than `limit` along one of the six face axes of
-  /// the two bodies, in ascending order of (a, b). `frameB` is B's frame in A's.
+  /// the two bodies, nor along the normal of a triangle of A, in ascending order of (a, b). `frameB` is B's
+  /// frame in A's.
   void byPartBoxes(const PartList& a, const PartList& b, const Frame& frameB, float limit);
 
   /// All pairs of parts whose world bounds overlap, in ascending order, without an axis and with the lowest
@@ -48,6 +49,8 @@ class NeighbourSearch {
 
   void collectNear(const PartList& list, const Box& other, float limit, std::vector<std::uint16_t>& near);
   void collectCandidates(const PartList& a, const PartList& b, const Frame& frameB, float limit);
+  void cutByPlane(std::size_t first, const PartList::Part& triangle, const PartList& b, const Frame& frameB,
+                  float limit);
   void pairUp(std::uint16_t part, const Box& inA, const Box& inB, const Frame& frameB, float limit);
 
   std::vector<std::uint16_t> nearA_;

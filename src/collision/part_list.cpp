@@ -24,6 +24,15 @@ std::vector<Vec3> cornersOf(const PartDef& box) {
   return corners;
 }
 
+void setPlane(PartList::Part& triangle, std::span<const Vec3> corners) {
+  const Vec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+  const float length = glm::length(normal);
+  constexpr float kLeastArea = 1e-12F;
+  if (!(length > kLeastArea)) return;
+  triangle.normal = normal / length;
+  triangle.offset = glm::dot(triangle.normal, corners[0]);
+}
+
 bool isTurned(const Mat3& axes) {
   return axes != Mat3(1.0F);
 }
@@ -80,6 +89,7 @@ void PartList::connectPolytopes(std::span<const PartDef> parts) {
     parts_[i].margin = parts[i].margin;
     parts_[i].core = take(parts[i].core.size());
     if (parts[i].kind == PartKind::kBox) parts_[i].sharp = take(8);
+    if (parts[i].kind == PartKind::kTriangle) setPlane(parts_[i], parts[i].core);
   }
 }
 

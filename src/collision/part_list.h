@@ -13,6 +13,7 @@ namespace scatter {
 /// How the distance of two parts is decided.
 enum class PartKind : std::uint8_t {
   kHull,      ///< Exactly the core, widened by the margin.
+  kTriangle,  ///< The same, with a core of three points: a piece of a surface.
   kBox,       ///< Like kHull against others; two boxes meet with sharp edges.
   kSphere,    ///< The core is a point.
   kCapsule,   ///< The core is a segment.
@@ -77,6 +78,10 @@ class PartList {
     /// itself.
     Frame boxFrame{};
     Vec3 boxHalf{0.0F};
+
+    /// Of a kTriangle its plane, normal · x = offset. No normal: it has no area.
+    Vec3 normal{0.0F};
+    float offset = 0.0F;
   };
 
   [[nodiscard]] int count() const { return static_cast<int>(parts_.size()); }

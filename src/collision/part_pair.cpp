@@ -26,8 +26,8 @@ struct ChildRule {
 };
 
 // Two boxes and two spheres are in contact only when they overlap, and have contacts of the engine's own
-// kind; so have capsules. What is taken off every distance covers the engine's tolerance but for tiny boxes.
-// Everything else is decided by the distance.
+// kind; so have capsules, and a sphere on a triangle. What is taken off every distance covers the engine's
+// tolerance but for tiny boxes. Everything else is decided by the distance.
 ChildRule ruleOf(const PartList::Part& a, const PartList::Part& b, float threshold, float rounding) {
   const auto isRound = [](PartKind kind) { return kind == PartKind::kSphere || kind == PartKind::kCapsule; };
   const float margin = a.margin + b.margin;
@@ -36,6 +36,10 @@ ChildRule ruleOf(const PartList::Part& a, const PartList::Part& b, float thresho
   if (a.kind == PartKind::kSphere && b.kind == PartKind::kSphere)
     return {a.core, b.core, margin, 0.0F, false};
   const bool enclosed = a.kind == PartKind::kEnclosed || b.kind == PartKind::kEnclosed;
+  const auto meet = [&](PartKind first, PartKind second) {
+    return (a.kind == first && b.kind == second) || (a.kind == second && b.kind == first);
+  };
+  if (meet(PartKind::kTriangle, PartKind::kSphere)) return {a.core, b.core, margin, threshold, false};
   return {a.core, b.core, margin, threshold, !enclosed && !(isRound(a.kind) && isRound(b.kind))};
 }
 
@@ -66,11 +70,17 @@ Vec3 towards(const Vec3& from, const Vec3& to) {
 
 namespace {
 
-constexpr int PairWork::*kCounts[]{
-    &PairWork::pairs,        &PairWork::pairsSkipped,     &PairWork::rebuilds,
-    &PairWork::childPairs,   &PairWork::childPairsAsleep, &PairWork::boundsRejected,
-    &PairWork::axisRejected, &PairWork::gjkRuns,          &PairWork::gjkIterations,
-    &PairWork::detectorRuns};
+constexpr int PairWork::*kCounts[]{&PairWork::pairs,
+                                   &PairWork::pairsSkipped,
+                                   &PairWork::rebuilds,
+                                   &PairWork::childPairs,
+                                   &PairWork::childPairsAsleep,
+                                   &PairWork::boundsRejected,
+                                   &PairWork::axisRejected,
+                                   &PairWork::gjkRuns,
+                                   &PairWork::gjkIterations,
+                                   &PairWork::detectorRuns,
+                                   &PairWork::pieces};
 static_assert(sizeof(kCounts) / sizeof(kCounts[0]) == sizeof(PairWork) / sizeof(int));
 
 }  // namespace
@@ -93,6 +103,22 @@ void PartPair::reset(float threshold) {
   listed_ = false;
   motion_ = 0.0;
   quietUntil_ = kAwake;
+}
+
+void PartPair::remapA(std::span<const int> to) {
+  listed_ = false;
+  motion_ = 0.0;
+  quietUntil_ = kAwake;
+  std::size_t kept = 0;
+  for (const ChildPair& child : children_) {
+    if (to[child.a] < 0) continue;
+    ChildPair& moved = children_[kept++];
+    moved = child;
+    moved.a = static_cast<std::uint16_t>(to[child.a]);
+    moved.wake = kAwake;
+    moved.reachA = kUnknown;
+  }
+  children_.resize(kept);
 }
 
 bool PartPair::advance(PartBody& a, PartBody& b, const PairSteps& steps, PairScratch& scratch,

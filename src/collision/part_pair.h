@@ -41,6 +41,7 @@ struct PairWork {
   int gjkRuns = 0;
   int gjkIterations = 0;
   int detectorRuns = 0;  ///< Child pairs that the engine's own detectors decided.
+  int pieces = 0;        ///< Of grounds, that were looked up anew.
 
   PairWork& operator+=(const PairWork& other);
   [[nodiscard]] PairWork operator-(const PairWork& other) const;
@@ -109,6 +110,10 @@ class PartPair {
  public:
   /// Forgets everything, but keeps its memory. `threshold`: parts closer than this are in contact, metres.
   void reset(float threshold);
+
+  /// A's parts have been replaced by others, of which some are the same, in the same order: `to[i]` is the
+  /// new index of part i, or -1. Nothing is known of distances any more, but where to look first.
+  void remapA(std::span<const int> to);
 
   /// Takes in where the bodies are now. False if nothing can be in contact: the pair is done for this step.
   /// Child pairs that are not neighbours any more are gone; the contacts they had are in `scratch.dropped`.

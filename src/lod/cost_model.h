@@ -12,6 +12,7 @@ namespace scatter::lod {
 /// Work of one pair in one step. Exact counts.
 struct PairWorkload {
   int rebuilds = 0;
+  int pieces = 0;      ///< Of a ground, looked up anew.
   int childPairs = 0;  ///< Awake ones.
   int gjkRuns = 0;
   int gjkIterations = 0;

@@ -4,7 +4,7 @@
 
 namespace scatter::pairs {
 
-void addCredit(void* manifold, float credit, PairEngine& engine) {
+void addCredit(void* manifold, float credit, Manifolds& engine) {
   for (int i = 0; i < engine.countPoints(manifold); ++i) {
     ContactPoint point = engine.point(manifold, i);
     point.distance += credit;
@@ -13,7 +13,7 @@ void addCredit(void* manifold, float credit, PairEngine& engine) {
   }
 }
 
-void endCredit(void* manifold, PairEngine& engine) {
+void endCredit(void* manifold, Manifolds& engine) {
   for (int i = 0; i < engine.countPoints(manifold); ++i) {
     ContactPoint point = engine.point(manifold, i);
     if (point.distance < 0.0F || !point.eased) continue;
@@ -22,7 +22,7 @@ void endCredit(void* manifold, PairEngine& engine) {
   }
 }
 
-float pressNow(const void* manifold, const PairEngine& engine) {
+float pressNow(const void* manifold, const Manifolds& engine) {
   float most = 0.0F;
   for (int i = 0; i < engine.countPoints(manifold); ++i) {
     if (engine.point(manifold, i).presses) most = std::max(most, -engine.distanceNow(manifold, i));
@@ -30,7 +30,7 @@ float pressNow(const void* manifold, const PairEngine& engine) {
   return most;
 }
 
-void ContactTally::add(const void* manifold, const PairEngine& engine) {
+void ContactTally::add(const void* manifold, const Manifolds& engine) {
   ++manifolds;
   for (int i = 0; i < engine.countPoints(manifold); ++i) {
     const ContactPoint point = engine.point(manifold, i);

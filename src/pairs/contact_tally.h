@@ -4,16 +4,22 @@
 
 namespace scatter::pairs {
 
+/// Two bodies touch if they are this near, metres.
+inline constexpr float kTouching = 0.01F;
+
+/// A switch may make a penetration this much deeper by rounding, metres.
+inline constexpr float kTolerance = 0.002F;
+
 /// Adds to the distances of a manifold's points, and eases them: where credit is at work, a distance below
 /// zero is no error to be corrected.
-void addCredit(void* manifold, float credit, PairEngine& engine);
+void addCredit(void* manifold, float credit, Manifolds& engine);
 
 /// Ends the ease of a manifold's points. One that is still deep keeps its ease until it is found anew: it may
 /// be older than where the parts are now.
-void endCredit(void* manifold, PairEngine& engine);
+void endCredit(void* manifold, Manifolds& engine);
 
 /// How deep the contacts of a manifold press the bodies apart where the bodies are now, metres.
-[[nodiscard]] float pressNow(const void* manifold, const PairEngine& engine);
+[[nodiscard]] float pressNow(const void* manifold, const Manifolds& engine);
 
 /// The contacts of a pair in one step.
 struct ContactTally {
@@ -22,7 +28,7 @@ struct ContactTally {
   float least = HeldContacts::kNone;  ///< Their least distance.
   float press = 0.0F;                 ///< How deep they press the bodies apart, metres.
 
-  void add(const void* manifold, const PairEngine& engine);
+  void add(const void* manifold, const Manifolds& engine);
 };
 
 }  // namespace scatter::pairs

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "collision/part_pair.h"
-#include "pairs/contact_point.h"
+#include "pairs/manifolds.h"
 
 namespace scatter::pairs {
 
@@ -13,9 +13,8 @@ struct PlacedBodies {
 };
 
 /// What a pair needs of the engine that it lives in, in one step: its two bodies at any level, its manifolds,
-/// and the detector for what scatter::PartPair does not decide. A manifold holds a few contact points of two
-/// parts, and is known by an address.
-class PairEngine : public ContactKeeper {
+/// and the detector for what scatter::PartPair does not decide.
+class PairEngine : public Manifolds {
  public:
   /// The bodies with their shapes of a level; from now on contacts are those of these shapes. False if a
   /// shape is no list of parts (any more).
@@ -33,25 +32,6 @@ class PairEngine : public ContactKeeper {
 
   /// Lets the engine's own algorithm collide the bodies, instead of the pair; the pair has no manifolds then.
   virtual void fallBack() = 0;
-
-  // Manifolds. outlasts(manifold) takes in where the bodies are, and drops the points that have come apart.
-  [[nodiscard]] virtual void* newManifold() = 0;
-  virtual void release(void* manifold) = 0;
-  [[nodiscard]] virtual int countPoints(const void* manifold) const = 0;
-  [[nodiscard]] virtual bool isFull(const void* manifold) const = 0;
-  [[nodiscard]] virtual ContactPoint point(const void* manifold, int index) const = 0;
-
-  /// Takes over distance and ease; the rest is as it was. What a program has made elastic is not eased.
-  virtual void write(void* manifold, int index, const ContactPoint& point) = 0;
-
-  /// The distance of a point where the bodies are now, without credit.
-  [[nodiscard]] virtual float distanceNow(const void* manifold, int index) const = 0;
-
-  /// Appends a copy of a point with all that the engine keeps with it; a program's data goes to the copy.
-  virtual void move(void* from, int index, void* to) = 0;
-
-  /// Adds the impulses that a point bears to those of another.
-  virtual void addImpulses(const void* from, int index, void* to, int indexTo) = 0;
 
   // Contacts of two parts of the bodies that were placed last. Both make the child's manifold when it is
   // needed.
@@ -71,9 +51,6 @@ class PairEngine : public ContactKeeper {
 
   /// After a look at two parts that have a manifold.
   virtual void looked(const ChildPair& /*child*/) {}
-
-  /// A manifold is going to be looked at soon.
-  virtual void prefetch(const void* /*manifold*/) const {}
 };
 
 }  // namespace scatter::pairs

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "collision/part_pair.h"
 #include "lod/cost_model.h"
 #include "lod/pair_switch.h"
 
@@ -22,6 +23,8 @@ struct PairPlan {
   int keepsFrom = kNever;
   static constexpr int kNever = std::numeric_limits<int>::max();
 };
+
+[[nodiscard]] lod::PairWorkload workloadOf(const PairWork& work);
 
 /// What has become of a pair in one step.
 struct PairOutcome {

@@ -9,9 +9,6 @@ namespace scatter::pairs {
 
 namespace {
 
-/// Two bodies touch if they are this near, metres.
-constexpr float kTouching = 0.01F;
-
 /// Further away it does not matter how wide a gap is.
 constexpr float kWidestGap = 0.25F;
 
@@ -21,19 +18,6 @@ constexpr float kLateness = 2.0F;
 
 /// How far a pair may move before the first audit, metres; from then on as far again as it has moved.
 constexpr double kFirstAudit = 0.002;
-
-/// A switch may make a penetration this much deeper by rounding, metres.
-constexpr float kTolerance = 0.002F;
-
-lod::PairWorkload workloadOf(const PairWork& work) {
-  lod::PairWorkload load;
-  load.rebuilds = work.rebuilds;
-  load.childPairs = work.childPairs - work.childPairsAsleep;
-  load.gjkRuns = work.gjkRuns;
-  load.gjkIterations = work.gjkIterations;
-  load.detectorRuns = work.detectorRuns;
-  return load;
-}
 
 class PairStep {
  public:
@@ -333,6 +317,17 @@ class PairStep {
 };
 
 }  // namespace
+
+lod::PairWorkload workloadOf(const PairWork& work) {
+  lod::PairWorkload load;
+  load.rebuilds = work.rebuilds;
+  load.pieces = work.pieces;
+  load.childPairs = work.childPairs - work.childPairsAsleep;
+  load.gjkRuns = work.gjkRuns;
+  load.gjkIterations = work.gjkIterations;
+  load.detectorRuns = work.detectorRuns;
+  return load;
+}
 
 void collidePair(Pair& pair, int level, const PairSteps& steps, PairEngine& engine, StepScratch& scratch,
                  PairWork& work) {

@@ -3,27 +3,45 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <utility>
 #include <vector>
 
+#include "pairs/ground_pair.h"
 #include "pairs/pair.h"
 
 namespace scatter::pairs {
 
-/// All pairs, side by side in memory, in blocks. A pair's place changes when another one ends; its owner is
-/// told. A new one moves no other: a program's callback may make one inside another one's step.
-class PairTable {
+/// All pairs of a kind, side by side in memory, in blocks. A pair's place changes when another one ends; its
+/// owner is told. A new one moves no other: a program's callback may make one inside another one's step.
+template <class AnyPair>
+class TableOf {
  public:
   /// A new pair. `place` is where its owner keeps its index, as long as the pair lives.
-  void add(int* place);
+  void add(int* place) {
+    const std::size_t index = places_.size();
+    if (index == blocks_.size() * kBlock) blocks_.push_back(std::make_unique<std::array<AnyPair, kBlock>>());
+    *place = static_cast<int>(index);
+    places_.push_back(place);
+    (*this)[*place].renew();
+  }
 
   /// Its manifolds must be gone. Its memory is kept for pairs to come.
-  void remove(int index);
+  void remove(int index) {
+    const int last = count() - 1;
+    if (index != last) {
+      std::swap((*this)[index], (*this)[last]);
+      int* const moved = places_.back();
+      places_[static_cast<std::size_t>(index)] = moved;
+      *moved = index;
+    }
+    places_.pop_back();
+  }
 
-  [[nodiscard]] Pair& operator[](int index) {
+  [[nodiscard]] AnyPair& operator[](int index) {
     const auto i = static_cast<std::size_t>(index);
     return (*blocks_[i / kBlock])[i % kBlock];
   }
-  [[nodiscard]] const Pair& operator[](int index) const {
+  [[nodiscard]] const AnyPair& operator[](int index) const {
     const auto i = static_cast<std::size_t>(index);
     return (*blocks_[i / kBlock])[i % kBlock];
   }
@@ -32,9 +50,12 @@ class PairTable {
  private:
   static constexpr std::size_t kBlock = 64;
 
-  std::vector<std::unique_ptr<std::array<Pair, kBlock>>>
+  std::vector<std::unique_ptr<std::array<AnyPair, kBlock>>>
       blocks_;  ///< Pairs that have ended are behind the others.
   std::vector<int*> places_;
 };
+
+using PairTable = TableOf<Pair>;
+using GroundTable = TableOf<GroundPair>;
 
 }  // namespace scatter::pairs

@@ -4,6 +4,7 @@
 
 #include "collision/part_pair.h"
 #include "collision/part_query.h"
+#include "pairs/ground_look.h"
 #include "pairs/held_contacts.h"
 
 namespace scatter::pairs {
@@ -16,6 +17,7 @@ struct StepScratch {
   HeldScratch held{};
   PartPair audit{};  ///< Of a look at the finest level from a coarser one.
   std::vector<int> looked{};
+  GroundScratch ground{};
 };
 
 }  // namespace scatter::pairs

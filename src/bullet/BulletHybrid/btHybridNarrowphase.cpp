@@ -2,6 +2,7 @@
 
 #include <BulletCollision/CollisionDispatch/btCompoundCompoundCollisionAlgorithm.h>
 
+#include "btHybridGroundEngine.h"
 #include "btHybridPlanner.h"
 
 btHybridNarrowphase::btHybridNarrowphase(bool switchesPairs)
@@ -16,7 +17,7 @@ btHybridNarrowphase::~btHybridNarrowphase()
 
 void btHybridNarrowphase::setSwitchesPairs(bool switchesPairs)
 {
-	btAssert(m_pairs.count() == 0);
+	btAssert(m_pairs.count() == 0 && (!m_planner || m_planner->getNumPairs() == 0));
 	delete m_planner;
 	m_planner = switchesPairs ? new btHybridPlanner : 0;
 }
@@ -58,6 +59,7 @@ const btHybridCollisionCounts& btHybridNarrowphase::getCounts() const
 	m_counts.m_gjkRuns = m_work.gjkRuns;
 	m_counts.m_gjkIterations = m_work.gjkIterations;
 	m_counts.m_detectorRuns = m_work.detectorRuns;
+	m_counts.m_pieces = m_work.pieces;
 	return m_counts;
 }
 
@@ -74,11 +76,25 @@ static void count(const scatter::pairs::PairTable& pairs, size_t plannedBytes, b
 	}
 }
 
+static void count(const scatter::pairs::GroundTable& grounds, btHybridCollisionMemory& memory)
+{
+	const size_t eachBytes = sizeof(btCompoundCompoundCollisionAlgorithm) + sizeof(btHybridGroundBodies) + sizeof(scatter::pairs::GroundPair);
+	memory.m_pairs += grounds.count();
+	memory.m_pairBytes += size_t(grounds.count()) * eachBytes;
+	for (int i = 0; i < grounds.count(); i++)
+	{
+		memory.m_pairBytes += grounds[i].region.bytes() + grounds[i].contacts.capacity() * sizeof(scatter::pairs::GroundContact);
+		memory.m_childPairs += int(grounds[i].parts.children().size());
+		memory.m_childPairBytes += grounds[i].parts.childBytes();
+	}
+}
+
 btHybridCollisionMemory btHybridNarrowphase::getMemory() const
 {
 	btHybridCollisionMemory memory;
 	count(m_pairs, btHybridPlanner::getPairBytes(), memory);
 	count(m_plainPairs, 0, memory);
+	count(m_grounds, memory);
 	m_objects.count(memory);
 	return memory;
 }

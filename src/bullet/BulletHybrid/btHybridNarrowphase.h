@@ -24,6 +24,7 @@ class btHybridNarrowphase
 	btHybridObjects m_objects;
 	scatter::pairs::PairTable m_pairs;
 	scatter::pairs::PairTable m_plainPairs;
+	scatter::pairs::GroundTable m_grounds;
 	std::vector<std::unique_ptr<scatter::pairs::StepScratch>> m_scratches;
 	size_t m_depth;  ///< of pairs' steps inside each other's
 	btHybridPlanner* m_planner;
@@ -80,10 +81,16 @@ public:
 		return m_objects;
 	}
 
-	/// One for each pair algorithm: of pairs that switch, in the order of the planner's, or of those that do not.
+	/// One for each pair algorithm: of pairs that switch, or of those that do not.
 	scatter::pairs::PairTable& getPairs(bool switches)
 	{
 		return switches ? m_pairs : m_plainPairs;
+	}
+
+	/// One for each ground algorithm.
+	scatter::pairs::GroundTable& getGrounds()
+	{
+		return m_grounds;
 	}
 
 	/// Memory for one step of a pair, until the end of the step. A program's callback may collide two objects inside of it.

@@ -13,17 +13,18 @@ using scatter::ChildPair;
 using scatter::pairs::Pair;
 
 btHybridPairAlgorithm::btHybridPairAlgorithm(const btCollisionAlgorithmConstructionInfo& info, btHybridNarrowphase* narrowphase, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap)
-    : btCollisionAlgorithm(info),
+    : btHybridAlgorithm(info),
       m_narrowphase(narrowphase),
       m_bodies(narrowphase->getObjects().acquire(body0Wrap->getCollisionObject(), narrowphase->getPlanner()), narrowphase->getObjects().acquire(body1Wrap->getCollisionObject(), narrowphase->getPlanner())),
       m_fallback(0),
       m_index(-1),
+      m_planIndex(-1),
       m_switches(m_narrowphase->getPlanner() && btMax(m_bodies.m_objects[0]->getNumLevels(), m_bodies.m_objects[1]->getNumLevels()) > 0)
 {
 	m_narrowphase->addUser();
 	m_narrowphase->getPairs(m_switches).add(&m_index);
 	if (m_switches)
-		m_narrowphase->getPlanner()->addPair(m_bodies.m_objects[0], m_bodies.m_objects[1]);
+		m_narrowphase->getPlanner()->addPair(m_bodies.m_objects[0], m_bodies.m_objects[1], &m_planIndex);
 	m_bodies.take(btMax(m_bodies.m_objects[0]->getNumLevels(), m_bodies.m_objects[1]->getNumLevels()), m_narrowphase->getObjects());
 }
 
@@ -41,7 +42,7 @@ btHybridPairAlgorithm::~btHybridPairAlgorithm()
 		m_dispatcher->freeCollisionAlgorithm(m_fallback);
 	}
 	if (m_switches)
-		m_narrowphase->getPlanner()->removePair(m_index);
+		m_narrowphase->getPlanner()->removePair(m_planIndex);
 	m_narrowphase->getPairs(m_switches).remove(m_index);
 	for (int i = 0; i < 2; i++)
 		m_narrowphase->getObjects().release(m_bodies.m_objects[i]);
@@ -68,7 +69,7 @@ bool btHybridPairAlgorithm::staysQuiet(btHybridPairEngine& engine) const
 {
 	const Pair& pair = getPair();
 	scatter::pairs::PlacedBodies bodies;
-	return pair.quietUntil >= 0 && m_narrowphase->getPlanner()->isSettled(m_index) && engine.follow(bodies) && scatter::pairs::staysQuiet(pair, bodies);
+	return pair.quietUntil >= 0 && m_narrowphase->getPlanner()->isSettled(m_planIndex) && engine.follow(bodies) && scatter::pairs::staysQuiet(pair, bodies);
 }
 
 void btHybridPairAlgorithm::processCollision(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut)
@@ -86,20 +87,15 @@ void btHybridPairAlgorithm::processCollision(const btCollisionObjectWrapper* bod
 	}
 	if (staysQuiet(engine))
 	{
-		planner->countQuiet(m_index);
+		planner->countQuiet(m_planIndex);
 		shared.getWork().pairs++;
 		shared.getWork().pairsSkipped++;
 		return;
 	}
-	const scatter::pairs::PairPlan plan = planner->planPair(m_index);
+	const scatter::pairs::PairPlan plan = planner->planPair(m_planIndex);
 	const scatter::pairs::PairOutcome outcome = scatter::pairs::stepPair(pair, plan, shared.getSteps(), engine, shared.beginPair(), shared.getWork());
 	shared.endPair();
-	planner->take(m_index, outcome);
-}
-
-btScalar btHybridPairAlgorithm::calculateTimeOfImpact(btCollisionObject*, btCollisionObject*, const btDispatcherInfo&, btManifoldResult*)
-{
-	return 1;
+	planner->take(m_planIndex, outcome);
 }
 
 void btHybridPairAlgorithm::getAllContactManifolds(btManifoldArray& manifoldArray)

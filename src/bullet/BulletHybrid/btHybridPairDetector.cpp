@@ -1,13 +1,11 @@
-#include <BulletCollision/CollisionDispatch/btBoxBoxDetector.h>
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
-#include <BulletCollision/CollisionShapes/btBoxShape.h>
 #include <BulletCollision/CollisionShapes/btSphereShape.h>
-#include <BulletCollision/NarrowPhaseCollision/btDiscreteCollisionDetectorInterface.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 #include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
 
+#include "btHybridDetectors.h"
 #include "btHybridPairEngine.h"
 
 // How two parts get their contacts from Bullet.
@@ -120,16 +118,6 @@ void collideSpheres(const btCollisionObjectWrapper* a, const btCollisionObjectWr
 	result->addContactPoint(normal, b->getWorldTransform().getOrigin() + radiusB * normal, length - (radiusA + radiusB));
 }
 
-void collideBoxes(const btCollisionObjectWrapper* a, const btCollisionObjectWrapper* b, const btDispatcherInfo& info, btManifoldResult* result)
-{
-	btDiscreteCollisionDetectorInterface::ClosestPointInput input;
-	input.m_maximumDistanceSquared = BT_LARGE_FLOAT;
-	input.m_transformA = a->getWorldTransform();
-	input.m_transformB = b->getWorldTransform();
-	btBoxBoxDetector detector(static_cast<const btBoxShape*>(a->getCollisionShape()), static_cast<const btBoxShape*>(b->getCollisionShape()));
-	detector.getClosestPoints(input, *result, info.m_debugDraw);
-}
-
 bool areBoth(int type, const btCollisionShape* a, const btCollisionShape* b)
 {
 	return a->getShapeType() == type && b->getShapeType() == type;
@@ -172,7 +160,7 @@ void btHybridPairEngine::detectByAlgorithm(ChildPair& child)
 	const btCollisionObjectWrapper* a = scope.getWrap(0);
 	const btCollisionObjectWrapper* b = scope.getWrap(1);
 	if (areBoth(BOX_SHAPE_PROXYTYPE, a->getCollisionShape(), b->getCollisionShape()))
-		return collideBoxes(a, b, m_call.m_info, m_call.m_result);
+		return btHybridCollideBoxes(a, b, m_call.m_info, m_call.m_result);
 	if (areBoth(SPHERE_SHAPE_PROXYTYPE, a->getCollisionShape(), b->getCollisionShape()))
 	{
 		manifold->clearManifold();
@@ -182,10 +170,7 @@ void btHybridPairEngine::detectByAlgorithm(ChildPair& child)
 	FlippedResult flipped(m_call.m_result, a, b);
 	if (isFlipped)
 		btSwap(a, b);
-	btCollisionAlgorithm* algorithm = m_dispatcher->findAlgorithm(a, b, manifold, BT_CONTACT_POINT_ALGORITHMS);
-	algorithm->processCollision(a, b, m_call.m_info, isFlipped ? &flipped : m_call.m_result);
-	algorithm->~btCollisionAlgorithm();
-	m_dispatcher->freeCollisionAlgorithm(algorithm);
+	btHybridDetect(m_dispatcher, a, b, manifold, m_call.m_info, isFlipped ? &flipped : m_call.m_result);
 }
 
 // Bullet's GJK does not always find the same in both orders of two shapes. In Bullet a compound's children come first,

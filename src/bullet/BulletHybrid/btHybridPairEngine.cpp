@@ -1,27 +1,9 @@
 #include "btHybridPairEngine.h"
 
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
-#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 #include <LinearMath/btAabbUtil2.h>
 
 using scatter::ChildPair;
-using scatter::pairs::ContactPoint;
-
-namespace
-{
-// What this library takes the error reduction of a point away with.
-const int c_easeFlags = BT_CONTACT_FLAG_HAS_CONTACT_ERP | BT_CONTACT_FLAG_HAS_CONTACT_CFM;
-
-btPersistentManifold* manifoldAt(void* contact)
-{
-	return static_cast<btPersistentManifold*>(contact);
-}
-
-const btPersistentManifold* manifoldAt(const void* contact)
-{
-	return static_cast<const btPersistentManifold*>(contact);
-}
-}  // namespace
 
 btHybridPairEngine::LevelScope::LevelScope(const btHybridPairCall& call, const btHybridPairBodies& bodies)
     : m_result(call.m_result),
@@ -101,18 +83,6 @@ scatter::Frame btHybridPairEngine::frameOf(int body) const
 	return btHybridFrameOf(m_call.m_wraps[body]->getWorldTransform());
 }
 
-// As the dispatcher gives it to manifolds.
-float btHybridPairEngine::threshold() const
-{
-	const btScalar most = gContactBreakingThreshold;
-	if (!(m_dispatcher->getDispatcherFlags() & btCollisionDispatcher::CD_USE_RELATIVE_CONTACT_BREAKING_THRESHOLD))
-		return most;
-	btScalar least = BT_LARGE_FLOAT;
-	for (int i = 0; i < 2; i++)
-		least = btMin(least, m_call.m_wraps[i]->getCollisionObject()->getCollisionShape()->getContactBreakingThreshold(most));
-	return least;
-}
-
 float btHybridPairEngine::pointDistance() const
 {
 	return gContactBreakingThreshold;
@@ -132,91 +102,6 @@ void btHybridPairEngine::releaseFallback()
 	m_fallback->~btCollisionAlgorithm();
 	m_dispatcher->freeCollisionAlgorithm(m_fallback);
 	m_fallback = 0;
-}
-
-bool btHybridPairEngine::outlasts(void* contact) const
-{
-	btPersistentManifold* manifold = manifoldAt(contact);
-	manifold->refreshContactPoints(m_call.m_wraps[0]->getCollisionObject()->getWorldTransform(), m_call.m_wraps[1]->getCollisionObject()->getWorldTransform());
-	return manifold->getNumContacts() > 0;
-}
-
-void* btHybridPairEngine::newManifold()
-{
-	return m_dispatcher->getNewManifold(m_call.m_wraps[0]->getCollisionObject(), m_call.m_wraps[1]->getCollisionObject());
-}
-
-void btHybridPairEngine::release(void* manifold)
-{
-	m_dispatcher->releaseManifold(manifoldAt(manifold));
-}
-
-int btHybridPairEngine::countPoints(const void* manifold) const
-{
-	return manifoldAt(manifold)->getNumContacts();
-}
-
-bool btHybridPairEngine::isFull(const void* manifold) const
-{
-	return manifoldAt(manifold)->getNumContacts() == MANIFOLD_CACHE_SIZE;
-}
-
-ContactPoint btHybridPairEngine::point(const void* manifold, int index) const
-{
-	const btManifoldPoint& point = manifoldAt(manifold)->getContactPoint(index);
-	ContactPoint plain;
-	plain.position = btHybridVec3(point.m_positionWorldOnB);
-	plain.normal = btHybridVec3(point.m_normalWorldOnB);
-	plain.distance = point.getDistance();
-	plain.impulse = point.m_appliedImpulse;
-	plain.partA = btMax(point.m_index0, 0);
-	plain.partB = btMax(point.m_index1, 0);
-	plain.presses = !(point.m_contactPointFlags & BT_CONTACT_FLAG_HAS_CONTACT_ERP) || point.m_contactERP > 0;
-	plain.eased = (point.m_contactPointFlags & c_easeFlags) == c_easeFlags && point.m_contactERP == 0 && point.m_contactCFM == 0;
-	return plain;
-}
-
-void btHybridPairEngine::write(void* manifold, int index, const ContactPoint& plain)
-{
-	btManifoldPoint& point = manifoldAt(manifold)->getContactPoint(index);
-	point.setDistance(plain.distance);
-	if (!plain.eased)
-	{
-		point.m_contactPointFlags &= ~c_easeFlags;
-		return;
-	}
-	// Springs that a program has given its bodies have no error reduction.
-	if (point.m_contactPointFlags & BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING)
-		return;
-	point.m_contactPointFlags |= c_easeFlags;
-	point.m_contactERP = 0;
-	point.m_contactCFM = 0;
-}
-
-float btHybridPairEngine::distanceNow(const void* manifold, int index) const
-{
-	const btManifoldPoint& point = manifoldAt(manifold)->getContactPoint(index);
-	return (m_call.m_wraps[0]->getWorldTransform()(point.m_localPointA) - m_call.m_wraps[1]->getWorldTransform()(point.m_localPointB)).dot(point.m_normalWorldOnB);
-}
-
-// As a manifold result does it; the end is told by the manifold.
-void btHybridPairEngine::move(void* from, int index, void* to)
-{
-	btManifoldPoint& point = manifoldAt(from)->getContactPoint(index);
-	btPersistentManifold* manifold = manifoldAt(to);
-	manifold->addManifoldPoint(point);
-	point.m_userPersistentData = 0;
-	if (gContactStartedCallback && manifold->getNumContacts() == 1)
-		gContactStartedCallback(manifold);
-}
-
-void btHybridPairEngine::addImpulses(const void* from, int index, void* to, int indexTo)
-{
-	const btManifoldPoint& point = manifoldAt(from)->getContactPoint(index);
-	btManifoldPoint& other = manifoldAt(to)->getContactPoint(indexTo);
-	other.m_appliedImpulse += point.m_appliedImpulse;
-	other.m_appliedImpulseLateral1 += point.m_appliedImpulseLateral1;
-	other.m_appliedImpulseLateral2 += point.m_appliedImpulseLateral2;
 }
 
 // A filter that a program may have set for the children of compounds.
@@ -277,17 +162,4 @@ void btHybridPairEngine::looked(const ChildPair& child)
 {
 	if (gContactProcessedCallback && !areSpheres(child))
 		static_cast<void>(outlasts(child.contact));
-}
-
-// The manifolds of a pile do not fit into a cache: of one with a single point, what is looked at.
-void btHybridPairEngine::prefetch(const void* manifold) const
-{
-#if defined(__GNUC__)
-	const char* bytes = static_cast<const char*>(manifold);
-	for (size_t i = 0; i < sizeof(btManifoldPoint); i += 64)
-		__builtin_prefetch(bytes + i, 1);
-	__builtin_prefetch(bytes + sizeof(btPersistentManifold) - 64, 1);
-#else
-	(void)manifold;
-#endif
 }

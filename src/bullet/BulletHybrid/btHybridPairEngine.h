@@ -7,11 +7,10 @@
 #include <optional>
 
 #include "btHybridLevelBodies.h"
+#include "btHybridManifolds.h"
 #include "btHybridObjects.h"
 #include "btHybridPartBody.h"
 #include "pairs/pair_engine.h"
-
-class btCollisionDispatcher;
 
 /// The two objects of a pair, with the shapes of the level that the pair has looked at last.
 struct btHybridPairBodies
@@ -38,7 +37,7 @@ struct btHybridPairCall
 };
 
 /// Bullet, as a pair sees it in one step: wrappers in, manifolds out.
-class btHybridPairEngine : public scatter::pairs::PairEngine
+class btHybridPairEngine : public btHybridManifolds<scatter::pairs::PairEngine>
 {
 	/// Shows a manifold result, and what is called with it, the shapes of the pair's level in the place of the finest ones,
 	/// for as long as it lives.
@@ -58,7 +57,6 @@ class btHybridPairEngine : public scatter::pairs::PairEngine
 		}
 	};
 
-	btCollisionDispatcher* m_dispatcher;
 	btHybridObjects& m_objects;
 	btHybridPairBodies& m_bodies;
 	const btHybridPairCall& m_call;
@@ -82,7 +80,7 @@ public:
 	/// switches: the pair has a level, so that the bodies' shapes are not those of the call. fallback: Bullet's own algorithm for the
 	/// pair, while there is one. All must outlive it.
 	btHybridPairEngine(btCollisionDispatcher* dispatcher, btHybridObjects& objects, btHybridPairBodies& bodies, const btHybridPairCall& call, btCollisionAlgorithm*& fallback, bool ownGjk, bool switches)
-	    : m_dispatcher(dispatcher), m_objects(objects), m_bodies(bodies), m_call(call), m_fallback(fallback), m_ownGjk(ownGjk), m_switches(switches)
+	    : btHybridManifolds(dispatcher, call.m_wraps[0], call.m_wraps[1]), m_objects(objects), m_bodies(bodies), m_call(call), m_fallback(fallback), m_ownGjk(ownGjk), m_switches(switches)
 	{
 	}
 
@@ -92,20 +90,8 @@ public:
 	virtual bool place(int level, scatter::pairs::PlacedBodies& bodies);
 	virtual const scatter::PartList& partsOf(int body, int level);
 	virtual scatter::Frame frameOf(int body) const;
-	virtual float threshold() const;
 	virtual float pointDistance() const;
 	virtual void fallBack();
-
-	virtual bool outlasts(void* contact) const;
-	virtual void* newManifold();
-	virtual void release(void* manifold);
-	virtual int countPoints(const void* manifold) const;
-	virtual bool isFull(const void* manifold) const;
-	virtual scatter::pairs::ContactPoint point(const void* manifold, int index) const;
-	virtual void write(void* manifold, int index, const scatter::pairs::ContactPoint& point);
-	virtual float distanceNow(const void* manifold, int index) const;
-	virtual void move(void* from, int index, void* to);
-	virtual void addImpulses(const void* from, int index, void* to, int indexTo);
 
 	virtual void add(scatter::ChildPair& child, const scatter::PartContact& contact);
 	virtual void detect(scatter::PartPair& parts, scatter::ChildPair& child);
@@ -113,7 +99,6 @@ public:
 	virtual bool mayBegin(const scatter::ChildPair& child) const;
 	virtual bool overlooks(const scatter::ChildPair& child) const;
 	virtual void looked(const scatter::ChildPair& child);
-	virtual void prefetch(const void* manifold) const;
 };
 
 #endif  // BT_HYBRID_PAIR_ENGINE_H

@@ -5,7 +5,7 @@
 #include <LinearMath/btPoolAllocator.h>
 
 #include "BulletHybrid/btHybridRigidBody.h"
-#include "btHybridPairAlgorithm.h"
+#include "btHybridAlgorithm.h"
 #include "btHybridPlanner.h"
 
 btHybridChildKey::btHybridChildKey(const btCollisionObject* body0, const btCollisionObject* body1, int child0, int child1)
@@ -302,10 +302,10 @@ const btBroadphasePair* btHybridParallelWorld::findPair(const btCollisionObject*
 	return m_original->getBroadphase()->getOverlappingPairCache()->findPair(proxyA, proxyB);
 }
 
-const btHybridPairAlgorithm* btHybridParallelWorld::findAlgorithm(const btCollisionObject* a, const btCollisionObject* b) const
+const btHybridAlgorithm* btHybridParallelWorld::findAlgorithm(const btCollisionObject* a, const btCollisionObject* b) const
 {
 	const btBroadphasePair* pair = findPair(a, b);
-	return pair ? dynamic_cast<const btHybridPairAlgorithm*>(pair->m_algorithm) : 0;
+	return pair ? dynamic_cast<const btHybridAlgorithm*>(pair->m_algorithm) : 0;
 }
 
 btHybridParallelWorld::Fate btHybridParallelWorld::getFate(const btCollisionObject* a, const btCollisionObject* b) const
@@ -314,7 +314,7 @@ btHybridParallelWorld::Fate btHybridParallelWorld::getFate(const btCollisionObje
 		return LEFT_ALONE;
 	if (!m_original->getDispatcher()->needsCollision(a, b))
 		return LEFT_ALONE;
-	const btHybridPairAlgorithm* algorithm = findAlgorithm(a, b);
+	const btHybridAlgorithm* algorithm = findAlgorithm(a, b);
 	if (!m_planner || !algorithm || algorithm->getPlanIndex() < 0)
 		return LOOKED_AT_FINEST;
 	if (!m_planner->isAtFinest(algorithm->getPlanIndex()))
@@ -330,7 +330,7 @@ void btHybridParallelWorld::collide(btBroadphasePair& pair, btCollisionDispatche
 	const btCollisionObject* b = StandIn::originalOf(pair.m_pProxy1);
 	if (own.m_owner.getFate(a, b) != LOOKED_AT_FINEST)
 		return;
-	const btHybridPairAlgorithm* algorithm = own.m_owner.findAlgorithm(a, b);
+	const btHybridAlgorithm* algorithm = own.m_owner.findAlgorithm(a, b);
 	if (algorithm && algorithm->hasRestarted())
 		own.m_owner.m_broadphase->getOverlappingPairCache()->cleanOverlappingPair(pair, &dispatcher);
 	btCollisionObject* object0 = static_cast<btCollisionObject*>(pair.m_pProxy0->m_clientObject);

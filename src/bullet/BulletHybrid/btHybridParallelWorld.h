@@ -5,7 +5,7 @@
 #include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
 #include <LinearMath/btHashMap.h>
 
-class btHybridPairAlgorithm;
+class btHybridAlgorithm;
 class btHybridPlanner;
 
 /// A pair of convex children of two bodies of a world, ordered as their proxies in the broadphase.
@@ -73,7 +73,7 @@ class btHybridParallelWorld
 	void remove(StandIn* standIn);
 	void cleanPairs();
 	const btBroadphasePair* findPair(const btCollisionObject* a, const btCollisionObject* b) const;
-	const btHybridPairAlgorithm* findAlgorithm(const btCollisionObject* a, const btCollisionObject* b) const;
+	const btHybridAlgorithm* findAlgorithm(const btCollisionObject* a, const btCollisionObject* b) const;
 	static void collide(btBroadphasePair& pair, btCollisionDispatcher& dispatcher, const btDispatcherInfo& info);
 
 public:

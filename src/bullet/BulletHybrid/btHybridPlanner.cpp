@@ -9,6 +9,7 @@
 #include "btHybridConversions.h"
 #include "btHybridLevelBodies.h"
 #include "lod/make_policy.h"
+#include "pairs/ground_step.h"
 
 using scatter::lod::BodyView;
 using scatter::lod::PairView;
@@ -127,16 +128,30 @@ scatter::lod::SwitchRules btHybridPlanner::getRules(int pair) const
 	return rules;
 }
 
-void btHybridPlanner::addPair(btHybridLevelBodies* object0, btHybridLevelBodies* object1)
+void btHybridPlanner::add(btHybridLevelBodies* object0, btHybridLevelBodies* object1, double numChildPairs, int* place)
 {
 	PlannedPair planned;
 	planned.view.finest = btMax(object0->getNumLevels(), object1->getNumLevels());
 	planned.target = planned.view.finest;
 	planned.identity = m_numCreated++;
-	planned.kind = kindOf(double(object0->getNumParts()) * object1->getNumParts());
+	planned.kind = kindOf(numChildPairs);
+	*place = getNumPairs();
 	m_planned.push_back(planned);
-	const Pair pair = {{object0, object1}, false, false, planned.target, m_step, m_step, 0};
+	const Pair pair = {{object0, object1}, place, 1, false, false, false, planned.target, m_step, m_step, 0};
 	m_pairs.push_back(pair);
+}
+
+void btHybridPlanner::addPair(btHybridLevelBodies* object0, btHybridLevelBodies* object1, int* place)
+{
+	add(object0, object1, double(object0->getNumParts()) * object1->getNumParts(), place);
+}
+
+void btHybridPlanner::addGround(btHybridLevelBodies* body, btHybridLevelBodies* ground, int* place)
+{
+	add(body, ground, body->getNumParts(), place);
+	m_pairs.back().m_isGround = true;
+	m_pairs.back().m_coarsest = scatter::pairs::coarsestOnGround(body->getNumLevels());
+	m_planned.back().wish.atLeast = static_cast<unsigned char>(m_pairs.back().m_coarsest);
 }
 
 void btHybridPlanner::removePair(int pair)
@@ -149,6 +164,7 @@ void btHybridPlanner::removePair(int pair)
 	m_planned[pair] = m_planned.back();
 	m_planned.pop_back();
 	m_pairs[pair] = m_pairs.back();
+	*m_pairs[pair].m_place = pair;
 	m_pairs.pop_back();
 }
 
@@ -176,6 +192,11 @@ void btHybridPlanner::advise(int pair)
 	planned.wish = Wish();
 	if (!m_policies.empty() && planned.view.a < m_bodies.size() && planned.view.b < m_bodies.size())
 		planned.wish = m_policies.advise(m_situation, planned.view);
+	if (m_pairs[pair].m_coarsest > 1)
+	{
+		planned.wish.atLeast = static_cast<unsigned char>(btMax(int(planned.wish.atLeast), m_pairs[pair].m_coarsest));
+		planned.wish.atMost = btMax(planned.wish.atMost, planned.wish.atLeast);
+	}
 	const btCollisionObject* objects[2] = {m_pairs[pair].m_objects[0]->getObject(), m_pairs[pair].m_objects[1]->getObject()};
 	// A sensor that is told of what is not there would not be of use.
 	if (!objects[0]->hasContactResponse() || !objects[1]->hasContactResponse())

@@ -24,6 +24,9 @@ class btHybridPlanner
 	struct Pair
 	{
 		btHybridLevelBodies* m_objects[2];
+		int* m_place;         ///< where its owner keeps its index
+		int m_coarsest;       ///< level that it can have
+		bool m_isGround;      ///< the second object has no levels, and is no list of parts
 		bool m_requested;     ///< a change of level was asked for and has not happened
 		bool m_acknowledged;  ///< and was tried
 		unsigned char m_targetBefore;
@@ -63,6 +66,7 @@ class btHybridPlanner
 	std::string m_mistake;
 	btAlignedObjectArray<const btCollisionObject*> m_held;  ///< by the user
 
+	void add(btHybridLevelBodies* object0, btHybridLevelBodies* object1, double numChildPairs, int* place);
 	void showBodies(const btCollisionObjectArray& objects);
 	void showPairs();
 	void advise(int pair);
@@ -108,8 +112,10 @@ public:
 	{
 		m_listener = listener;
 	}
-	/// At the end of the table; one that is removed gives its place to the last one.
-	void addPair(btHybridLevelBodies* object0, btHybridLevelBodies* object1);
+	/// place: where its owner keeps its index, as long as the pair is there.
+	void addPair(btHybridLevelBodies* object0, btHybridLevelBodies* object1, int* place);
+	/// A pair of a body with levels and what it may lie on.
+	void addGround(btHybridLevelBodies* body, btHybridLevelBodies* ground, int* place);
 	void removePair(int pair);
 	int getNumPairs() const
 	{

@@ -8,20 +8,32 @@
 #include <new>
 
 #include "BulletHybrid/btHybridRigidBody.h"
+#include "btHybridGroundAlgorithm.h"
 #include "btHybridNarrowphase.h"
 #include "btHybridPairAlgorithm.h"
 
+template <class Algorithm, class... More>
+static btCollisionAlgorithm* create(btCollisionAlgorithmConstructionInfo& info, More... more)
+{
+	void* memory = info.m_dispatcher1->allocateCollisionAlgorithm(sizeof(Algorithm));
+	return new (memory) Algorithm(info, more...);
+}
+
 btCollisionAlgorithm* btHybridRegistration::CreateFunc::CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap)
 {
-	if (!m_registration->takes(info, body0Wrap, body1Wrap))
+	if (!m_registration->mayTake(info, body0Wrap, body1Wrap))
 		return m_default->CreateCollisionAlgorithm(info, body0Wrap, body1Wrap);
-	void* memory = info.m_dispatcher1->allocateCollisionAlgorithm(sizeof(btHybridPairAlgorithm));
-	return new (memory) btHybridPairAlgorithm(info, m_registration->m_narrowphase, body0Wrap, body1Wrap);
+	const int side = m_registration->findSideOnGround(body0Wrap, body1Wrap);
+	if (side >= 0)
+		return create<btHybridGroundAlgorithm>(info, m_registration->m_narrowphase, body0Wrap, body1Wrap, side);
+	if (m_registration->hasPartLists(body0Wrap) && m_registration->hasPartLists(body1Wrap))
+		return create<btHybridPairAlgorithm>(info, m_registration->m_narrowphase, body0Wrap, body1Wrap);
+	return m_default->CreateCollisionAlgorithm(info, body0Wrap, body1Wrap);
 }
 
 static bool isTaken(int shapeType)
 {
-	return btBroadphaseProxy::isConvex(shapeType) || btBroadphaseProxy::isCompound(shapeType);
+	return btBroadphaseProxy::isConvex(shapeType) || btBroadphaseProxy::isCompound(shapeType) || btHybridGround::maybe(shapeType);
 }
 
 // Those that are in charge of a dispatcher: it does not tell who has registered with it, and worlds may be made in several
@@ -111,12 +123,32 @@ bool btHybridRegistration::isForeign(const btCollisionObjectWrapper* wrap) const
 	return hybrid && hybrid->getWorld() != m_world;
 }
 
-bool btHybridRegistration::takes(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap) const
+bool btHybridRegistration::mayTake(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap) const
 {
 	if (!m_narrowphase->getInfo().m_pairAlgorithm || info.m_manifold)
 		return false;
 	const bool isPlain = !btHybridRigidBody::upcast(body0Wrap->getCollisionObject()) && !btHybridRigidBody::upcast(body1Wrap->getCollisionObject());
 	if (isPlain && !m_narrowphase->getInfo().m_plainBodies)
 		return false;
-	return !isForeign(body0Wrap) && !isForeign(body1Wrap) && hasPartLists(body0Wrap) && hasPartLists(body1Wrap);
+	return !isForeign(body0Wrap) && !isForeign(body1Wrap);
+}
+
+// Which of the two is a list of parts, if the other one is a ground for it; -1 if there is none. What has levels of its own is none.
+int btHybridRegistration::findSideOnGround(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap) const
+{
+	const btCollisionObjectWrapper* wraps[2] = {body0Wrap, body1Wrap};
+	for (int side = 0; side < 2; side++)
+	{
+		const btCollisionObjectWrapper* body = wraps[side];
+		const btCollisionObjectWrapper* ground = wraps[1 - side];
+		const bool isWhole = ground->getCollisionShape() == ground->getCollisionObject()->getCollisionShape();
+		if (!body->getCollisionShape()->isCompound() || !isWhole || btHybridRigidBody::upcast(ground->getCollisionObject()))
+			continue;
+		btVector3 center;
+		btScalar radius;
+		body->getCollisionShape()->getBoundingSphere(center, radius);
+		if (btHybridGround::kindOf(ground->getCollisionShape(), radius) != BT_HYBRID_NO_GROUND && hasPartLists(body))
+			return side;
+	}
+	return -1;
 }

@@ -38,7 +38,8 @@ class btHybridRegistration
 	void giveUpCharge();
 	bool isForeign(const btCollisionObjectWrapper* wrap) const;
 	bool hasPartLists(const btCollisionObjectWrapper* wrap) const;
-	bool takes(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap) const;
+	bool mayTake(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap) const;
+	int findSideOnGround(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap) const;
 
 public:
 	/// For pairs with a hybrid of `world`, and as the narrowphase's settings say; 0: of no world. Uses the narrowphase as long as it lives.

@@ -1,7 +1,7 @@
 #include "BulletHybrid/btHybridDynamicsWorld.h"
 #include "BulletHybrid/btHybridObservation.h"
+#include "btHybridAlgorithm.h"
 #include "btHybridNarrowphase.h"
-#include "btHybridPairAlgorithm.h"
 #include "btHybridPlanner.h"
 #include "btHybridRequests.h"
 
@@ -9,16 +9,16 @@
 
 using scatter::lod::PlannedPair;
 
-static const btHybridPairAlgorithm* ownAlgorithm(const btCollisionAlgorithm* algorithm)
+static const btHybridAlgorithm* ownAlgorithm(const btCollisionAlgorithm* algorithm)
 {
-	return dynamic_cast<const btHybridPairAlgorithm*>(algorithm);
+	return dynamic_cast<const btHybridAlgorithm*>(algorithm);
 }
 
 void btHybridGetManifolds(const btBroadphasePair& pair, btAlignedObjectArray<btHybridManifoldView>& manifolds)
 {
 	if (!pair.m_algorithm)
 		return;
-	if (const btHybridPairAlgorithm* own = ownAlgorithm(pair.m_algorithm))
+	if (const btHybridAlgorithm* own = ownAlgorithm(pair.m_algorithm))
 	{
 		own->getManifolds(manifolds);
 		return;
@@ -35,7 +35,7 @@ void btHybridGetManifolds(const btBroadphasePair& pair, btAlignedObjectArray<btH
 btHybridPairView btHybridDynamicsWorld::viewPair(const btBroadphasePair& pair) const
 {
 	btHybridPairView view;
-	const btHybridPairAlgorithm* own = m_planner ? ownAlgorithm(pair.m_algorithm) : 0;
+	const btHybridAlgorithm* own = m_planner ? ownAlgorithm(pair.m_algorithm) : 0;
 	if (own && own->getPlanIndex() >= 0)
 		view = m_planner->viewPair(own->getPlanIndex());
 	if (view.m_level > 0)
@@ -103,6 +103,6 @@ void btHybridPlanner::viewObstacle(const btCollisionObject* body, btHybridReques
 void btHybridPlanner::findCredited(btAlignedObjectArray<btHybridLevelBodies*>& objects) const
 {
 	for (size_t i = 0; i < m_pairs.size(); i++)
-		for (int k = 0; k < 2 && m_planned[i].view.credited; k++)
+		for (int k = 0; k < 2 && m_planned[i].view.credited && !m_pairs[i].m_isGround; k++)
 			objects.push_back(m_pairs[i].m_objects[k]);
 }

@@ -73,8 +73,9 @@ class ScriptedWorld : public BulletTestWorld<btHybridDynamicsWorld> {
       const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
       for (int k = 0; k < manifold.getNumContacts(); ++k) {
         const btManifoldPoint& point = manifold.getContactPoint(k);
-        ChildPair key{numberOf(manifold.getBody0()), numberOf(manifold.getBody1()), point.m_index0,
-                      point.m_index1};
+        ChildPair key{numberOf(manifold.getBody0()), numberOf(manifold.getBody1()),
+                      childOf(manifold.getBody0(), point.m_index0),
+                      childOf(manifold.getBody1(), point.m_index1)};
         const bool swap = key[0] > key[1];
         if (swap) key = {key[1], key[0], key[3], key[2]};
         const ChildContact contact{point.getDistance(), manifold.getContactBreakingThreshold(),
@@ -100,6 +101,11 @@ class ScriptedWorld : public BulletTestWorld<btHybridDynamicsWorld> {
   }
 
  private:
+  // The triangle that a point is on is not a child: Bullet has one manifold for all of a mesh.
+  static int childOf(const btCollisionObject* object, int index) {
+    return object->getCollisionShape()->isCompound() ? index : -1;
+  }
+
   float reach(int body, int child, const btVector3& direction) const {
     const btRigidBody& object = *bodies[static_cast<std::size_t>(body)];
     const btCollisionShape* shape = object.getCollisionShape();

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <BulletHybrid/btHybridLevelSet.h>
+
+#include <BulletCollision/CollisionShapes/btCompoundShape.h>
+#include <memory>
+#include <vector>
+
+#include "random.h"
+
+namespace scatter::bench {
+
+enum class BodyKind { kShip, kWheel };
+
+/// A body of many hulls, and the same as a set of three nested levels.
+class Model {
+ public:
+  Model(BodyKind kind, Random& random);
+
+  [[nodiscard]] btCompoundShape* finest() { return levels_[2].get(); }
+  [[nodiscard]] const btHybridLevelSet& levels() const { return set_; }
+  [[nodiscard]] float radius() const { return radius_; }
+
+ private:
+  void addHull(std::vector<btVector3> points);
+  void addShip(Random& random);
+  void addWheel(Random& random);
+  void addCoarser(int level, std::size_t group);
+
+  std::vector<std::vector<btVector3>> hulls_;
+  std::vector<std::unique_ptr<btCollisionShape>> shapes_;
+  std::unique_ptr<btCompoundShape> levels_[3];
+  btHybridLevelSet set_;
+  float radius_ = 0;
+};
+
+}  // namespace scatter::bench

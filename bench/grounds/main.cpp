@@ -1,0 +1,108 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <string>
+
+#include "worlds.h"
+
+// What bodies of many hulls cost on everything that they may lie on: plain Bullet against the pair algorithm
+// in worlds of every kind.
+
+namespace scatter::bench {
+namespace {
+
+struct Arguments {
+  int repeat = 5;
+  int steps = 600;
+  std::uint64_t seed = 1;
+  std::string only;
+};
+
+struct Scene {
+  const char* name;
+  Trial trial;
+};
+
+struct World {
+  WorldKind kind;
+  const char* name;
+  std::size_t base;  ///< The world of its kind in which Bullet is alone.
+};
+
+constexpr World kWorlds[] = {{WorldKind::kPlain, "plain", 0},
+                             {WorldKind::kInstalled, "installed", 0},
+                             {WorldKind::kHybrid, "hybrid", 0},
+                             {WorldKind::kMultiBody, "multi", 3},
+                             {WorldKind::kMultiBodyInstalled, "multi+in.", 3}};
+
+std::vector<Scene> scenesOf(const Arguments& arguments) {
+  using enum GroundKind;
+  std::vector<Scene> scenes{{"ships-mesh", {BodyKind::kShip, 300, kMesh, 4.0F}},
+                            {"ships-field", {BodyKind::kShip, 300, kHeightField, 4.0F}},
+                            {"ships-box", {BodyKind::kShip, 300, kBox}},
+                            {"wheels-mesh", {BodyKind::kWheel, 80, kMesh, 0.0F}},
+                            {"wheels-hills", {BodyKind::kWheel, 80, kMesh, 3.0F}},
+                            {"wheels-plane", {BodyKind::kWheel, 80, kPlane}},
+                            {"wheels-box", {BodyKind::kWheel, 80, kBox}},
+                            {"wheels-hull", {BodyKind::kWheel, 80, kHull}}};
+  for (Scene& scene : scenes) {
+    scene.trial.steps = arguments.steps;
+    scene.trial.seed = arguments.seed;
+  }
+  return scenes;
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+// Ratios to Bullet alone in the same repeat; the medians of them, and how far the totals spread.
+void print(const char* scene, const std::vector<std::vector<Cost>>& costs, std::size_t world) {
+  const auto ratio = [&](auto&& value) {
+    std::vector<double> ratios;
+    for (const auto& repeat : costs)
+      ratios.push_back(value(repeat[world]) / value(repeat[kWorlds[world].base]));
+    return ratios;
+  };
+  std::vector<double> totals = ratio([](const Cost& cost) { return cost.total; });
+  std::sort(totals.begin(), totals.end());
+  const double p99 = median(ratio([](const Cost& cost) { return cost.p99; }));
+  const double detection = median(ratio([](const Cost& cost) { return cost.detection; }));
+  const double each = median(ratio([](const Cost& cost) { return cost.total / cost.bodySteps; }));
+  const Cost& last = costs.back()[world];
+  std::printf("%-12s %-9s %8.0f %6.3f %6.3f-%5.3f %6.3f %6.3f %6.3f %7.0f %6.1f %5d\n", scene,
+              kWorlds[world].name, last.total, totals[totals.size() / 2], totals.front(), totals.back(), p99,
+              detection, each, last.contacts, 1e3 * static_cast<double>(last.deepest), last.sunk);
+  std::fflush(stdout);
+}
+
+void runAll(const Arguments& arguments) {
+  std::printf("%-12s %-9s %8s %6s %12s %6s %6s %6s %7s %6s %5s\n", "scene", "world", "total ms", "total",
+              "from-to", "p99", "detect", "awake", "points", "mm", "sunk");
+  for (const Scene& scene : scenesOf(arguments)) {
+    if (!arguments.only.empty() && std::string(scene.name).find(arguments.only) == std::string::npos)
+      continue;
+    std::vector<std::vector<Cost>> costs;
+    for (int i = 0; i < arguments.repeat; ++i) {
+      costs.emplace_back();
+      for (const World& world : kWorlds) costs.back().push_back(bench::run(scene.trial, world.kind));
+    }
+    for (std::size_t world = 0; world < std::size(kWorlds); ++world) print(scene.name, costs, world);
+  }
+}
+
+}  // namespace
+}  // namespace scatter::bench
+
+int main(int argc, char** argv) {
+  scatter::bench::Arguments arguments;
+  CLI::App app("What bodies of many hulls cost on grounds of every kind, as ratios to plain Bullet");
+  app.add_option("--repeat", arguments.repeat, "Runs of each world, interleaved")->check(CLI::Range(1, 100));
+  app.add_option("--steps", arguments.steps, "Steps of each run")->check(CLI::Range(1, 100000));
+  app.add_option("--seed", arguments.seed, "Of bodies and ground");
+  app.add_option("--only", arguments.only, "Part of a scene's name");
+  CLI11_PARSE(app, argc, argv);
+  scatter::bench::runAll(arguments);
+  return 0;
+}

@@ -1,0 +1,161 @@
+#include "worlds.h"
+
+#include <BulletHybrid/btHybridDynamicsWorld.h>
+#include <BulletHybrid/btHybridInstallation.h>
+#include <btBulletDynamicsCommon.h>
+#include <time.h>
+
+#include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
+#include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
+#include <algorithm>
+
+namespace scatter::bench {
+
+namespace {
+
+double processorMs() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
+}
+
+/// A world that knows how long its detection of collisions takes.
+template <class World>
+class Timed : public World {
+ public:
+  using World::World;
+  void performDiscreteCollisionDetection() override {
+    const double begin = processorMs();
+    World::performDiscreteCollisionDetection();
+    detection += processorMs() - begin;
+  }
+  double detection = 0.0;
+};
+
+template <class World, class Solver>
+class Stage {
+ public:
+  template <class... More>
+  explicit Stage(const Trial& trial, WorldKind kind, More... more)
+      : trial_(trial),
+        random_(trial.seed),
+        ground_(trial.ground, trial.relief, random_),
+        dispatcher_(&configuration_),
+        world_(&dispatcher_, &broadphase_, &solver_, &configuration_, more...) {
+    if (kind == WorldKind::kInstalled || kind == WorldKind::kMultiBodyInstalled) {
+      installation_ = std::make_unique<btHybridInstallation>(&dispatcher_);
+    }
+    world_.setGravity(btVector3(0, btScalar(-9.81), 0));
+    addGround();
+    for (int i = 0; i < 4; ++i) models_.push_back(std::make_unique<Model>(trial.body, random_));
+    for (int i = 0; i < trial.bodies; ++i) addBody(i, kind == WorldKind::kHybrid);
+  }
+
+  ~Stage() {
+    for (auto& body : bodies_) world_.removeRigidBody(body.get());
+  }
+
+  Cost run() {
+    Cost cost;
+    std::vector<double> steps;
+    for (int i = 0; i < trial_.steps; ++i) {
+      const double begin = processorMs();
+      world_.stepSimulation(btScalar(1) / 60, 0);
+      steps.push_back(processorMs() - begin);
+      cost.total += steps.back();
+      for (const auto& body : bodies_) cost.bodySteps += body->isActive() && !body->isStaticObject() ? 1 : 0;
+      for (int k = 0; k < dispatcher_.getNumManifolds(); ++k) {
+        cost.contacts += dispatcher_.getManifoldByIndexInternal(k)->getNumContacts();
+      }
+    }
+    std::sort(steps.begin(), steps.end());
+    cost.p99 = steps[steps.size() * 99 / 100];
+    cost.detection = world_.detection;
+    cost.contacts /= trial_.steps;
+    look(cost);
+    return cost;
+  }
+
+ private:
+  void addGround() {
+    auto body = std::make_unique<btRigidBody>(btScalar(0), nullptr, ground_.shape());
+    btTransform pose(btQuaternion::getIdentity(), ground_.position());
+    body->setWorldTransform(pose);
+    world_.addRigidBody(body.get());
+    bodies_.push_back(std::move(body));
+  }
+
+  // Layers of a grid, so high that none touches another one or the ground.
+  void addBody(int number, bool isHybrid) {
+    Model& model = *models_[static_cast<std::size_t>(number) % models_.size()];
+    const int side = std::max(1, static_cast<int>(std::sqrt(static_cast<float>(trial_.bodies) / 2)));
+    const float spacing = 2.4F * model.radius();
+    const int layer = number / (side * side);
+    const int x = number % side;
+    const int z = number / side % side;
+    const btVector3 place(spacing * (static_cast<float>(x) - static_cast<float>(side) / 2),
+                          ground_.highest() + model.radius() + 0.5F + spacing * static_cast<float>(layer),
+                          spacing * (static_cast<float>(z) - static_cast<float>(side) / 2));
+    const float mass = 10.0F;
+    btVector3 inertia;
+    model.finest()->calculateLocalInertia(mass, inertia);
+    btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, model.finest(), inertia);
+    const bool isFlat = trial_.body == BodyKind::kWheel && number % 2 == 0;
+    info.m_startWorldTransform.setOrigin(place + random_.inCube(0.1F));
+    info.m_startWorldTransform.setRotation(isFlat ? btQuaternion::getIdentity() : random_.rotation());
+    bodies_.push_back(isHybrid ? std::make_unique<btHybridRigidBody>(info, &model.levels())
+                               : std::make_unique<btRigidBody>(info));
+    world_.addRigidBody(bodies_.back().get());
+  }
+
+  void look(Cost& cost) {
+    for (int k = 0; k < dispatcher_.getNumManifolds(); ++k) {
+      const btPersistentManifold* manifold = dispatcher_.getManifoldByIndexInternal(k);
+      for (int i = 0; i < manifold->getNumContacts(); ++i) {
+        cost.deepest = std::max(cost.deepest, -manifold->getContactPoint(i).getDistance());
+      }
+    }
+    for (std::size_t i = 1; i < bodies_.size(); ++i) {
+      const btVector3 middle = bodies_[i]->getWorldTransform().getOrigin();
+      const btVector3 above(middle.x(), 100, middle.z());
+      const btVector3 below(middle.x(), -100, middle.z());
+      btCollisionWorld::ClosestRayResultCallback hit(above, below);
+      btTransform from(btQuaternion::getIdentity(), above);
+      btTransform to(btQuaternion::getIdentity(), below);
+      btCollisionWorld::rayTestSingle(from, to, bodies_[0].get(), ground_.shape(),
+                                      bodies_[0]->getWorldTransform(), hit);
+      const bool isOver = hit.hasHit() && hit.m_hitPointWorld.y() < middle.y();
+      const bool isBeside =
+          std::abs(middle.x()) > Ground::kWidth / 2 || std::abs(middle.z()) > Ground::kWidth / 2;
+      cost.sunk += !isOver && !isBeside ? 1 : 0;
+    }
+  }
+
+  Trial trial_;
+  Random random_;
+  Ground ground_;
+  std::vector<std::unique_ptr<Model>> models_;
+  btDefaultCollisionConfiguration configuration_;
+  btCollisionDispatcher dispatcher_;
+  btDbvtBroadphase broadphase_;
+  Solver solver_;
+  std::unique_ptr<btHybridInstallation> installation_;
+  Timed<World> world_;
+  std::vector<std::unique_ptr<btRigidBody>> bodies_;
+};
+
+}  // namespace
+
+Cost run(const Trial& trial, WorldKind kind) {
+  if (kind == WorldKind::kHybrid) {
+    return Stage<btHybridDynamicsWorld, btSequentialImpulseConstraintSolver>(trial, kind,
+                                                                             BT_HYBRID_PAIR_SWITCHING)
+        .run();
+  }
+  if (kind == WorldKind::kMultiBody || kind == WorldKind::kMultiBodyInstalled) {
+    return Stage<btMultiBodyDynamicsWorld, btMultiBodyConstraintSolver>(trial, kind).run();
+  }
+  return Stage<btDiscreteDynamicsWorld, btSequentialImpulseConstraintSolver>(trial, kind).run();
+}
+
+}  // namespace scatter::bench

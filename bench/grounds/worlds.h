@@ -1,0 +1,42 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bodies.h"
+#include "grounds.h"
+
+namespace scatter::bench {
+
+enum class WorldKind {
+  kPlain,      ///< btDiscreteDynamicsWorld, plain bodies.
+  kInstalled,  ///< The same with a btHybridInstallation.
+  kHybrid,     ///< btHybridDynamicsWorld, hybrid bodies at their finest level.
+  kMultiBody,  ///< btMultiBodyDynamicsWorld, plain bodies.
+  kMultiBodyInstalled,
+};
+
+struct Trial {
+  BodyKind body = BodyKind::kShip;
+  int bodies = 0;
+  GroundKind ground = GroundKind::kMesh;
+  float relief = 0.0F;
+  int steps = 0;
+  std::uint64_t seed = 1;
+};
+
+/// What a trial took: processor time of one thread, milliseconds.
+struct Cost {
+  double total = 0.0;
+  double p99 = 0.0;  ///< Of a step.
+  double detection = 0.0;
+  double bodySteps = 0.0;  ///< Of bodies that were awake.
+  double contacts = 0.0;   ///< The mean of a step.
+  int sunk = 0;            ///< Bodies whose middle is under the ground at the end.
+  float deepest = 0.0F;    ///< Contact at the end, metres.
+};
+
+[[nodiscard]] Cost run(const Trial& trial, WorldKind kind);
+
+}  // namespace scatter::bench

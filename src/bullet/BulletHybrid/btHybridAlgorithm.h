@@ -1,0 +1,36 @@
+#ifndef BT_HYBRID_ALGORITHM_H
+#define BT_HYBRID_ALGORITHM_H
+
+#include <BulletCollision/BroadphaseCollision/btCollisionAlgorithm.h>
+
+#include "BulletHybrid/btHybridObservation.h"
+
+/// The narrowphase of a pair of objects of which at least one is a list of convex parts, owned by their broadphase pair.
+class btHybridAlgorithm : public btCollisionAlgorithm
+{
+public:
+	explicit btHybridAlgorithm(const btCollisionAlgorithmConstructionInfo& info)
+	    : btCollisionAlgorithm(info)
+	{
+	}
+
+	/// In the planner; -1 if the pair does not switch.
+	virtual int getPlanIndex() const = 0;
+
+	/// Whether it kept its contacts in the last step instead of looking for them, or was given those that were held.
+	virtual bool hasReused() const = 0;
+
+	/// Whether it began anew when it was last at work, because it was new, its level was, or a shape had changed.
+	virtual bool hasRestarted() const = 0;
+
+	/// All manifolds, with the credit of each.
+	virtual void getManifolds(btAlignedObjectArray<btHybridManifoldView>& manifolds) const = 0;
+
+	/// Not used by dynamics worlds, which sweep bodies themselves.
+	virtual btScalar calculateTimeOfImpact(btCollisionObject*, btCollisionObject*, const btDispatcherInfo&, btManifoldResult*)
+	{
+		return 1;
+	}
+};
+
+#endif  // BT_HYBRID_ALGORITHM_H

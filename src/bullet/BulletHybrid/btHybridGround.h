@@ -1,0 +1,83 @@
+#ifndef BT_HYBRID_GROUND_H
+#define BT_HYBRID_GROUND_H
+
+#include <BulletCollision/CollisionShapes/btCollisionShape.h>
+#include <LinearMath/btTransform.h>
+
+#include <vector>
+
+#include "pairs/ground_pieces.h"
+
+enum btHybridGroundKind
+{
+	BT_HYBRID_NO_GROUND,
+	BT_HYBRID_HALF_SPACE,
+	BT_HYBRID_TRIANGLES,  ///< a mesh, a scaled mesh, a height field
+	BT_HYBRID_LARGE_BOX,
+	BT_HYBRID_LARGE_HULL
+};
+
+/// A shape that a body of parts may lie on: knows its convex pieces near the body. A large convex shape is one piece, clipped to the
+/// body's neighbourhood: GJK on what is a hundred times as large loses its digits and runs on and on.
+class btHybridGround
+{
+	/// A side of a hull.
+	struct Face
+	{
+		std::vector<btVector3> m_corners;
+		btVector3 m_normal;  ///< outwards
+		btScalar m_offset;
+	};
+
+	const btCollisionShape* m_shape;
+	btHybridGroundKind m_kind;
+	btVector3 m_scaling;
+	btVector3 m_min;
+	btVector3 m_max;
+	btScalar m_margin;
+	int m_version;
+	std::vector<Face> m_faces;  ///< of the hull's core, once they were asked for
+
+	btHybridGround(const btHybridGround&);
+	btHybridGround& operator=(const btHybridGround&);
+
+	bool isCurrent(const btCollisionShape* shape, btHybridGroundKind kind) const;
+	void findFaces();
+	bool isInside(const btVector3& point) const;
+	void collectBox(const btVector3& low, const btVector3& high, scatter::pairs::GroundPieces& pieces) const;
+	void collectHull(const btVector3& low, const btVector3& high, scatter::pairs::GroundPieces& pieces);
+	bool collectTriangles(const btVector3& low, const btVector3& high, scatter::pairs::GroundPieces& pieces) const;
+
+public:
+	btHybridGround()
+	    : m_shape(0), m_kind(BT_HYBRID_NO_GROUND), m_scaling(0, 0, 0), m_min(0, 0, 0), m_max(0, 0, 0), m_margin(0), m_version(0)
+	{
+	}
+
+	/// What a shape is to a body whose parts lie in a ball of this radius, metres.
+	static btHybridGroundKind kindOf(const btCollisionShape* shape, btScalar radius);
+
+	/// The same, whatever the size of the body: a large shape may be one.
+	static bool maybe(int shapeType);
+
+	/// Takes in what shape the ground has now. Changes in place show by its scaling, margin and bounds.
+	void follow(const btCollisionShape* shape, btScalar radius);
+
+	btHybridGroundKind getKind() const
+	{
+		return m_kind;
+	}
+	int getVersion() const
+	{
+		return m_version;
+	}
+	btScalar getMargin() const
+	{
+		return m_margin;
+	}
+
+	/// See scatter::pairs::GroundEngine. Not of a half-space.
+	bool collect(const btVector3& low, const btVector3& high, scatter::pairs::GroundPieces& pieces);
+};
+
+#endif  // BT_HYBRID_GROUND_H

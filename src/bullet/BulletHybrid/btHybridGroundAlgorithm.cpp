@@ -1,0 +1,123 @@
+#include "btHybridGroundAlgorithm.h"
+
+#include <BulletCollision/CollisionDispatch/btCompoundCompoundCollisionAlgorithm.h>
+
+#include "btHybridNarrowphase.h"
+#include "btHybridPlanner.h"
+#include "pairs/ground_step.h"
+
+static_assert(sizeof(btHybridGroundAlgorithm) <= sizeof(btCompoundCompoundCollisionAlgorithm), "does not fit into Bullet's pool of algorithms");
+
+using scatter::pairs::GroundContact;
+using scatter::pairs::GroundPair;
+
+btHybridGroundAlgorithm::btHybridGroundAlgorithm(const btCollisionAlgorithmConstructionInfo& info, btHybridNarrowphase* narrowphase, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, int side)
+    : btHybridAlgorithm(info), m_narrowphase(narrowphase), m_bodies(0), m_ground(0), m_fallback(0), m_index(-1), m_planIndex(-1)
+{
+	const btCollisionObjectWrapper* wraps[2] = {body0Wrap, body1Wrap};
+	btHybridObjects& objects = m_narrowphase->getObjects();
+	btHybridPlanner* planner = m_narrowphase->getPlanner();
+	btHybridLevelBodies* body = objects.acquire(wraps[side]->getCollisionObject(), planner);
+	const bool switches = planner && body->getNumLevels() > 0;
+	m_bodies = new btHybridGroundBodies(body, side, switches);
+	m_bodies->take(body->getNumLevels(), objects);
+	m_narrowphase->addUser();
+	m_narrowphase->getGrounds().add(&m_index);
+	if (!switches)
+		return;
+	m_ground = objects.acquire(wraps[1 - side]->getCollisionObject(), false);
+	planner->addGround(body, m_ground, &m_planIndex);
+}
+
+// What is freed here was got from the dispatcher, whichever call was under way.
+btHybridGroundAlgorithm::~btHybridGroundAlgorithm()
+{
+	for (const GroundContact& contact : getPair().contacts)
+		m_dispatcher->releaseManifold(btHybridContacts::at(contact.manifold));
+	if (m_fallback)
+	{
+		m_fallback->~btCollisionAlgorithm();
+		m_dispatcher->freeCollisionAlgorithm(m_fallback);
+	}
+	m_narrowphase->getGrounds().remove(m_index);
+	if (m_ground)
+	{
+		m_narrowphase->getPlanner()->removePair(m_planIndex);
+		m_narrowphase->getObjects().release(m_ground);
+	}
+	m_narrowphase->getObjects().release(m_bodies->m_object);
+	delete m_bodies;
+	m_narrowphase->removeUser();
+}
+
+GroundPair& btHybridGroundAlgorithm::getPair() const
+{
+	return m_narrowphase->getGrounds()[m_index];
+}
+
+bool btHybridGroundAlgorithm::hasRestarted() const
+{
+	return getPair().restarted;
+}
+
+// Most bodies over a ground do not touch it: they are left without a look at anything but where they are.
+bool btHybridGroundAlgorithm::staysQuiet(btHybridGroundEngine& engine) const
+{
+	const GroundPair& pair = getPair();
+	scatter::pairs::PlacedBody body;
+	if (!(pair.quietUntil >= 0) || (m_planIndex >= 0 && !m_narrowphase->getPlanner()->isSettled(m_planIndex)))
+		return false;
+	return engine.follow(body) && scatter::pairs::staysQuiet(pair, body, engine.groundFrame(), engine.groundVersion());
+}
+
+void btHybridGroundAlgorithm::processCollision(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut)
+{
+	btHybridNarrowphase& shared = *m_narrowphase;
+	btHybridPlanner* planner = m_planIndex >= 0 ? shared.getPlanner() : 0;
+	const bool isFirst = m_bodies->m_side == 0;
+	const btHybridGroundCall call = {isFirst ? body0Wrap : body1Wrap, isFirst ? body1Wrap : body0Wrap, dispatchInfo, resultOut};
+	btHybridGroundEngine engine(static_cast<btCollisionDispatcher*>(m_dispatcher), shared.getObjects(), *m_bodies, call, m_fallback);
+	if (staysQuiet(engine))
+	{
+		if (planner)
+			planner->countQuiet(m_planIndex);
+		shared.getWork().pairs++;
+		shared.getWork().pairsSkipped++;
+		return;
+	}
+	if (!planner)
+	{
+		scatter::pairs::collideGround(getPair(), m_bodies->m_level, shared.getSteps(), engine, shared.beginPair(), shared.getWork());
+		shared.endPair();
+		return;
+	}
+	const scatter::pairs::PairPlan plan = planner->planPair(m_planIndex);
+	const scatter::pairs::PairOutcome outcome = scatter::pairs::stepGround(getPair(), plan, shared.getSteps(), engine, shared.beginPair(), shared.getWork());
+	shared.endPair();
+	planner->take(m_planIndex, outcome);
+}
+
+void btHybridGroundAlgorithm::getAllContactManifolds(btManifoldArray& manifoldArray)
+{
+	if (m_fallback)
+		m_fallback->getAllContactManifolds(manifoldArray);
+	for (const GroundContact& contact : getPair().contacts)
+		manifoldArray.push_back(btHybridContacts::at(contact.manifold));
+}
+
+void btHybridGroundAlgorithm::getManifolds(btAlignedObjectArray<btHybridManifoldView>& manifolds) const
+{
+	btManifoldArray others;
+	if (m_fallback)
+		m_fallback->getAllContactManifolds(others);
+	for (int i = 0; i < others.size(); i++)
+	{
+		const btHybridManifoldView view = {others[i], 0, false};
+		manifolds.push_back(view);
+	}
+	for (const GroundContact& contact : getPair().contacts)
+	{
+		const btHybridManifoldView view = {btHybridContacts::at(contact.manifold), contact.credit, false};
+		manifolds.push_back(view);
+	}
+}

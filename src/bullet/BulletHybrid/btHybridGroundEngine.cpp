@@ -1,0 +1,244 @@
+#include "btHybridGroundEngine.h"
+
+#include <BulletCollision/CollisionDispatch/btCollisionConfiguration.h>
+#include <BulletCollision/CollisionDispatch/btManifoldResult.h>
+#include <BulletCollision/CollisionShapes/btStaticPlaneShape.h>
+#include <BulletCollision/CollisionShapes/btTriangleShape.h>
+#include <LinearMath/btAabbUtil2.h>
+
+#include "btHybridDetectors.h"
+
+using scatter::ChildPair;
+using scatter::pairs::GroundPieces;
+
+namespace
+{
+/// Tells a manifold result which part of the body and which piece of the ground are at work, as Bullet's algorithms do, for as long
+/// as it lives.
+class PieceScope
+{
+	btManifoldResult* m_result;
+	const btCollisionObjectWrapper* m_before[2];
+
+public:
+	PieceScope(btManifoldResult* result, int side, const btCollisionObjectWrapper& part, const btCollisionObjectWrapper& piece, btPersistentManifold* manifold)
+	    : m_result(result), m_before{result->getBody0Wrap(), result->getBody1Wrap()}
+	{
+		const btCollisionObjectWrapper* wraps[2] = {side == 0 ? &part : &piece, side == 0 ? &piece : &part};
+		m_result->setBody0Wrap(wraps[0]);
+		m_result->setBody1Wrap(wraps[1]);
+		m_result->setShapeIdentifiersA(wraps[0]->m_partId, wraps[0]->m_index);
+		m_result->setShapeIdentifiersB(wraps[1]->m_partId, wraps[1]->m_index);
+		m_result->setPersistentManifold(manifold);
+	}
+	~PieceScope()
+	{
+		m_result->setPersistentManifold(0);
+		m_result->setBody0Wrap(m_before[0]);
+		m_result->setBody1Wrap(m_before[1]);
+	}
+};
+
+/// A piece of a ground as Bullet's algorithms see it: a triangle, or the whole shape.
+class PieceWrap
+{
+	btTriangleShape m_triangle;
+	btCollisionObjectWrapper m_wrap;
+
+public:
+	PieceWrap(const btCollisionObjectWrapper* ground, const GroundPieces& pieces, const ChildPair& child)
+	    : m_wrap(0, ground->getCollisionShape(), ground->getCollisionObject(), ground->getWorldTransform(), -1, -1)
+	{
+		if (pieces.kind != scatter::PartKind::kTriangle || pieces.pieces.empty())
+			return;
+		const GroundPieces::Piece& piece = pieces.pieces[child.a];
+		const auto points = pieces.pointsOf(piece);
+		for (int i = 0; i < 3; i++)
+			m_triangle.m_vertices1[i] = btVector3(points[size_t(i)].x, points[size_t(i)].y, points[size_t(i)].z);
+		m_triangle.setMargin(pieces.margin);
+		m_wrap.m_shape = &m_triangle;
+		m_wrap.m_partId = piece.part;
+		m_wrap.m_index = piece.index;
+	}
+
+	const btCollisionObjectWrapper& get() const
+	{
+		return m_wrap;
+	}
+};
+
+btVector3 vector(const scatter::Vec3& v)
+{
+	return btVector3(v.x, v.y, v.z);
+}
+}  // namespace
+
+void btHybridGroundBodies::take(int level, btHybridObjects& objects)
+{
+	if (level == m_level)
+		return;
+	m_body = objects.getBody(m_object, m_object->getLevelIn(level));
+	m_level = level;
+}
+
+btHybridGroundEngine::btHybridGroundEngine(btCollisionDispatcher* dispatcher, btHybridObjects& objects, btHybridGroundBodies& bodies, const btHybridGroundCall& call, btCollisionAlgorithm*& fallback)
+    : btHybridManifolds(dispatcher, call.m_body, call.m_ground), m_objects(objects), m_bodies(bodies), m_call(call), m_fallback(fallback), m_levelWrap(0, call.m_body->getCollisionShape(), call.m_body->getCollisionObject(), call.m_body->getWorldTransform(), -1, -1), m_boundedPart(-1), m_partMin(0, 0, 0), m_partMax(0, 0, 0)
+{
+}
+
+bool btHybridGroundEngine::follow(scatter::pairs::PlacedBody& body)
+{
+	btHybridPartBody* parts = m_bodies.m_body;
+	const btCollisionShape* shape = m_bodies.m_switches ? parts->getShapeNow() : m_call.m_body->getCollisionShape();
+	if (!m_objects.update(parts, shape, m_call.m_body->getWorldTransform()))
+		return false;
+	body.body = &parts->getBody();
+	body.version = parts->getVersion();
+	m_bodies.m_ground.follow(m_call.m_ground->getCollisionShape(), parts->getBody().parts().radius());
+	return m_bodies.m_ground.getKind() != BT_HYBRID_NO_GROUND;
+}
+
+bool btHybridGroundEngine::place(int level, scatter::pairs::PlacedBody& body)
+{
+	m_bodies.take(level, m_objects);
+	m_boundedPart = -1;
+	if (!follow(body))
+		return false;
+	if (m_bodies.m_switches)
+		m_levelWrap.m_shape = m_bodies.m_body->getShape();
+	releaseFallback();
+	return true;
+}
+
+scatter::Frame btHybridGroundEngine::groundFrame() const
+{
+	return btHybridFrameOf(m_call.m_ground->getWorldTransform());
+}
+
+int btHybridGroundEngine::groundVersion()
+{
+	return m_bodies.m_ground.getVersion();
+}
+
+float btHybridGroundEngine::groundMargin() const
+{
+	return m_bodies.m_ground.getMargin();
+}
+
+std::optional<scatter::pairs::HalfSpace> btHybridGroundEngine::halfSpace() const
+{
+	if (m_bodies.m_ground.getKind() != BT_HYBRID_HALF_SPACE)
+		return std::nullopt;
+	const btStaticPlaneShape* plane = static_cast<const btStaticPlaneShape*>(m_call.m_ground->getCollisionShape());
+	return scatter::pairs::HalfSpace{btHybridVec3(plane->getPlaneNormal()), plane->getPlaneConstant()};
+}
+
+bool btHybridGroundEngine::collect(const scatter::Vec3& low, const scatter::Vec3& high, GroundPieces& pieces)
+{
+	return m_bodies.m_ground.collect(vector(low), vector(high), pieces);
+}
+
+// The dispatcher itself would find this algorithm again.
+void btHybridGroundEngine::fallBack()
+{
+	const btCollisionObjectWrapper* wraps[2] = {m_call.m_body, m_call.m_ground};
+	if (m_bodies.m_side == 1)
+		btSwap(wraps[0], wraps[1]);
+	if (!m_fallback)
+	{
+		btCollisionAlgorithmConstructionInfo info(m_dispatcher, 1);
+		btCollisionConfiguration* configuration = m_dispatcher->getCollisionConfiguration();
+		btCollisionAlgorithmCreateFunc* create = configuration->getCollisionAlgorithmCreateFunc(wraps[0]->getCollisionShape()->getShapeType(), wraps[1]->getCollisionShape()->getShapeType());
+		m_fallback = create->CreateCollisionAlgorithm(info, wraps[0], wraps[1]);
+	}
+	m_fallback->processCollision(wraps[0], wraps[1], m_call.m_info, m_call.m_result);
+}
+
+void btHybridGroundEngine::releaseFallback()
+{
+	if (!m_fallback)
+		return;
+	m_fallback->~btCollisionAlgorithm();
+	m_dispatcher->freeCollisionAlgorithm(m_fallback);
+	m_fallback = 0;
+}
+
+btTransform btHybridGroundEngine::getPartTransform(int part) const
+{
+	return m_bodies.m_body->getChildTransform(part, m_call.m_body->getWorldTransform());
+}
+
+void btHybridGroundEngine::boundPart(int part)
+{
+	if (part == m_boundedPart)
+		return;
+	m_boundedPart = part;
+	const btTransform inGround = m_call.m_ground->getWorldTransform().inverse() * getPartTransform(part);
+	m_bodies.m_body->getChildShape(part)->getAabb(inGround, m_partMin, m_partMax);
+	const btVector3 margin(groundMargin(), groundMargin(), groundMargin());
+	m_partMin -= margin;
+	m_partMax += margin;
+}
+
+// A filter that a program may have set for the children of compounds.
+bool btHybridGroundEngine::isLetThrough(int part) const
+{
+	if (!gCompoundChildShapePairCallback || m_bodies.m_body->getChildIndex(part) < 0)
+		return true;
+	return gCompoundChildShapePairCallback(m_call.m_ground->getCollisionShape(), m_bodies.m_body->getChildShape(part));
+}
+
+// The tests of the bounds that Bullet makes before a child of a compound meets another shape: in the world, and of its leaf.
+bool btHybridGroundEngine::meetsBounds(int part) const
+{
+	const btCollisionShape* ground = m_call.m_ground->getCollisionShape();
+	btVector3 partMin, partMax, groundMin, groundMax;
+	m_bodies.m_body->getChildShape(part)->getAabb(getPartTransform(part), partMin, partMax);
+	ground->getAabb(m_call.m_ground->getWorldTransform(), groundMin, groundMax);
+	if (!TestAabbAgainstAabb2(partMin, partMax, groundMin, groundMax))
+		return false;
+	if (!m_bodies.m_body->hasLeaves())
+		return true;
+	m_bodies.m_body->getLeaf(part, partMin, partMax);
+	ground->getAabb(m_call.m_body->getWorldTransform().inverse() * m_call.m_ground->getWorldTransform(), groundMin, groundMax);
+	return TestAabbAgainstAabb2(partMin, partMax, groundMin, groundMax);
+}
+
+// Bullet's compounds drop what a child has found once its bounds are apart from the other shape.
+bool btHybridGroundEngine::keeps(int part)
+{
+	return m_bodies.m_ground.getKind() < BT_HYBRID_LARGE_BOX || meetsBounds(part);
+}
+
+// Of a mesh only the triangles whose bounds meet those of the part, widened by the mesh's margin.
+bool btHybridGroundEngine::mayMeet(const GroundPieces& pieces, const ChildPair& child)
+{
+	if (!isLetThrough(child.b))
+		return false;
+	if (m_bodies.m_ground.getKind() != BT_HYBRID_TRIANGLES)
+		return m_bodies.m_ground.getKind() == BT_HYBRID_HALF_SPACE || meetsBounds(child.b);
+	boundPart(child.b);
+	const auto points = pieces.pointsOf(pieces.pieces[child.a]);
+	const btVector3 corners[3] = {vector(points[0]), vector(points[1]), vector(points[2])};
+	return TestTriangleAgainstAabb2(corners, m_partMin, m_partMax);
+}
+
+void btHybridGroundEngine::add(void* manifold, const GroundPieces& pieces, const ChildPair& child, const scatter::PartContact& contact, const scatter::Frame& frame)
+{
+	const btTransform transform = getPartTransform(child.b);
+	const btCollisionObjectWrapper part(&m_levelWrap, m_bodies.m_body->getChildShape(child.b), m_levelWrap.getCollisionObject(), transform, -1, m_bodies.m_body->getChildIndex(child.b));
+	const PieceWrap piece(m_call.m_ground, pieces, child);
+	const PieceScope scope(m_call.m_result, m_bodies.m_side, part, piece.get(), btHybridContacts::at(manifold));
+	// The manifold's second body is the ground, whichever comes first in the pair.
+	const scatter::Vec3 onGround = contact.pointB - contact.axis * contact.distance;
+	m_call.m_result->addContactPoint(vector(frame.rotate(contact.axis)), vector(frame(onGround)), contact.distance);
+}
+
+void btHybridGroundEngine::detect(void* manifold, const GroundPieces& pieces, const ChildPair& child)
+{
+	const btTransform transform = getPartTransform(child.b);
+	const btCollisionObjectWrapper part(&m_levelWrap, m_bodies.m_body->getChildShape(child.b), m_levelWrap.getCollisionObject(), transform, -1, m_bodies.m_body->getChildIndex(child.b));
+	const PieceWrap piece(m_call.m_ground, pieces, child);
+	const PieceScope scope(m_call.m_result, m_bodies.m_side, part, piece.get(), btHybridContacts::at(manifold));
+	btHybridDetect(m_dispatcher, &part, &piece.get(), btHybridContacts::at(manifold), m_call.m_info, m_call.m_result);
+}

@@ -1,0 +1,80 @@
+#ifndef BT_HYBRID_GROUND_ENGINE_H
+#define BT_HYBRID_GROUND_ENGINE_H
+
+#include "btHybridGround.h"
+#include "btHybridLevelBodies.h"
+#include "btHybridManifolds.h"
+#include "btHybridObjects.h"
+#include "btHybridPartBody.h"
+#include "pairs/ground_engine.h"
+
+class btManifoldResult;
+struct btDispatcherInfo;
+
+/// A body of parts and its ground, of one pair of objects.
+struct btHybridGroundBodies
+{
+	btHybridLevelBodies* m_object;
+	btHybridPartBody* m_body;  ///< with the shape of the level that the pair has looked at last
+	btHybridGround m_ground;
+	int m_level;
+	int m_side;  ///< of the body in the pair of objects, 0 or 1
+	bool m_switches;
+
+	btHybridGroundBodies(btHybridLevelBodies* object, int side, bool switches)
+	    : m_object(object), m_body(0), m_level(-1), m_side(side), m_switches(switches)
+	{
+	}
+
+	void take(int level, btHybridObjects& objects);
+};
+
+/// What one call of processCollision was given; the body first.
+struct btHybridGroundCall
+{
+	const btCollisionObjectWrapper* m_body;
+	const btCollisionObjectWrapper* m_ground;
+	const btDispatcherInfo& m_info;
+	btManifoldResult* m_result;
+};
+
+/// Bullet, as a body of parts and its ground see it in one step.
+class btHybridGroundEngine : public btHybridManifolds<scatter::pairs::GroundEngine>
+{
+	btHybridObjects& m_objects;
+	btHybridGroundBodies& m_bodies;
+	const btHybridGroundCall& m_call;
+	btCollisionAlgorithm*& m_fallback;
+	btCollisionObjectWrapper m_levelWrap;  ///< the body with the shape of its level
+	int m_boundedPart;                     ///< whose bounds in the ground's frame are known
+	btVector3 m_partMin;
+	btVector3 m_partMax;
+
+	btTransform getPartTransform(int part) const;
+	void boundPart(int part);
+	bool isLetThrough(int part) const;
+	bool meetsBounds(int part) const;
+	void releaseFallback();
+	void detectIn(btPersistentManifold* manifold, const btCollisionObjectWrapper* part, const btCollisionObjectWrapper* ground);
+
+public:
+	/// fallback: Bullet's own algorithm for the two, while there is one. All must outlive it.
+	btHybridGroundEngine(btCollisionDispatcher* dispatcher, btHybridObjects& objects, btHybridGroundBodies& bodies, const btHybridGroundCall& call, btCollisionAlgorithm*& fallback);
+
+	/// Where the two are, with the shapes that were looked at last; no contacts are going to be looked for.
+	bool follow(scatter::pairs::PlacedBody& body);
+
+	virtual bool place(int level, scatter::pairs::PlacedBody& body);
+	virtual scatter::Frame groundFrame() const;
+	virtual int groundVersion();
+	virtual float groundMargin() const;
+	virtual std::optional<scatter::pairs::HalfSpace> halfSpace() const;
+	virtual bool collect(const scatter::Vec3& low, const scatter::Vec3& high, scatter::pairs::GroundPieces& pieces);
+	virtual void fallBack();
+	virtual bool keeps(int part);
+	virtual bool mayMeet(const scatter::pairs::GroundPieces& pieces, const scatter::ChildPair& child);
+	virtual void add(void* manifold, const scatter::pairs::GroundPieces& pieces, const scatter::ChildPair& child, const scatter::PartContact& contact, const scatter::Frame& frame);
+	virtual void detect(void* manifold, const scatter::pairs::GroundPieces& pieces, const scatter::ChildPair& child);
+};
+
+#endif  // BT_HYBRID_GROUND_ENGINE_H

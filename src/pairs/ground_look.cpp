@@ -1,0 +1,216 @@
+#include "pairs/ground_look.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scatter::pairs {
+
+namespace {
+
+using simd::Lanes;
+using simd::load;
+
+/// The normal of a half-space in the frame of a body, and how high the origin of the body is above it.
+struct Below {
+  Vec3 normal;
+  float height;
+};
+
+/// Adds the parts whose boxes come nearer to a half-space than `limit`; the least distance of a box.
+float partsNear(const PartList& parts, const Below& below, float limit, std::vector<int>& near) {
+  near.clear();
+  const PartList::Boxes& boxes = parts.boxes();
+  const Vec3 spread = glm::abs(below.normal);
+  constexpr float kNone = 1e18F;
+  Lanes least(kNone);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(parts.paddedCount()); i += Lanes::size()) {
+    Lanes height(below.height);
+    for (int axis = 0; axis < 3; ++axis) {
+      height += load<Lanes>(&boxes.center[axis][i]) * Lanes(below.normal[axis]) -
+                load<Lanes>(&boxes.half[axis][i]) * Lanes(spread[axis]);
+    }
+    least = simd::stdx::min(least, height);
+    simd::forEachSet(height < Lanes(limit), [&](int lane) { near.push_back(static_cast<int>(i) + lane); });
+  }
+  return simd::stdx::hmin(least);
+}
+
+/// Of the lowest point of a part; of one that is not known exactly, of the polytope around it.
+float heightOf(const PartList::Part& part, const Below& below) {
+  if (part.kind == PartKind::kBox) return below.height - reach(part.sharp, -below.normal);
+  return below.height - reach(part.core, -below.normal) - part.margin;
+}
+
+}  // namespace
+
+void GroundLook::atLevel(int level) {
+  pair_.restarted = false;
+  if (!place(level)) return;
+  pair_.ground = engine_.groundFrame();
+  pair_.jumps = body_->jumps();
+  pair_.quietUntil = Pair::kAwake;
+  refresh();
+  if (const auto solid = engine_.halfSpace()) {
+    lookAtHalfSpace(*solid);
+  } else {
+    lookAtPieces();
+  }
+  releaseEmpty();
+}
+
+bool GroundLook::place(int level) {
+  PlacedBody placed;
+  if (!engine_.place(level, placed)) {
+    fallBack();
+    return false;
+  }
+  const int versions[2]{placed.version, engine_.groundVersion()};
+  if (pair_.level != level || pair_.hasFallenBack || !std::ranges::equal(versions, pair_.versions)) {
+    pair_.restart(engine_.threshold(), engine_);
+    pair_.level = level;
+    std::ranges::copy(versions, pair_.versions);
+  }
+  pair_.hasFallenBack = false;
+  body_ = placed.body;
+  return true;
+}
+
+void GroundLook::fallBack() {
+  if (!pair_.hasFallenBack) pair_.restart(engine_.threshold(), engine_);
+  pair_.hasFallenBack = true;
+  engine_.fallBack();
+}
+
+void GroundLook::refresh() {
+  std::erase_if(pair_.contacts, [this](const GroundContact& contact) {
+    if (engine_.keeps(contact.part)) return !engine_.outlasts(contact.manifold) && drop(contact);
+    return drop(contact);
+  });
+}
+
+void GroundLook::releaseEmpty() {
+  std::erase_if(pair_.contacts, [this](const GroundContact& contact) {
+    return engine_.countPoints(contact.manifold) == 0 && drop(contact);
+  });
+  if (!pair_.contacts.empty()) pair_.quietUntil = Pair::kAwake;
+}
+
+// True, so that it can be the end of a condition.
+bool GroundLook::drop(const GroundContact& contact) {
+  engine_.release(contact.manifold);
+  return true;
+}
+
+void* GroundLook::manifoldOf(int part) {
+  const auto place = std::ranges::lower_bound(pair_.contacts, part, std::less<>(),
+                                              [](const GroundContact& c) { return c.part; });
+  if (place != pair_.contacts.end() && place->part == part) return place->manifold;
+  return pair_.contacts.insert(place, {part, engine_.newManifold(), 0.0F})->manifold;
+}
+
+void GroundLook::staysQuietFor(double metres) {
+  if (metres > 0.0 && steps_.motionBound) pair_.quietUntil = body_->travel() + metres;
+}
+
+// The box of a part may reach the half-space where the part does not.
+void GroundLook::lookAtHalfSpace(const HalfSpace& solid) {
+  ++work_.pairs;
+  const PartList& parts = body_->parts();
+  const Frame bodyInGround = relativeFrame(pair_.ground, body_->frame());
+  const Below below{bodyInGround.rotateBack(solid.normal),
+                    glm::dot(solid.normal, bodyInGround.origin) - solid.offset};
+  constexpr float kRounding = 4e-6F;
+  const float reach = parts.radius() + glm::length(parts.center()) + std::abs(solid.offset) +
+                      glm::length(bodyInGround.origin);
+  const float limit = pair_.parts.threshold() + kRounding * reach;
+  const float least = partsNear(parts, below, limit, scratch_.near);
+  staysQuietFor(static_cast<double>(least - limit));
+  work_.childPairs += parts.count();
+  work_.childPairsAsleep += parts.count() - static_cast<int>(scratch_.near.size());
+  for (const int i : scratch_.near) {
+    const PartList::Part& part = parts.part(i);
+    ChildPair child;
+    child.b = static_cast<std::uint16_t>(i);
+    if (heightOf(part, below) > limit) {
+      ++work_.axisRejected;
+      continue;
+    }
+    if (!engine_.mayMeet(pair_.region.pieces(), child)) continue;
+    ++work_.detectorRuns;
+    engine_.detect(manifoldOf(i), pair_.region.pieces(), child);
+  }
+}
+
+// False: the engine's own algorithm is at work.
+bool GroundLook::hasRegion(const Frame& bodyInGround) {
+  if (pair_.region.room(body_->parts(), bodyInGround) >= 0.0F) return true;
+  // Twice the threshold, as what is proven is more than what makes a contact.
+  const float reach = 2.0F * pair_.parts.threshold() + engine_.groundMargin();
+  const bool isWhole =
+      pair_.region.gather(body_->parts(), bodyInGround, reach, engine_, pair_.parts, scratch_.region);
+  work_.pieces += static_cast<int>(pair_.region.pieces().pieces.size());
+  if (!isWhole) fallBack();
+  return isWhole;
+}
+
+void GroundLook::lookAtPieces() {
+  const Frame bodyInGround = relativeFrame(pair_.ground, body_->frame());
+  if (!hasRegion(bodyInGround)) return;
+  const auto room = static_cast<double>(pair_.region.room(body_->parts(), bodyInGround));
+  if (pair_.region.empty()) {
+    ++work_.pairs;
+    staysQuietFor(room);
+    return;
+  }
+  PartBody& region = pair_.region.moveTo(pair_.ground);
+  if (pair_.parts.advance(region, *body_, steps_, parts_, work_)) {
+    judge(region);
+    addFound(region.frame());
+    pair_.parts.settle(region, *body_, steps_);
+  }
+  staysQuietFor(std::min(room, pair_.parts.quietUntil() - region.travel() - body_->travel()));
+}
+
+void GroundLook::judge(const PartBody& region) {
+  scratch_.found.clear();
+  std::vector<ChildPair>& children = pair_.parts.children();
+  work_.childPairs += static_cast<int>(children.size());
+  for (std::size_t i = 0; i < children.size(); ++i) {
+    ChildPair& child = children[i];
+    if (pair_.parts.isAsleep(child)) {
+      ++work_.childPairsAsleep;
+      continue;
+    }
+    PartContact contact;
+    const ChildVerdict verdict = pair_.parts.judge(child, region, *body_, steps_, contact, work_);
+    if (verdict == ChildVerdict::kApart) continue;
+    if (!engine_.mayMeet(pair_.region.pieces(), child)) {
+      ++work_.boundsRejected;
+      continue;
+    }
+    scratch_.found.push_back(
+        {static_cast<int>(i), child.b, contact.distance, verdict == ChildVerdict::kContact, contact});
+  }
+}
+
+// Of points of a part that are near each other engines keep the last one: that must be the deepest. What the
+// engine's detector must look at is mostly deeper than what is known.
+void GroundLook::addFound(const Frame& region) {
+  std::ranges::stable_sort(scratch_.found, [](const GroundScratch::Found& a, const GroundScratch::Found& b) {
+    if (a.part != b.part) return a.part < b.part;
+    if (a.isKnown != b.isKnown) return a.isKnown;
+    return a.isKnown && a.distance > b.distance;
+  });
+  for (const GroundScratch::Found& found : scratch_.found) {
+    const ChildPair& child = pair_.parts.children()[static_cast<std::size_t>(found.child)];
+    void* const manifold = manifoldOf(found.part);
+    if (found.isKnown) {
+      engine_.add(manifold, pair_.region.pieces(), child, found.contact, region);
+    } else {
+      ++work_.detectorRuns;
+      engine_.detect(manifold, pair_.region.pieces(), child);
+    }
+  }
+}
+
+}  // namespace scatter::pairs

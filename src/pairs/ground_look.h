@@ -1,0 +1,59 @@
+#pragma once
+
+#include <vector>
+
+#include "pairs/ground_pair.h"
+
+namespace scatter::pairs {
+
+/// Memory that looks for contacts with a ground use in turn.
+struct GroundScratch {
+  /// A piece and a part that may touch.
+  struct Found {
+    int child;  ///< Of the pair's.
+    int part;
+    float distance;  ///< Of the contact that is known; otherwise the engine's detector must look.
+    bool isKnown;
+    PartContact contact;
+  };
+
+  RegionScratch region{};
+  std::vector<Found> found{};
+  std::vector<int> near{};
+};
+
+/// One look for the contacts of a body's parts with its ground.
+class GroundLook {
+ public:
+  GroundLook(GroundPair& pair, const PairSteps& steps, GroundEngine& engine, PairScratch& parts,
+             GroundScratch& scratch, PairWork& work)
+      : pair_(pair), steps_(steps), engine_(engine), parts_(parts), scratch_(scratch), work_(work) {}
+
+  /// With the body's shape of a level. The points that have come apart go first; parts that have none left
+  /// have no contact any more.
+  void atLevel(int level);
+
+ private:
+  bool place(int level);
+  void fallBack();
+  void refresh();
+  void releaseEmpty();
+  bool drop(const GroundContact& contact);
+  void lookAtHalfSpace(const HalfSpace& solid);
+  void lookAtPieces();
+  bool hasRegion(const Frame& bodyInGround);
+  void judge(const PartBody& region);
+  void addFound(const Frame& region);
+  void* manifoldOf(int part);
+  void staysQuietFor(double metres);
+
+  GroundPair& pair_;
+  const PairSteps& steps_;
+  GroundEngine& engine_;
+  PairScratch& parts_;
+  GroundScratch& scratch_;
+  PairWork& work_;
+  PartBody* body_ = nullptr;
+};
+
+}  // namespace scatter::pairs

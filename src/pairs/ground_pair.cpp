@@ -1,0 +1,26 @@
+#include "pairs/ground_pair.h"
+
+namespace scatter::pairs {
+
+void GroundPair::restart(float threshold, Manifolds& engine) {
+  for (const GroundContact& contact : contacts) engine.release(contact.manifold);
+  contacts.clear();
+  parts.reset(threshold);
+  region.forget();
+  quietUntil = Pair::kAwake;
+  restarted = true;
+}
+
+void GroundPair::renew() {
+  contacts.clear();
+  parts.reset(0.0F);
+  region.forget();
+  quietUntil = Pair::kAwake;
+  jumps = 0;
+  level = 0;
+  versions[0] = versions[1] = Pair::kNoParts;
+  hasFallenBack = false;
+  restarted = false;
+}
+
+}  // namespace scatter::pairs

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <vector>
+
+#include "pairs/pair.h"
+#include "pairs/region.h"
+
+namespace scatter::pairs {
+
+/// The contacts of one part of a body with its ground.
+struct GroundContact {
+  int part = 0;
+  void* manifold = nullptr;
+  float credit = 0.0F;  ///< That is added to the distances of its points, metres.
+};
+
+/// A body of parts and what it may lie on: a half-space, triangles, or a convex shape that is large beside
+/// it. What they know of each other from step to step. Owns its manifolds; they are the engine's to free,
+/// which must have happened before its end.
+struct GroundPair {
+  /// Nothing can be in contact while the body's travel is less than `quietUntil`, it has not jumped, and the
+  /// ground is where it was.
+  double quietUntil = Pair::kAwake;
+  int jumps = 0;
+  Frame ground{};
+  int level = 0;  ///< Whose shapes the contacts are of; 0: it has not looked yet.
+  int versions[2]{Pair::kNoParts, Pair::kNoParts};  ///< Of the body's parts and of the ground.
+
+  PartPair parts{};  ///< Of the region, as A, and of the body at the pair's level.
+  Region region{};
+  std::vector<GroundContact> contacts{};  ///< In the order of their parts.
+  bool hasFallenBack = false;             ///< The engine's own algorithm collides the two.
+  bool restarted = false;                 ///< It began without contacts in its last step.
+
+  /// Gives the manifolds back, and forgets what was known of distances.
+  void restart(float threshold, Manifolds& engine);
+
+  /// As new, but with the memory that it has. The manifolds must be gone.
+  void renew();
+};
+
+}  // namespace scatter::pairs

@@ -1,0 +1,126 @@
+#include "pairs/region.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace scatter::pairs {
+
+namespace {
+
+/// Of the body's radius. A larger one makes regions of more pieces, a smaller one more regions.
+constexpr float kSkin = 0.25F;
+
+/// The bounds of a body's parts in the frame in which the body is at `body`.
+void boundsIn(const PartList& parts, const Frame& body, Vec3& low, Vec3& high) {
+  const Vec3 center = body(parts.center());
+  Vec3 half;
+  for (int axis = 0; axis < 3; ++axis) half[axis] = glm::dot(glm::abs(body.row[axis]), parts.half());
+  low = center - half;
+  high = center + half;
+}
+
+/// Of a piece as a part, with `origin` as the origin of its frame. An engine's bounds of it are those of its
+/// points, widened by the margin.
+void describe(const GroundPieces& pieces, const GroundPieces::Piece& piece, const Vec3& origin,
+              PartDef& part) {
+  const auto points = pieces.pointsOf(piece);
+  part.kind = pieces.kind;
+  part.margin = pieces.margin;
+  part.core.clear();
+  Vec3 low = points[0];
+  Vec3 high = points[0];
+  for (const Vec3& point : points) {
+    part.core.push_back(point - origin);
+    low = glm::min(low, point);
+    high = glm::max(high, point);
+  }
+  part.boundsCenter = 0.5F * (low + high) - origin;
+  part.boundsHalf = 0.5F * (high - low);
+  part.boundsMargin = pieces.kind == PartKind::kBox ? 0.0F : pieces.margin;
+  if (pieces.kind == PartKind::kBox) part.boundsHalf += Vec3(pieces.margin);
+}
+
+/// Of one ground. A large piece is cut anew each time, so that its points move.
+bool areSame(const GroundPieces& a, const GroundPieces::Piece& pieceA, const GroundPieces& b,
+             const GroundPieces::Piece& pieceB) {
+  if (pieceA.part != pieceB.part || pieceA.index != pieceB.index || pieceA.count != pieceB.count)
+    return false;
+  return a.kind != PartKind::kTriangle || std::ranges::equal(a.pointsOf(pieceA), b.pointsOf(pieceB));
+}
+
+}  // namespace
+
+float Region::room(const PartList& parts, const Frame& body) const {
+  if (!gathered_) return -1.0F;
+  Vec3 low;
+  Vec3 high;
+  boundsIn(parts, body, low, high);
+  const Vec3 least = glm::min(low - low_, high_ - high);
+  return std::min({least.x, least.y, least.z});
+}
+
+bool Region::gather(const PartList& parts, const Frame& body, float reach, GroundEngine& engine,
+                    PartPair& pair, RegionScratch& scratch) {
+  boundsIn(parts, body, low_, high_);
+  low_ -= Vec3(kSkin * parts.radius());
+  high_ += Vec3(kSkin * parts.radius());
+  std::swap(pieces_, scratch.before);
+  pieces_.clear();
+  const bool isWhole = engine.collect(low_ - reach, high_ + reach, pieces_);
+  if (!isWhole || pieces_.pieces.empty()) {
+    pair.reset(pair.threshold());
+    gathered_ = isWhole;
+    return isWhole;
+  }
+  origin_ = 0.5F * (low_ + high_);
+  rebuild(scratch);
+  if (gathered_) {
+    remap(scratch.before, pair, scratch.moved);
+  } else {
+    pair.reset(pair.threshold());
+  }
+  gathered_ = true;
+  return true;
+}
+
+void Region::rebuild(RegionScratch& scratch) {
+  const std::size_t count = pieces_.pieces.size();
+  if (scratch.parts.size() < count) scratch.parts.resize(count);
+  for (std::size_t i = 0; i < count; ++i) describe(pieces_, pieces_.pieces[i], origin_, scratch.parts[i]);
+  auto list = std::make_unique<PartList>(std::span<const PartDef>(scratch.parts.data(), count));
+  if (!body_) body_ = std::make_unique<PartBody>(*list);
+  body_->setParts(*list);
+  list_ = std::move(list);
+}
+
+// The engine tells pieces in the same order each time. Only those that are near a part of the body matter.
+void Region::remap(const GroundPieces& before, PartPair& pair, std::vector<int>& moved) const {
+  moved.assign(before.pieces.size(), -1);
+  std::size_t next = 0;
+  std::size_t last = before.pieces.size();
+  for (const ChildPair& child : pair.children()) {
+    if (child.a == last) continue;
+    last = child.a;
+    std::size_t j = next;
+    while (j < pieces_.pieces.size() && !areSame(before, before.pieces[last], pieces_, pieces_.pieces[j]))
+      ++j;
+    if (j == pieces_.pieces.size()) continue;
+    moved[last] = static_cast<int>(j);
+    next = j + 1;
+  }
+  pair.remapA(moved);
+}
+
+PartBody& Region::moveTo(const Frame& ground) {
+  Frame frame = ground;
+  frame.origin = ground(origin_);
+  body_->moveTo(frame);
+  return *body_;
+}
+
+std::size_t Region::bytes() const {
+  return sizeof(Vec3) * pieces_.points.capacity() + sizeof(GroundPieces::Piece) * pieces_.pieces.capacity() +
+         (list_ ? list_->bytes() : 0) + (body_ ? body_->bytes() : 0);
+}
+
+}  // namespace scatter::pairs

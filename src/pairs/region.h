@@ -1,0 +1,52 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "pairs/ground_engine.h"
+
+namespace scatter::pairs {
+
+/// Memory that regions use in turn.
+struct RegionScratch {
+  GroundPieces before{};
+  std::vector<PartDef> parts{};
+  std::vector<int> moved{};
+};
+
+/// The pieces of a ground around a body, looked up with a skin, so that it need not be done in every step. To
+/// the body's parts they are one more body.
+class Region {
+ public:
+  void forget() { gathered_ = false; }
+
+  /// How far the body may still go until the region has to be gathered anew, metres; negative: it has to be
+  /// now. `body` is where it is in the ground's frame.
+  [[nodiscard]] float room(const PartList& parts, const Frame& body) const;
+
+  /// Looks up the pieces around the body, up to `reach` further; `pair`, of this region and the body, goes on
+  /// with those that it knows. False if the engine cannot tell them all.
+  [[nodiscard]] bool gather(const PartList& parts, const Frame& body, float reach, GroundEngine& engine,
+                            PartPair& pair, RegionScratch& scratch);
+
+  /// The pieces as a body, with the ground at `ground`. Not if there are none.
+  [[nodiscard]] PartBody& moveTo(const Frame& ground);
+
+  [[nodiscard]] bool empty() const { return pieces_.pieces.empty(); }
+  [[nodiscard]] const GroundPieces& pieces() const { return pieces_; }
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  void rebuild(RegionScratch& scratch);
+  void remap(const GroundPieces& before, PartPair& pair, std::vector<int>& moved) const;
+
+  GroundPieces pieces_{};
+  std::unique_ptr<PartList> list_{};
+  std::unique_ptr<PartBody> body_{};
+  Vec3 origin_{0.0F};  ///< Of the pieces' frame in the ground's: near the body, for precision.
+  Vec3 low_{0.0F};     ///< The body's box may lie between these without another look, in the ground's frame.
+  Vec3 high_{0.0F};
+  bool gathered_ = false;
+};
+
+}  // namespace scatter::pairs
