@@ -1,8 +1,12 @@
 #include "btHybridContactVerifier.h"
 
 #include <BulletCollision/BroadphaseCollision/btCollisionAlgorithm.h>
+#include <BulletCollision/CollisionShapes/btConcaveShape.h>
+#include <BulletCollision/CollisionShapes/btStaticPlaneShape.h>
+#include <BulletCollision/CollisionShapes/btTriangleShape.h>
 #include <LinearMath/btAabbUtil2.h>
 
+#include "btHybridGround.h"
 #include "btHybridParts.h"
 #include "btHybridProvenDistance.h"
 #include "btHybridSilence.h"
@@ -134,8 +138,85 @@ Verdict judgeDistance(const ComparedChild& a, const ComparedChild& b, btScalar t
 	return (isMissed ? isFar && hasNewPoint(bullets) : isNear) ? BULLET_ERRS : DIFFERENT;
 }
 
+/// The triangles of a mesh that Bullet's midphase lets a part meet: surely, or if rounding wants it.
+struct NearTriangles : public btTriangleCallback
+{
+	const ComparedChild& m_part;
+	btTransform m_mesh;
+	btScalar m_margin;
+	btVector3 m_min;  ///< of the part, in the mesh's frame, widened as Bullet does
+	btVector3 m_max;
+	double m_slack;
+	double m_sure;   ///< the least distance that is proven to be no more, of those that are sure
+	double m_maybe;  ///< the least distance that is proven to be no less, of all
+
+	NearTriangles(const ComparedChild& part, const btTransform& mesh, btScalar margin)
+	    : m_part(part), m_mesh(mesh), m_margin(margin), m_slack(0), m_sure(1e30), m_maybe(1e30)
+	{
+		part.m_shape->getAabb(mesh.inverse() * part.m_transform, m_min, m_max);
+		m_min -= btVector3(margin, margin, margin);
+		m_max += btVector3(margin, margin, margin);
+	}
+	virtual void processTriangle(btVector3* corners, int, int)
+	{
+		const btVector3 rounding(m_part.m_rounding, m_part.m_rounding, m_part.m_rounding);
+		if (!TestTriangleAgainstAabb2(corners, m_min - rounding, m_max + rounding))
+			return;
+		btTriangleShape triangle(corners[0], corners[1], corners[2]);
+		triangle.setMargin(m_margin);
+		const btHybridProvenDistance distance(m_part.m_shape, m_part.m_transform, &triangle, m_mesh);
+		m_slack = btMax(m_slack, c_ofCores * distance.m_cores);
+		m_maybe = btMin(m_maybe, distance.m_atLeast);
+		if (TestTriangleAgainstAabb2(corners, m_min + rounding, m_max - rounding))
+			m_sure = btMin(m_sure, distance.m_atMost);
+	}
+};
+
+// Bullet's contacts of a sphere and a triangle leave out the mesh's margin, so that distances say nothing of them.
+Verdict judgeOnMesh(const ComparedChild& part, const btCollisionObject* ground, btScalar threshold, bool isMissed, const btPersistentManifold* bullets)
+{
+	if (part.m_shape->getShapeType() == SPHERE_SHAPE_PROXYTYPE)
+		return DIFFERENT;
+	const btConcaveShape* mesh = static_cast<const btConcaveShape*>(ground->getCollisionShape());
+	NearTriangles near(part, ground->getWorldTransform(), mesh->getMargin());
+	const btVector3 wide(2 * threshold, 2 * threshold, 2 * threshold);
+	mesh->processAllTriangles(&near, near.m_min - wide, near.m_max + wide);
+	const double slack = c_ofThreshold * double(threshold) + near.m_slack + 2 * double(part.m_rounding);
+	const bool isNear = near.m_sure < double(threshold) - slack;
+	const bool isFar = near.m_maybe > double(threshold) + slack;
+	if (!isNear && !isFar)
+		return DOUBTFUL;
+	return (isMissed ? isFar && hasNewPoint(bullets) : isNear) ? BULLET_ERRS : DIFFERENT;
+}
+
+Verdict judgeOnPlane(const ComparedChild& part, const btCollisionObject* ground, btScalar threshold)
+{
+	const btStaticPlaneShape* plane = static_cast<const btStaticPlaneShape*>(ground->getCollisionShape());
+	const btTransform inPlane = ground->getWorldTransform().inverse() * part.m_transform;
+	const btVector3 lowest = inPlane(part.m_shape->localGetSupportingVertex(-plane->getPlaneNormal() * inPlane.getBasis()));
+	const btScalar distance = plane->getPlaneNormal().dot(lowest) - plane->getPlaneConstant();
+	const btScalar slack = btScalar(c_ofThreshold) * threshold + 2 * part.m_rounding;
+	return btFabs(distance - threshold) <= slack ? DOUBTFUL : DIFFERENT;
+}
+
+bool isGround(const btCollisionObject* object)
+{
+	return object->getCollisionShape()->isConcave();
+}
+
 Verdict judge(const btHybridChildKey& key, const btPersistentManifold* ours, const btPersistentManifold* bullets)
 {
+	for (int i = 0; i < 2; i++)
+	{
+		const btCollisionObject* ground = key.m_bodies[i];
+		if (!isGround(ground))
+			continue;
+		const ComparedChild part(key.m_bodies[1 - i], key.m_children[1 - i]);
+		const btScalar threshold = (ours ? ours : bullets)->getContactBreakingThreshold();
+		if (ground->getCollisionShape()->getShapeType() == STATIC_PLANE_PROXYTYPE)
+			return judgeOnPlane(part, ground, threshold);
+		return judgeOnMesh(part, ground, threshold, !ours, bullets);
+	}
 	const ComparedChild a(key.m_bodies[0], key.m_children[0]);
 	const ComparedChild b(key.m_bodies[1], key.m_children[1]);
 	const bool isMissed = !ours;
@@ -168,6 +249,12 @@ bool contains(const btAlignedObjectArray<btHybridChildKey>& sorted, const btHybr
 			last = middle;
 	}
 	return first < sorted.size() && !btHybridChildKey::less(key, sorted[first]);
+}
+
+// The triangle of a mesh that a point is on is not a child: Bullet has one manifold for all of the mesh.
+int childOf(const btCollisionObject* object, int index)
+{
+	return object->getCollisionShape()->isCompound() ? index : -1;
 }
 
 btHybridMissedContact describe(const btHybridChildKey& key, const btPersistentManifold* manifold)
@@ -249,7 +336,9 @@ void btHybridContactVerifier::collectOurs(btCollisionWorld* world)
 			if (manifolds[k]->getNumContacts() == 0)
 				continue;
 			const btManifoldPoint& point = manifolds[k]->getContactPoint(0);
-			m_ours.push_back(btHybridChildManifold(manifolds[k], manifolds[k]->getBody0(), manifolds[k]->getBody1(), point.m_index0, point.m_index1));
+			const btCollisionObject* body0 = manifolds[k]->getBody0();
+			const btCollisionObject* body1 = manifolds[k]->getBody1();
+			m_ours.push_back(btHybridChildManifold(manifolds[k], body0, body1, childOf(body0, point.m_index0), childOf(body1, point.m_index1)));
 		}
 	}
 	if (m_ours.size() > 1)
@@ -300,12 +389,15 @@ void btHybridContactVerifier::finish(btCollisionWorld* world, bool reports)
 	report.m_steps++;
 }
 
-// Whether the pair was looked at in this step, and is made of convex children.
+// Whether the pair was looked at in this step, and is made of convex children, or of those and a ground.
 bool btHybridContactVerifier::isCompared(const btHybridChildKey& key) const
 {
 	for (int i = 0; i < 2; i++)
 	{
 		const btCollisionShape* shape = key.m_bodies[i]->getCollisionShape();
+		const btCollisionShape* other = key.m_bodies[1 - i]->getCollisionShape();
+		if (btHybridGround::maybe(shape->getShapeType()) && shape->isConcave() && other->isCompound())
+			continue;
 		if (!btHybridParts::isPartList(shape) || (shape->isCompound() && key.m_children[i] < 0))
 			return false;
 	}

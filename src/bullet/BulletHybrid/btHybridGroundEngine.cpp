@@ -82,7 +82,7 @@ void btHybridGroundBodies::take(int level, btHybridObjects& objects)
 }
 
 btHybridGroundEngine::btHybridGroundEngine(btCollisionDispatcher* dispatcher, btHybridObjects& objects, btHybridGroundBodies& bodies, const btHybridGroundCall& call, btCollisionAlgorithm*& fallback)
-    : btHybridManifolds(dispatcher, call.m_body, call.m_ground), m_objects(objects), m_bodies(bodies), m_call(call), m_fallback(fallback), m_levelWrap(0, call.m_body->getCollisionShape(), call.m_body->getCollisionObject(), call.m_body->getWorldTransform(), -1, -1), m_boundedPart(-1), m_partMin(0, 0, 0), m_partMax(0, 0, 0)
+    : btHybridManifolds(dispatcher, call.m_body, call.m_ground), m_objects(objects), m_bodies(bodies), m_call(call), m_fallback(fallback), m_levelWrap(0, call.m_body->getCollisionShape(), call.m_body->getCollisionObject(), call.m_body->getWorldTransform(), -1, -1), m_isBounded(false), m_boundedPart(-1), m_mayBegin(false)
 {
 }
 
@@ -168,11 +168,26 @@ btTransform btHybridGroundEngine::getPartTransform(int part) const
 	return m_bodies.m_body->getChildTransform(part, m_call.m_body->getWorldTransform());
 }
 
+void btHybridGroundEngine::boundGround()
+{
+	if (m_isBounded)
+		return;
+	m_isBounded = true;
+	const btCollisionShape* ground = m_call.m_ground->getCollisionShape();
+	const btTransform& pose = m_call.m_ground->getWorldTransform();
+	ground->getAabb(pose, m_groundMin[0], m_groundMax[0]);
+	ground->getAabb(m_call.m_body->getWorldTransform().inverse() * pose, m_groundMin[1], m_groundMax[1]);
+}
+
 void btHybridGroundEngine::boundPart(int part)
 {
 	if (part == m_boundedPart)
 		return;
 	m_boundedPart = part;
+	m_mayBegin = isLetThrough(part);
+	if (m_bodies.m_ground.getKind() == BT_HYBRID_HALF_SPACE)
+		return;
+	m_mayBegin = m_mayBegin && meetsInWorld(part) && meetsLeaf(part);
 	const btTransform inGround = m_call.m_ground->getWorldTransform().inverse() * getPartTransform(part);
 	m_bodies.m_body->getChildShape(part)->getAabb(inGround, m_partMin, m_partMax);
 	const btVector3 margin(groundMargin(), groundMargin(), groundMargin());
@@ -189,35 +204,36 @@ bool btHybridGroundEngine::isLetThrough(int part) const
 }
 
 // The tests of the bounds that Bullet makes before a child of a compound meets another shape: in the world, and of its leaf.
-bool btHybridGroundEngine::meetsBounds(int part) const
+bool btHybridGroundEngine::meetsInWorld(int part)
 {
-	const btCollisionShape* ground = m_call.m_ground->getCollisionShape();
-	btVector3 partMin, partMax, groundMin, groundMax;
+	boundGround();
+	btVector3 partMin, partMax;
 	m_bodies.m_body->getChildShape(part)->getAabb(getPartTransform(part), partMin, partMax);
-	ground->getAabb(m_call.m_ground->getWorldTransform(), groundMin, groundMax);
-	if (!TestAabbAgainstAabb2(partMin, partMax, groundMin, groundMax))
-		return false;
+	return TestAabbAgainstAabb2(partMin, partMax, m_groundMin[0], m_groundMax[0]);
+}
+
+bool btHybridGroundEngine::meetsLeaf(int part)
+{
 	if (!m_bodies.m_body->hasLeaves())
 		return true;
-	m_bodies.m_body->getLeaf(part, partMin, partMax);
-	ground->getAabb(m_call.m_body->getWorldTransform().inverse() * m_call.m_ground->getWorldTransform(), groundMin, groundMax);
-	return TestAabbAgainstAabb2(partMin, partMax, groundMin, groundMax);
+	boundGround();
+	btVector3 leafMin, leafMax;
+	m_bodies.m_body->getLeaf(part, leafMin, leafMax);
+	return TestAabbAgainstAabb2(leafMin, leafMax, m_groundMin[1], m_groundMax[1]);
 }
 
 // Bullet's compounds drop what a child has found once its bounds are apart from the other shape.
 bool btHybridGroundEngine::keeps(int part)
 {
-	return m_bodies.m_ground.getKind() < BT_HYBRID_LARGE_BOX || meetsBounds(part);
+	return m_bodies.m_ground.getKind() == BT_HYBRID_HALF_SPACE || meetsInWorld(part);
 }
 
 // Of a mesh only the triangles whose bounds meet those of the part, widened by the mesh's margin.
 bool btHybridGroundEngine::mayMeet(const GroundPieces& pieces, const ChildPair& child)
 {
-	if (!isLetThrough(child.b))
-		return false;
-	if (m_bodies.m_ground.getKind() != BT_HYBRID_TRIANGLES)
-		return m_bodies.m_ground.getKind() == BT_HYBRID_HALF_SPACE || meetsBounds(child.b);
 	boundPart(child.b);
+	if (!m_mayBegin || m_bodies.m_ground.getKind() != BT_HYBRID_TRIANGLES)
+		return m_mayBegin;
 	const auto points = pieces.pointsOf(pieces.pieces[child.a]);
 	const btVector3 corners[3] = {vector(points[0]), vector(points[1]), vector(points[2])};
 	return TestTriangleAgainstAabb2(corners, m_partMin, m_partMax);

@@ -46,14 +46,20 @@ class btHybridGroundEngine : public btHybridManifolds<scatter::pairs::GroundEngi
 	const btHybridGroundCall& m_call;
 	btCollisionAlgorithm*& m_fallback;
 	btCollisionObjectWrapper m_levelWrap;  ///< the body with the shape of its level
-	int m_boundedPart;                     ///< whose bounds in the ground's frame are known
+	bool m_isBounded;                      ///< the ground's bounds are known
+	btVector3 m_groundMin[2];              ///< in the world, and in the body's frame
+	btVector3 m_groundMax[2];
+	int m_boundedPart;  ///< whose bounds in the ground's frame are known, and whether Bullet lets it come into contact
+	bool m_mayBegin;
 	btVector3 m_partMin;
 	btVector3 m_partMax;
 
 	btTransform getPartTransform(int part) const;
+	void boundGround();
 	void boundPart(int part);
 	bool isLetThrough(int part) const;
-	bool meetsBounds(int part) const;
+	bool meetsInWorld(int part);
+	bool meetsLeaf(int part);
 	void releaseFallback();
 	void detectIn(btPersistentManifold* manifold, const btCollisionObjectWrapper* part, const btCollisionObjectWrapper* ground);
 
