@@ -58,7 +58,7 @@ Ground::Ground(GroundKind kind, float relief, Random& random) {
       break;
     case GroundKind::kHull:
       shape_ = flatHull();
-      position_ = {0, -1, 0};
+      position_ = {0, -1 - shape_->getMargin(), 0};
       break;
   }
 }

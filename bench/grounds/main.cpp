@@ -16,6 +16,7 @@ struct Arguments {
   int steps = 600;
   std::uint64_t seed = 1;
   std::string only;
+  bool contacts = false;
 };
 
 struct Scene {
@@ -77,6 +78,25 @@ void print(const char* scene, const std::vector<std::vector<Cost>>& costs, std::
   std::fflush(stdout);
 }
 
+// Of several seeds, as one pile has few parts on the ground.
+void compareAll(const Arguments& arguments) {
+  std::printf("%-12s %5s %7s %7s %7s %7s %8s %8s %9s %8s\n", "scene", "seed", "parts", "same", "missed",
+              "deep", "extra", "p99 mm", "less mm", "true mm");
+  for (Scene scene : scenesOf(arguments)) {
+    if (!arguments.only.empty() && std::string(scene.name).find(arguments.only) == std::string::npos)
+      continue;
+    for (int i = 0; i < arguments.repeat; ++i) {
+      scene.trial.seed = arguments.seed + static_cast<std::uint64_t>(i);
+      const Contacts c = compareContacts(scene.trial);
+      const double same = 100.0 * c.sameCount / std::max(c.parts, 1);
+      std::printf("%-12s %5d %7d %6.2f%% %7d %7d %8d %8.4f %9.4f %8.4f\n", scene.name,
+                  static_cast<int>(scene.trial.seed), c.parts, same, c.missed, c.missedDeep, c.extra,
+                  c.depthP99, c.shallower, c.trueDepth);
+      std::fflush(stdout);
+    }
+  }
+}
+
 void runAll(const Arguments& arguments) {
   std::printf("%-12s %-9s %8s %6s %12s %6s %6s %6s %7s %6s %5s\n", "scene", "world", "total ms", "total",
               "from-to", "p99", "detect", "awake", "points", "mm", "sunk");
@@ -102,7 +122,13 @@ int main(int argc, char** argv) {
   app.add_option("--steps", arguments.steps, "Steps of each run")->check(CLI::Range(1, 100000));
   app.add_option("--seed", arguments.seed, "Of bodies and ground");
   app.add_option("--only", arguments.only, "Part of a scene's name");
+  app.add_flag("--contacts", arguments.contacts,
+               "Instead: compare contacts where the bodies end, in fresh worlds");
   CLI11_PARSE(app, argc, argv);
+  if (arguments.contacts) {
+    scatter::bench::compareAll(arguments);
+    return 0;
+  }
   scatter::bench::runAll(arguments);
   return 0;
 }

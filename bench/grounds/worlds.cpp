@@ -8,6 +8,8 @@
 #include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
 #include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
 #include <algorithm>
+#include <map>
+#include <utility>
 
 namespace scatter::bench {
 
@@ -31,6 +33,16 @@ class Timed : public World {
   }
   double detection = 0.0;
 };
+
+/// A body, by its number in the world, and the child of its compound.
+using PartKey = std::pair<int, int>;
+
+struct PartContact {
+  int points = 0;
+  float least = 1e9F;
+};
+
+using PartContacts = std::map<PartKey, PartContact>;
 
 template <class World, class Solver>
 class Stage {
@@ -76,7 +88,48 @@ class Stage {
     return cost;
   }
 
+  [[nodiscard]] std::vector<btTransform> poses() const {
+    std::vector<btTransform> result;
+    for (const auto& body : bodies_) result.push_back(body->getWorldTransform());
+    return result;
+  }
+
+  /// Of every part that is in contact with the ground: body and child.
+  PartContacts detect(const std::vector<btTransform>& poses) {
+    for (std::size_t i = 0; i < poses.size(); ++i) bodies_[i]->setWorldTransform(poses[i]);
+    world_.performDiscreteCollisionDetection();
+    PartContacts contacts;
+    for (int k = 0; k < dispatcher_.getNumManifolds(); ++k) {
+      const btPersistentManifold* manifold = dispatcher_.getManifoldByIndexInternal(k);
+      if (manifold->getNumContacts() > 0) add(manifold, contacts);
+    }
+    return contacts;
+  }
+
+  /// How far the lowest point of a part is over flat ground.
+  [[nodiscard]] float height(const PartKey& key) const {
+    const btRigidBody& body = *bodies_[static_cast<std::size_t>(key.first)];
+    const auto* compound = static_cast<const btCompoundShape*>(body.getCollisionShape());
+    const auto* part = static_cast<const btConvexShape*>(compound->getChildShape(key.second));
+    const btTransform pose = body.getWorldTransform() * compound->getChildTransform(key.second);
+    return pose(part->localGetSupportingVertex(btVector3(0, -1, 0) * pose.getBasis())).y();
+  }
+
  private:
+  void add(const btPersistentManifold* manifold, PartContacts& contacts) const {
+    const btCollisionObject* ground = bodies_[0].get();
+    const int side = manifold->getBody1() == ground ? 0 : 1;
+    if (manifold->getBody0() != ground && manifold->getBody1() != ground) return;
+    const btCollisionObject* body = side == 0 ? manifold->getBody0() : manifold->getBody1();
+    const btManifoldPoint& first = manifold->getContactPoint(0);
+    PartContact& contact =
+        contacts[{body->getWorldArrayIndex(), side == 0 ? first.m_index0 : first.m_index1}];
+    for (int i = 0; i < manifold->getNumContacts(); ++i) {
+      ++contact.points;
+      contact.least = std::min(contact.least, manifold->getContactPoint(i).getDistance());
+    }
+  }
+
   void addGround() {
     auto body = std::make_unique<btRigidBody>(btScalar(0), nullptr, ground_.shape());
     btTransform pose(btQuaternion::getIdentity(), ground_.position());
@@ -156,6 +209,47 @@ Cost run(const Trial& trial, WorldKind kind) {
     return Stage<btMultiBodyDynamicsWorld, btMultiBodyConstraintSolver>(trial, kind).run();
   }
   return Stage<btDiscreteDynamicsWorld, btSequentialImpulseConstraintSolver>(trial, kind).run();
+}
+
+Contacts compareContacts(const Trial& trial) {
+  using PlainStage = Stage<btDiscreteDynamicsWorld, btSequentialImpulseConstraintSolver>;
+  PlainStage moved(trial, WorldKind::kInstalled);
+  static_cast<void>(moved.run());
+  const std::vector<btTransform> poses = moved.poses();
+  PlainStage bullet(trial, WorldKind::kPlain);
+  PlainStage installed(trial, WorldKind::kInstalled);
+  const PartContacts theirs = bullet.detect(poses);
+  const PartContacts ours = installed.detect(poses);
+  const bool isFlat = trial.ground != GroundKind::kMesh && trial.ground != GroundKind::kHeightField;
+  Contacts result;
+  std::vector<double> differences;
+  for (const auto& [key, own] : ours) {
+    ++result.parts;
+    if (isFlat) {
+      result.trueDepth =
+          std::max(result.trueDepth, 1e3 * std::abs(static_cast<double>(own.least - installed.height(key))));
+    }
+    const auto other = theirs.find(key);
+    if (other == theirs.end()) {
+      ++result.extra;
+      continue;
+    }
+    result.sameCount += own.points == other->second.points ? 1 : 0;
+    differences.push_back(1e3 * static_cast<double>(own.least - other->second.least));
+  }
+  for (const auto& [key, other] : theirs) {
+    if (ours.contains(key)) continue;
+    ++result.parts;
+    ++result.missed;
+    result.missedDeep += other.least < -0.001F ? 1 : 0;
+  }
+  for (double& difference : differences) {
+    result.shallower = std::max(result.shallower, difference);
+    difference = std::abs(difference);
+  }
+  std::sort(differences.begin(), differences.end());
+  if (!differences.empty()) result.depthP99 = differences[differences.size() * 99 / 100];
+  return result;
 }
 
 }  // namespace scatter::bench

@@ -39,4 +39,19 @@ struct Cost {
 
 [[nodiscard]] Cost run(const Trial& trial, WorldKind kind);
 
+/// Contacts of parts with the ground in fresh worlds, with the bodies where a trial has left them.
+struct Contacts {
+  int parts = 0;           ///< In contact in Bullet, or with the algorithm installed.
+  int missed = 0;          ///< In Bullet alone.
+  int missedDeep = 0;      ///< Of those, deeper than 1 mm.
+  int extra = 0;           ///< With the algorithm alone.
+  int sameCount = 0;       ///< As many points in both.
+  double depthP99 = 0.0;   ///< Difference of the deepest points of a part, millimetres.
+  double shallower = 0.0;  ///< The most that Bullet has deeper than the algorithm, millimetres.
+  double trueDepth =
+      0.0;  ///< The most by which the algorithm's differ from the lowest point of the part; on flat ground.
+};
+
+[[nodiscard]] Contacts compareContacts(const Trial& trial);
+
 }  // namespace scatter::bench

@@ -59,7 +59,12 @@ class GroundEngine : public Manifolds {
   virtual void add(void* manifold, const GroundPieces& pieces, const ChildPair& child,
                    const PartContact& contact, const Frame& frame) = 0;
 
-  /// Lets the engine's own detector look, of a half-space too.
+  /// Lets the engine's own detector look at a triangle and a part, for at most one contact: false if there is
+  /// none. The manifold is the part's, and stays as it is.
+  [[nodiscard]] virtual bool find(void* manifold, const GroundPieces& pieces, const ChildPair& child,
+                                  const Frame& frame, PartContact& contact) = 0;
+
+  /// Lets the engine's own detector add what it finds of any other piece, or of the half-space.
   virtual void detect(void* manifold, const GroundPieces& pieces, const ChildPair& child) = 0;
 };
 

@@ -188,18 +188,24 @@ void GroundLook::judge(const PartBody& region) {
       ++work_.boundsRejected;
       continue;
     }
-    scratch_.found.push_back(
-        {static_cast<int>(i), child.b, contact.distance, verdict == ChildVerdict::kContact, contact});
+    const bool isKnown = verdict == ChildVerdict::kContact || asks(child, region.frame(), contact);
+    if (isKnown || pair_.region.pieces().kind != PartKind::kTriangle) {
+      scratch_.found.push_back({static_cast<int>(i), child.b, contact.distance, isKnown, contact});
+    }
   }
 }
 
-// Of points of a part that are near each other engines keep the last one: that must be the deepest. What the
-// engine's detector must look at is mostly deeper than what is known.
+// Whether the engine's own detector finds a contact of a triangle. What it adds by itself is of one piece.
+bool GroundLook::asks(const ChildPair& child, const Frame& region, PartContact& contact) {
+  if (pair_.region.pieces().kind != PartKind::kTriangle) return false;
+  ++work_.detectorRuns;
+  return engine_.find(manifoldOf(child.b), pair_.region.pieces(), child, region, contact);
+}
+
+// Of points of a part that are near each other engines keep the last one: that must be the deepest.
 void GroundLook::addFound(const Frame& region) {
   std::ranges::stable_sort(scratch_.found, [](const GroundScratch::Found& a, const GroundScratch::Found& b) {
-    if (a.part != b.part) return a.part < b.part;
-    if (a.isKnown != b.isKnown) return a.isKnown;
-    return a.isKnown && a.distance > b.distance;
+    return a.part != b.part ? a.part < b.part : a.distance > b.distance;
   });
   for (const GroundScratch::Found& found : scratch_.found) {
     const ChildPair& child = pair_.parts.children()[static_cast<std::size_t>(found.child)];

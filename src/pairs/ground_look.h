@@ -43,6 +43,7 @@ class GroundLook {
   void lookAtPieces();
   bool hasRegion(const Frame& bodyInGround);
   void judge(const PartBody& region);
+  bool asks(const ChildPair& child, const Frame& region, PartContact& contact);
   void addFound(const Frame& region);
   void* manifoldOf(int part);
   void staysQuietFor(double metres);

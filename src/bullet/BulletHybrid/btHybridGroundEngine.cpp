@@ -67,6 +67,28 @@ public:
 	}
 };
 
+/// Keeps the last contact that a detector adds.
+struct OneContact : public btManifoldResult
+{
+	btVector3 m_normal;
+	btVector3 m_point;
+	btScalar m_distance;
+	bool m_isFound;
+
+	OneContact(const btCollisionObjectWrapper* wrap0, const btCollisionObjectWrapper* wrap1, btPersistentManifold* manifold)
+	    : btManifoldResult(wrap0, wrap1), m_normal(0, 0, 0), m_point(0, 0, 0), m_distance(0), m_isFound(false)
+	{
+		setPersistentManifold(manifold);
+	}
+	virtual void addContactPoint(const btVector3& normalOnBInWorld, const btVector3& pointInWorld, btScalar depth)
+	{
+		m_normal = normalOnBInWorld;
+		m_point = pointInWorld;
+		m_distance = depth;
+		m_isFound = true;
+	}
+};
+
 btVector3 vector(const scatter::Vec3& v)
 {
 	return btVector3(v.x, v.y, v.z);
@@ -248,6 +270,21 @@ void btHybridGroundEngine::add(void* manifold, const GroundPieces& pieces, const
 	// The manifold's second body is the ground, whichever comes first in the pair.
 	const scatter::Vec3 onGround = contact.pointB - contact.axis * contact.distance;
 	m_call.m_result->addContactPoint(vector(frame.rotate(contact.axis)), vector(frame(onGround)), contact.distance);
+}
+
+bool btHybridGroundEngine::find(void* manifold, const GroundPieces& pieces, const ChildPair& child, const scatter::Frame& frame, scatter::PartContact& contact)
+{
+	const btTransform transform = getPartTransform(child.b);
+	const btCollisionObjectWrapper part(&m_levelWrap, m_bodies.m_body->getChildShape(child.b), m_levelWrap.getCollisionObject(), transform, -1, m_bodies.m_body->getChildIndex(child.b));
+	const PieceWrap piece(m_call.m_ground, pieces, child);
+	OneContact found(&part, &piece.get(), btHybridContacts::at(manifold));
+	btHybridDetect(m_dispatcher, &part, &piece.get(), btHybridContacts::at(manifold), m_call.m_info, &found);
+	if (!found.m_isFound || found.m_distance > threshold())
+		return false;
+	contact.distance = found.m_distance;
+	contact.axis = frame.rotateBack(btHybridVec3(found.m_normal));
+	contact.pointB = frame.toLocal(btHybridVec3(found.m_point)) + contact.axis * contact.distance;
+	return true;
 }
 
 void btHybridGroundEngine::detect(void* manifold, const GroundPieces& pieces, const ChildPair& child)

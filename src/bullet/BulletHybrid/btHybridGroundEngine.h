@@ -80,6 +80,7 @@ public:
 	virtual bool keeps(int part);
 	virtual bool mayMeet(const scatter::pairs::GroundPieces& pieces, const scatter::ChildPair& child);
 	virtual void add(void* manifold, const scatter::pairs::GroundPieces& pieces, const scatter::ChildPair& child, const scatter::PartContact& contact, const scatter::Frame& frame);
+	virtual bool find(void* manifold, const scatter::pairs::GroundPieces& pieces, const scatter::ChildPair& child, const scatter::Frame& frame, scatter::PartContact& contact);
 	virtual void detect(void* manifold, const scatter::pairs::GroundPieces& pieces, const scatter::ChildPair& child);
 };
 
