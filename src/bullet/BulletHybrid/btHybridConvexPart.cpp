@@ -9,13 +9,14 @@
 #include <BulletCollision/CollisionShapes/btMultiSphereShape.h>
 #include <BulletCollision/CollisionShapes/btSphereShape.h>
 #include <BulletCollision/CollisionShapes/btUniformScalingShape.h>
-#include <LinearMath/btConvexHullComputer.h>
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <limits>
+
+#include "btHybridHull.h"
 
 using scatter::levels::HalfSpace;
 using scatter::levels::Polytope;
@@ -70,62 +71,6 @@ void addSphere(std::vector<Point>& points, const Point& center, double radius, i
 		points.push_back(center + radius * directions[i]);
 }
 
-// The plane through a face of the hull, moved out so that it holds all points, which are within `extent` of the middle; false if
-// there is no such face.
-bool makePlane(const std::vector<Point>& points, const std::vector<Point>& corners,
-               const std::vector<std::uint32_t>& loop, const Point& middle, double extent, HalfSpace& plane)
-{
-	Point normal(0.0);
-	for (size_t i = 1; i + 1 < loop.size(); i++)
-		normal += glm::cross(corners[loop[i]] - corners[loop[0]], corners[loop[i + 1]] - corners[loop[0]]);
-	const double area = glm::length(normal);
-	if (!(area > 0))
-		return false;
-	plane.normal = normal / (glm::dot(normal, corners[loop[0]] - middle) < 0 ? -area : area);
-	plane.offset = -std::numeric_limits<double>::infinity();
-	double low = std::numeric_limits<double>::infinity();
-	for (size_t i = 0; i < points.size(); i++)
-	{
-		const double along = glm::dot(plane.normal, points[i]);
-		plane.offset = std::max(plane.offset, along);
-		low = std::min(low, along);
-	}
-	return plane.offset - low > c_flatness * extent;
-}
-
-// Bullet finds which points are corners, with coordinates rounded to a ten-thousandth of the extent. Empty if the points
-// have no volume.
-Polytope hullOf(const std::vector<Point>& points)
-{
-	Polytope result;
-	if (points.size() < 4)
-		return result;
-	btConvexHullComputer computer;
-	computer.compute(&points[0].x, int(sizeof(Point)), int(points.size()), 0, 0);
-	std::vector<Point> corners;
-	Point middle(0.0);
-	for (int i = 0; i < computer.original_vertex_index.size(); i++)
-	{
-		corners.push_back(points[computer.original_vertex_index[i]]);
-		middle += corners.back() / double(computer.original_vertex_index.size());
-		result.addVertex(corners.back());
-	}
-	double extent = 0;
-	for (size_t i = 0; i < points.size(); i++)
-		extent = std::max(extent, glm::length(points[i] - middle));
-	for (int i = 0; i < computer.faces.size(); i++)
-	{
-		std::vector<std::uint32_t> loop;
-		const btConvexHullComputer::Edge* const first = &computer.edges[computer.faces[i]];
-		for (const btConvexHullComputer::Edge* edge = first; edge != first || loop.empty(); edge = edge->getNextEdgeOfFace())
-			loop.push_back(static_cast<std::uint32_t>(edge->getSourceVertex()));
-		HalfSpace plane;
-		if (makePlane(points, corners, loop, middle, extent, plane))
-			result.addFace(plane, loop);
-	}
-	return result.isEmpty() ? Polytope() : result;
-}
-
 // Every face moved out by the margin, the slopes between them left straight.
 Polytope withFlatMargin(const Polytope& core, double margin)
 {
@@ -136,7 +81,7 @@ Polytope withFlatMargin(const Polytope& core, double margin)
 		for (const std::uint32_t vertex : core.loop(face))
 			points.push_back(core.vertices()[vertex] + margin * face.plane.normal);
 	}
-	Polytope widened = hullOf(points);
+	Polytope widened = btHybridHullOf(points);
 	return widened.isEmpty() ? core : widened;
 }
 
@@ -370,7 +315,7 @@ btHybridConvexPart::btHybridConvexPart(const btConvexShape* shape, const btTrans
 const Polytope& btHybridConvexPart::getCore() const
 {
 	if (!m_core)
-		m_core = hullOf(m_within);
+		m_core = btHybridHullOf(m_within);
 	return *m_core;
 }
 
@@ -442,7 +387,7 @@ bool btHybridConvexPart::holds(const btHybridConvexPart& part, double tolerance)
 
 Polytope btHybridConvexPart::getOuterCore() const
 {
-	return hullOf(m_around);
+	return btHybridHullOf(m_around);
 }
 
 Polytope btHybridConvexPart::getOuter(const std::vector<btHybridPoint>& tangents, double epsilon) const
@@ -456,7 +401,7 @@ Polytope btHybridConvexPart::getOuter(const std::vector<btHybridPoint>& tangents
 	// What is flat cannot be cut into pieces.
 	if (btMin(btMin(half.x, half.y), half.z) <= c_flatness * glm::length(half))
 		return Polytope();
-	Polytope outer = hasCore ? Polytope::box(middle, glm::dmat3(1.0), half) : hullOf(points);
+	Polytope outer = hasCore ? Polytope::box(middle, glm::dmat3(1.0), half) : btHybridHullOf(points);
 	std::vector<Point> normals = tangents;
 	const std::vector<Point> directions = ballDirections(c_marginSegments);
 	if (hasCore)
@@ -473,7 +418,7 @@ Polytope btHybridConvexPart::getInner(double inset, double epsilon) const
 		std::vector<Point> points;
 		for (size_t i = 0; m_margin > inset && i < m_balls.size(); i++)
 			addSphere(points, m_balls[i].m_center, m_margin - inset, c_roundSegments);
-		return hullOf(points);
+		return btHybridHullOf(points);
 	}
 	if (getCore().isEmpty() || inset == m_margin)
 		return getCore();

@@ -4,17 +4,22 @@
 #include <BulletCollision/CollisionShapes/btConcaveShape.h>
 #include <BulletCollision/CollisionShapes/btConvexHullShape.h>
 #include <BulletCollision/CollisionShapes/btStaticPlaneShape.h>
-#include <LinearMath/btConvexHullComputer.h>
 
 #include <limits>
 
 #include "btHybridConversions.h"
+#include "btHybridHull.h"
+
+using scatter::levels::Polytope;
 
 namespace
 {
 // Half the diagonal of a convex shape against the radius of a body, from which on clipping it pays. A box of twice the body's size has
 // no digits to lose, and is clipped anew all the time.
 const btScalar c_large = 4;
+
+// Of a size: what counts as nothing, a digit or two above the rounding of single precision.
+const double c_flat = 1e-6;
 
 const size_t c_mostPieces = std::numeric_limits<unsigned short>::max() - 1;
 
@@ -50,24 +55,6 @@ btScalar halfDiagonal(const btCollisionShape* shape)
 	btVector3 aabbMin, aabbMax;
 	shape->getAabb(btTransform::getIdentity(), aabbMin, aabbMax);
 	return btScalar(0.5) * (aabbMax - aabbMin).length();
-}
-
-// What of a polygon is on the side of an axis' plane that is not `sign`.
-void clip(std::vector<btVector3>& polygon, std::vector<btVector3>& memory, int axis, btScalar sign, btScalar bound)
-{
-	memory.clear();
-	for (size_t i = 0; i < polygon.size(); i++)
-	{
-		const btVector3& from = polygon[i];
-		const btVector3& to = polygon[(i + 1) % polygon.size()];
-		const btScalar outFrom = sign * (from[axis] - bound);
-		const btScalar outTo = sign * (to[axis] - bound);
-		if (outFrom <= 0)
-			memory.push_back(from);
-		if ((outFrom < 0 && outTo > 0) || (outFrom > 0 && outTo < 0))
-			memory.push_back(from + (to - from) * (outFrom / (outFrom - outTo)));
-	}
-	polygon.swap(memory);
 }
 
 btVector3 corner(int number, const btVector3& low, const btVector3& high)
@@ -134,7 +121,7 @@ void btHybridGround::follow(const btCollisionShape* shape, btScalar radius)
 	m_scaling = shape->getLocalScaling();
 	m_margin = shape->getMargin();
 	shape->getAabb(btTransform::getIdentity(), m_min, m_max);
-	m_faces.clear();
+	m_core.reset();
 	m_version++;
 }
 
@@ -174,73 +161,44 @@ void btHybridGround::collectBox(const btVector3& low, const btVector3& high, sca
 	pieces.add(-1, -1, corners);
 }
 
-void btHybridGround::findFaces()
+const Polytope& btHybridGround::getCore()
 {
+	if (m_core)
+		return *m_core;
 	const btConvexHullShape* hull = static_cast<const btConvexHullShape*>(m_shape);
-	std::vector<btVector3> points;
+	std::vector<glm::dvec3> points;
 	for (int i = 0; i < hull->getNumPoints(); i++)
-		points.push_back(hull->getScaledPoint(i));
-	btConvexHullComputer computer;
-	computer.compute(&points[0].x(), sizeof(btVector3), int(points.size()), 0, 0);
-	for (int i = 0; i < computer.faces.size(); i++)
-	{
-		Face face;
-		const btConvexHullComputer::Edge* first = &computer.edges[computer.faces[i]];
-		const btConvexHullComputer::Edge* edge = first;
-		do
-		{
-			face.m_corners.push_back(computer.vertices[edge->getSourceVertex()]);
-			edge = edge->getNextEdgeOfFace();
-		} while (edge != first);
-		const std::vector<btVector3>& c = face.m_corners;
-		face.m_normal = (c[1] - c[0]).cross(c[2] - c[0]);
-		if (!(face.m_normal.length2() > 0))
-			continue;
-		face.m_normal.normalize();
-		face.m_offset = face.m_normal.dot(c[0]);
-		m_faces.push_back(face);
-	}
-	// Outwards, whichever way the sides run.
-	const btVector3 center = btScalar(0.5) * (m_min + m_max);
-	for (size_t i = 0; i < m_faces.size(); i++)
-	{
-		if (m_faces[i].m_normal.dot(center) <= m_faces[i].m_offset)
-			continue;
-		m_faces[i].m_normal = -m_faces[i].m_normal;
-		m_faces[i].m_offset = -m_faces[i].m_offset;
-	}
+		points.push_back(glm::dvec3(btHybridVec3(hull->getScaledPoint(i))));
+	double moved;
+	m_core = btHybridHullOf(points, &moved);
+	// Sides that leave points out, or are not flat, would clip off what is there.
+	if (moved > c_flat * double((m_max - m_min).length()))
+		m_core = Polytope();
+	return *m_core;
 }
 
-bool btHybridGround::isInside(const btVector3& point) const
-{
-	for (size_t i = 0; i < m_faces.size(); i++)
-		if (m_faces[i].m_normal.dot(point) > m_faces[i].m_offset)
-			return false;
-	return true;
-}
-
-// The corners of what is in the box: of the hull's sides, clipped, and those of the box that are in the hull.
 void btHybridGround::collectHull(const btVector3& low, const btVector3& high, scatter::pairs::GroundPieces& pieces)
 {
 	pieces.kind = scatter::PartKind::kHull;
-	if (m_faces.empty())
-		findFaces();
 	std::vector<scatter::Vec3> corners;
-	std::vector<btVector3> polygon, memory;
-	for (size_t i = 0; i < m_faces.size(); i++)
+	const btConvexHullShape* hull = static_cast<const btConvexHullShape*>(m_shape);
+	if (getCore().isEmpty())
 	{
-		polygon = m_faces[i].m_corners;
-		for (int axis = 0; axis < 3 && !polygon.empty(); axis++)
-		{
-			clip(polygon, memory, axis, -1, low[axis]);
-			clip(polygon, memory, axis, 1, high[axis]);
-		}
-		for (size_t k = 0; k < polygon.size(); k++)
-			corners.push_back(btHybridVec3(polygon[k]));
+		for (int i = 0; i < hull->getNumPoints(); i++)
+			corners.push_back(btHybridVec3(hull->getScaledPoint(i)));
+		return pieces.add(-1, -1, corners);
 	}
-	for (int i = 0; i < 8; i++)
-		if (isInside(corner(i, low, high)))
-			corners.push_back(btHybridVec3(corner(i, low, high)));
-	if (!corners.empty())
-		pieces.add(-1, -1, corners);
+	Polytope near = getCore();
+	const double epsilon = c_flat * double((high - low).length());
+	for (int side = 0; side < 6 && !near.isEmpty(); side++)
+	{
+		glm::dvec3 normal(0.0);
+		normal[side / 2] = side % 2 == 0 ? 1 : -1;
+		near = near.clipped({normal, side % 2 == 0 ? double(high[side / 2]) : -double(low[side / 2])}, epsilon);
+	}
+	if (near.isEmpty())
+		return;
+	for (const glm::dvec3& vertex : near.vertices())
+		corners.push_back(scatter::Vec3(vertex));
+	pieces.add(-1, -1, corners);
 }

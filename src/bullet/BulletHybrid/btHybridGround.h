@@ -4,8 +4,9 @@
 #include <BulletCollision/CollisionShapes/btCollisionShape.h>
 #include <LinearMath/btTransform.h>
 
-#include <vector>
+#include <optional>
 
+#include "levels/polytope.h"
 #include "pairs/ground_pieces.h"
 
 enum btHybridGroundKind
@@ -21,14 +22,6 @@ enum btHybridGroundKind
 /// body's neighbourhood: GJK on what is a hundred times as large loses its digits and runs on and on.
 class btHybridGround
 {
-	/// A side of a hull.
-	struct Face
-	{
-		std::vector<btVector3> m_corners;
-		btVector3 m_normal;  ///< outwards
-		btScalar m_offset;
-	};
-
 	const btCollisionShape* m_shape;
 	btHybridGroundKind m_kind;
 	btVector3 m_scaling;
@@ -36,14 +29,13 @@ class btHybridGround
 	btVector3 m_max;
 	btScalar m_margin;
 	int m_version;
-	std::vector<Face> m_faces;  ///< of the hull's core, once they were asked for
+	std::optional<scatter::levels::Polytope> m_core;  ///< the hull's, once it was asked for; empty if it cannot be clipped
 
 	btHybridGround(const btHybridGround&);
 	btHybridGround& operator=(const btHybridGround&);
 
 	bool isCurrent(const btCollisionShape* shape, btHybridGroundKind kind) const;
-	void findFaces();
-	bool isInside(const btVector3& point) const;
+	const scatter::levels::Polytope& getCore();
 	void collectBox(const btVector3& low, const btVector3& high, scatter::pairs::GroundPieces& pieces) const;
 	void collectHull(const btVector3& low, const btVector3& high, scatter::pairs::GroundPieces& pieces);
 	bool collectTriangles(const btVector3& low, const btVector3& high, scatter::pairs::GroundPieces& pieces) const;

@@ -1,9 +1,13 @@
 #include <BulletHybrid/btHybridInstallation.h>
 #include <gtest/gtest.h>
 
+#include <BulletCollision/CollisionDispatch/btInternalEdgeUtility.h>
 #include <algorithm>
+#include <map>
+#include <memory>
 #include <string>
 
+#include "PairTestWorld.h"
 #include "RandomGrounds.h"
 #include "ScriptedMotion.h"
 #include "ScriptedWorld.h"
@@ -34,9 +38,13 @@ struct Stage {
     ground = w.addOther(0, grounds.make(type, size), pose);
   }
 
-  void run(Motion motion, int steps) {
+  /// `moves`: the ground is carried along a path of its own.
+  void run(Motion motion, int steps, bool moves) {
+    ScriptedMotion drift(Motion::kDrift, shapes.random, size, 0.2F, ground->getWorldTransform().getOrigin());
     ScriptedMotion path(motion, shapes.random, size, 0.6F, ground->getWorldTransform().getOrigin());
+    if (moves) ground->setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
     for (int i = 0; i < steps; ++i) {
+      if (moves) ScriptedWorld::place(ground, drift.next(shapes.random));
       ScriptedWorld::place(body, path.next(shapes.random));
       w.detect();
     }
@@ -58,7 +66,7 @@ TEST_P(Grounds, HaveBulletsContacts) {
     const float size = seed % 3 == 0 ? 0.2F : seed % 3 == 1 ? 1.0F : 5.0F;
     Stage stage(GetParam(), seed, size, 4 + static_cast<int>(seed % 3) * 12);
     const auto motion = static_cast<Motion>(seed / 2 % kMotions);
-    stage.run(motion, 40);
+    stage.run(motion, 40, seed % 5 == 0);
     const btHybridContactReport& report = stage.w.report();
     EXPECT_EQ(report.m_missed, 0) << "seed " << seed << ", motion " << static_cast<int>(motion);
     EXPECT_EQ(report.m_extra, 0) << "seed " << seed << ", motion " << static_cast<int>(motion);
@@ -70,6 +78,222 @@ TEST_P(Grounds, HaveBulletsContacts) {
   EXPECT_LT(doubtful, expected / 100);
   // Bullet's GJK does not find every contact of a triangle that has a margin.
   EXPECT_LT(errs, expected / 20);
+}
+
+/// Of each part of a body, its deepest contact with the ground, in worlds that are new.
+std::map<int, float> depths(Stage& stage, const btTransform& pose, bool installs) {
+  BulletTestWorld<btDiscreteDynamicsWorld> world;
+  std::unique_ptr<btHybridInstallation> installation;
+  if (installs) installation = std::make_unique<btHybridInstallation>(&world.dispatcher);
+  btRigidBody* ground = world.add(0, stage.ground->getCollisionShape(), {0, 0, 0});
+  btRigidBody* body = world.add(1, stage.body->getCollisionShape(), {0, 0, 0});
+  ground->setWorldTransform(stage.ground->getWorldTransform());
+  body->setWorldTransform(pose);
+  world.world.performDiscreteCollisionDetection();
+  std::map<int, float> result;
+  for (int i = 0; i < world.dispatcher.getNumManifolds(); ++i) {
+    const btPersistentManifold& manifold = *world.dispatcher.getManifoldByIndexInternal(i);
+    for (int k = 0; k < manifold.getNumContacts(); ++k) {
+      const btManifoldPoint& point = manifold.getContactPoint(k);
+      const int part = manifold.getBody0() == body ? point.m_index0 : point.m_index1;
+      const auto [entry, isNew] = result.try_emplace(part, point.getDistance());
+      if (!isNew) entry->second = std::min(entry->second, point.getDistance());
+    }
+  }
+  return result;
+}
+
+TEST_P(Grounds, NoPartIsShallowerThanInBullet) {
+  int compared = 0;
+  for (std::uint64_t seed = 101; seed <= 110; ++seed) {
+    Stage stage(GetParam(), seed, 1.0F, 16);
+    for (int i = 0; i < 20; ++i) {
+      const btTransform pose(stage.shapes.random.rotation(),
+                             stage.ground->getWorldTransform()(stage.shapes.random.inCube(0.5F)));
+      const std::map<int, float> bullets = depths(stage, pose, false);
+      const std::map<int, float> ours = depths(stage, pose, true);
+      for (const auto& [part, distance] : bullets) {
+        if (distance > 0.015F) continue;
+        ++compared;
+        ASSERT_TRUE(ours.contains(part)) << "seed " << seed << ", pose " << i << ", distance " << distance;
+        EXPECT_LE(ours.at(part), distance + 1e-4F) << "seed " << seed << ", pose " << i;
+      }
+    }
+  }
+  EXPECT_GT(compared, 200);
+}
+
+/// Blocks of three levels, whose coarser shapes stick out by 10 and 20 cm, on a ground.
+struct BlocksOnGround {
+  explicit BlocksOnGround(GroundType type) : shapes(3), grounds(shapes) {
+    w.world.setGravity(btVector3(0, -10, 0));
+    w.add(0, flat(type), {0, type == GroundType::kBox || type == GroundType::kHull ? -1.0F : 0.0F, 0});
+    for (int i = 0; i < 4; ++i) {
+      blocks.push_back(w.addBlock({3.0F * static_cast<float>(i), 0.52F, 0}));
+    }
+  }
+
+  btCollisionShape* flat(GroundType type) {
+    if (type == GroundType::kBox) return w.shape<btBoxShape>(btVector3(50, 1, 50));
+    if (type == GroundType::kPlane) return w.shape<btStaticPlaneShape>(btVector3(0, 1, 0), btScalar(0));
+    for (int i = -10; i < 10; ++i) {
+      for (int k = -10; k < 10; ++k) {
+        const auto at = [&](int x, int z) {
+          return btVector3(static_cast<float>(i + x), 0, static_cast<float>(k + z));
+        };
+        mesh.addTriangle(at(0, 0), at(0, 1), at(1, 0));
+        mesh.addTriangle(at(1, 0), at(0, 1), at(1, 1));
+      }
+    }
+    return w.shape<btBvhTriangleMeshShape>(&mesh, true);
+  }
+
+  [[nodiscard]] btRigidBody* ground() { return w.bodies.front().get(); }
+
+  RandomShapes shapes;
+  RandomGrounds grounds;
+  btTriangleMesh mesh;
+  PairTestWorld w;
+  std::vector<btHybridRigidBody*> blocks;
+};
+
+class FlatGrounds : public testing::TestWithParam<GroundType> {};
+
+TEST_P(FlatGrounds, BodiesSwitchToTheMiddleLevelAndBackWithoutMoving) {
+  BlocksOnGround stage(GetParam());
+  stage.w.steps(60);
+  for (int round = 0; round < 4; ++round) {
+    const int level = round % 2 == 0 ? 1 : 3;
+    stage.w.requestAll(level);
+    for (int i = 0; i < 60; ++i) {
+      stage.w.steps(1);
+      for (btHybridRigidBody* block : stage.blocks) {
+        EXPECT_NEAR(block->getWorldTransform().getOrigin().y(), 0.5F, 0.003F);
+        // It may fall by what rounding leaves under it, as boxes touch only where they overlap; nothing
+        // pushes it up.
+        EXPECT_LT(block->getLinearVelocity().y(), 0.05F);
+        EXPECT_EQ(stage.w.pairInfo().m_unsafeSwitches, 0);
+      }
+    }
+    for (btHybridRigidBody* block : stage.blocks) {
+      EXPECT_EQ(stage.w.levelOf(stage.ground(), block), level == 1 ? 2 : 3)
+          << "never the coarsest on a ground";
+      EXPECT_FALSE(block->getRequest().isStanding());
+    }
+  }
+}
+
+TEST_P(FlatGrounds, KeepBodiesThatFallOnThem) {
+  BlocksOnGround stage(GetParam());
+  for (std::size_t i = 0; i < stage.blocks.size(); ++i) {
+    btTransform pose(btQuaternion(btVector3(1, 1, 0).normalized(), static_cast<float>(i)),
+                     btVector3(3.0F * static_cast<float>(i), 4, 0));
+    stage.blocks[i]->setWorldTransform(pose);
+  }
+  stage.w.steps(240);
+  for (btHybridRigidBody* block : stage.blocks) EXPECT_GT(block->getWorldTransform().getOrigin().y(), 0.49F);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, FlatGrounds,
+                         testing::Values(GroundType::kPlane, GroundType::kMesh, GroundType::kBox),
+                         nameOfGround);
+
+/// Bullet's own mender of contacts with inner edges of a mesh, as a program sets it, and what it is told.
+struct EdgeMender {
+  static bool added(btManifoldPoint& point, const btCollisionObjectWrapper* body0, int part0, int index0,
+                    const btCollisionObjectWrapper* body1, int part1, int index1) {
+    const bool isFirst = body0->getCollisionShape()->getShapeType() == TRIANGLE_SHAPE_PROXYTYPE;
+    triangles += isFirst || body1->getCollisionShape()->getShapeType() == TRIANGLE_SHAPE_PROXYTYPE ? 1 : 0;
+    btAdjustInternalEdgeContacts(point, isFirst ? body0 : body1, isFirst ? body1 : body0,
+                                 isFirst ? part0 : part1, isFirst ? index0 : index1);
+    lean = std::max(lean, 1 - std::abs(point.m_normalWorldOnB.y()));
+    return false;
+  }
+  static inline int triangles = 0;
+  static inline float lean = 0;
+};
+
+/// A body of two boxes slides over a net of triangles, whose inner edges a program's callback mends: the most
+/// that a normal leans.
+float leanOfSlide(bool groundFirst, bool installs) {
+  RandomShapes shapes(5);
+  btTriangleMesh net;
+  for (int i = -6; i < 6; ++i) {
+    for (int k = -6; k < 6; ++k) {
+      const auto at = [&](int x, int z) {
+        return btVector3(static_cast<float>(i + x), 0, static_cast<float>(k + z));
+      };
+      net.addTriangle(at(0, 0), at(0, 1), at(1, 0));
+      net.addTriangle(at(1, 0), at(0, 1), at(1, 1));
+    }
+  }
+  auto* mesh = shapes.make<btBvhTriangleMeshShape>(&net, true);
+  btTriangleInfoMap edges;
+  btGenerateInternalEdgeInfo(mesh, &edges);
+  BulletTestWorld<btDiscreteDynamicsWorld> world;
+  std::unique_ptr<btHybridInstallation> installation;
+  if (installs) installation = std::make_unique<btHybridInstallation>(&world.dispatcher);
+  auto* compound = shapes.make<btCompoundShape>();
+  for (const float x : {-0.3F, 0.3F}) {
+    auto* hull = shapes.make<btConvexHullShape>();
+    for (int corner = 0; corner < 8; ++corner) {
+      hull->addPoint(btVector3((corner & 1) != 0 ? 0.2F : -0.2F, (corner & 2) != 0 ? 0.2F : -0.2F,
+                               (corner & 4) != 0 ? 0.2F : -0.2F));
+    }
+    hull->setMargin(0.01F);
+    compound->addChildShape(btTransform(btQuaternion::getIdentity(), btVector3(x, 0, 0)), hull);
+  }
+  if (groundFirst) world.add(0, mesh, {0, 0, 0});
+  btRigidBody* body = world.add(1, compound, {0.03F, 0.209F, 0.01F});
+  if (!groundFirst) world.add(0, mesh, {0, 0, 0});
+  for (auto& object : world.bodies) {
+    object->setCollisionFlags(object->getCollisionFlags() | btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
+  }
+  EdgeMender::triangles = 0;
+  EdgeMender::lean = 0;
+  gContactAddedCallback = EdgeMender::added;
+  body->setLinearVelocity(btVector3(3, 0, 0));
+  for (int i = 0; i < 60; ++i) world.step();
+  gContactAddedCallback = nullptr;
+  EXPECT_GT(EdgeMender::triangles, 20);
+  return EdgeMender::lean;
+}
+
+TEST(MeshGround, LetsTheProgramsCallbackMendInnerEdges) {
+  for (const bool groundFirst : {true, false}) {
+    EXPECT_LE(leanOfSlide(groundFirst, true), leanOfSlide(groundFirst, false) + 1e-3F);
+  }
+}
+
+TEST(MeshGround, ThatIsReplacedOrScaledStartsAnew) {
+  RandomShapes shapes(6);
+  RandomGrounds grounds(shapes);
+  BulletTestWorld<btDiscreteDynamicsWorld> world;
+  btHybridInstallation installation(&world.dispatcher);
+  btCollisionShape* hills = grounds.make(GroundType::kHeightField, 1.0F);
+  auto* stone = shapes.make<btSphereShape>(0.5F);
+  btRigidBody* ground = world.add(0, hills, {0, 0, 0});
+  btRigidBody* body = world.add(1, shapes.compound(12, 1.0F), {0, 0, 0});
+  body->setActivationState(DISABLE_DEACTIVATION);
+  const auto contacts = [&] {
+    world.world.performDiscreteCollisionDetection();
+    int count = 0;
+    for (int i = 0; i < world.dispatcher.getNumManifolds(); ++i) {
+      count += world.dispatcher.getManifoldByIndexInternal(i)->getNumContacts();
+    }
+    return count;
+  };
+  EXPECT_GT(contacts(), 0);
+  ground->setCollisionShape(stone);
+  EXPECT_GT(contacts(), 0) << "Bullet's own algorithm";
+  body->setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(0, 5, 0)));
+  EXPECT_EQ(contacts(), 0);
+  ground->setCollisionShape(hills);
+  body->setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(0, 0, 0)));
+  EXPECT_GT(contacts(), 0);
+  hills->setLocalScaling(btVector3(1, 1e-3F, 1));
+  body->setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(0, 1.5F, 0)));
+  EXPECT_EQ(contacts(), 0) << "the hills are gone";
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Grounds, testing::ValuesIn(kGrounds), nameOfGround);

@@ -1,0 +1,164 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <set>
+#include <vector>
+
+#include "pairs/ground_engine.h"
+
+namespace scatter::testing {
+
+/// An engine of a page: a body whose levels are lists of upright boxes, moved without turning, above the
+/// plane y = 0, which is a half-space or a net of triangles of 1 m. At its end no manifold may be left.
+class FakeGroundEngine : public pairs::GroundEngine {
+ public:
+  FakeGroundEngine(const std::vector<std::vector<PartDef>>& levels, bool isNet) : isNet_(isNet) {
+    for (const auto& level : levels) {
+      lists_.push_back(std::make_unique<PartList>(level));
+      bodies_.emplace_back(*lists_.back());
+    }
+  }
+  FakeGroundEngine(const FakeGroundEngine&) = delete;
+  FakeGroundEngine& operator=(const FakeGroundEngine&) = delete;
+  ~FakeGroundEngine() override { EXPECT_TRUE(manifolds_.empty()) << "manifolds were left to the engine"; }
+
+  Vec3 position{0.0F};   ///< Of the body.
+  bool refuses = false;  ///< The shape is no list of parts.
+  int version = 0;       ///< Of the ground.
+  int fallbacks = 0;
+  int lookups = 0;
+
+  bool place(int level, pairs::PlacedBody& placed) override {
+    level_ = level;
+    PartBody& body = bodies_.at(static_cast<std::size_t>(level - 1));
+    Frame frame;
+    frame.origin = position;
+    body.moveTo(frame);
+    placed = {&body, 0};
+    return !refuses;
+  }
+  [[nodiscard]] Frame groundFrame() const override { return {}; }
+  int groundVersion() override { return version; }
+  [[nodiscard]] float threshold() const override { return kThreshold; }
+  [[nodiscard]] float groundMargin() const override { return 0.0F; }
+  [[nodiscard]] std::optional<pairs::HalfSpace> halfSpace() const override {
+    if (isNet_) return std::nullopt;
+    return pairs::HalfSpace{Vec3(0.0F, 1.0F, 0.0F), 0.0F};
+  }
+  bool collect(const Vec3& low, const Vec3& high, pairs::GroundPieces& pieces) override {
+    ++lookups;
+    if (low.y > 0.0F || high.y < 0.0F) return true;
+    for (int x = static_cast<int>(std::floor(low.x)); static_cast<float>(x) <= high.x; ++x) {
+      for (int z = static_cast<int>(std::floor(low.z)); static_cast<float>(z) <= high.z; ++z)
+        addCell(x, z, pieces);
+    }
+    return true;
+  }
+  void fallBack() override { ++fallbacks; }
+  bool keeps(int /*part*/) override { return true; }
+  // Without this the triangles beside the one under a part would push it sideways.
+  bool mayMeet(const pairs::GroundPieces& pieces, const ChildPair& child) override {
+    if (!isNet_) return true;
+    const PartList& list = *lists_.at(static_cast<std::size_t>(level_ - 1));
+    const auto points = pieces.pointsOf(pieces.pieces.at(child.a));
+    for (const int axis : {0, 2}) {
+      const float middle = position[axis] + list.boxes().center[axis][child.b];
+      const float half = list.boxes().half[axis][child.b];
+      const auto [least, most] = std::minmax({points[0][axis], points[1][axis], points[2][axis]});
+      if (least > middle + half || most < middle - half) return false;
+    }
+    return true;
+  }
+
+  void add(void* manifold, const pairs::GroundPieces& /*pieces*/, const ChildPair& child,
+           const PartContact& contact, const Frame& frame) override {
+    EXPECT_GT(frame.rotate(contact.axis).y, -1e-3F) << "from the ground to the part";
+    put(manifold, child.b, contact.distance);
+  }
+  bool find(void* /*manifold*/, const pairs::GroundPieces& /*pieces*/, const ChildPair& child,
+            const Frame& /*frame*/, PartContact& contact) override {
+    contact.axis = Vec3(0.0F, 1.0F, 0.0F);
+    contact.distance = heightOf(child.b);
+    return contact.distance < kThreshold;
+  }
+  void detect(void* manifold, const pairs::GroundPieces& /*pieces*/, const ChildPair& child) override {
+    if (heightOf(child.b) < kThreshold) put(manifold, child.b, heightOf(child.b));
+  }
+
+  /// Of the lowest point of a part of the level that was placed last.
+  [[nodiscard]] float heightOf(int part) const {
+    const PartList& list = *lists_.at(static_cast<std::size_t>(level_ - 1));
+    const auto i = static_cast<std::size_t>(part);
+    return position.y + list.boxes().center[1][i] - list.boxes().half[1][i];
+  }
+  [[nodiscard]] int countParts() const { return lists_.at(static_cast<std::size_t>(level_ - 1))->count(); }
+
+  void* newManifold() override { return *manifolds_.insert(new Manifold).first; }
+  void release(void* manifold) override {
+    ASSERT_EQ(manifolds_.erase(at(manifold)), 1U) << "was released before";
+    delete at(manifold);
+  }
+  bool outlasts(void* manifold) const override {
+    std::erase_if(*at(manifold), [this](Point& point) {
+      point.distance = point.foundDistance + position.y - point.foundY;
+      return point.distance > kThreshold;
+    });
+    return !at(manifold)->empty();
+  }
+  int countPoints(const void* manifold) const override { return static_cast<int>(at(manifold)->size()); }
+  bool isFull(const void* /*manifold*/) const override { return false; }
+  pairs::ContactPoint point(const void* manifold, int i) const override { return pointAt(manifold, i); }
+  void write(void* manifold, int i, const pairs::ContactPoint& point) override {
+    pointAt(manifold, i).distance = point.distance;
+  }
+  float distanceNow(const void* manifold, int i) const override {
+    return pointAt(manifold, i).foundDistance + position.y - pointAt(manifold, i).foundY;
+  }
+  void move(void* /*from*/, int /*i*/, void* /*to*/) override {
+    FAIL() << "contacts of a ground are not held";
+  }
+  void addImpulses(const void*, int, void*, int) override { FAIL() << "contacts of a ground are not held"; }
+
+  static constexpr float kThreshold = 0.02F;
+
+ private:
+  struct Point : pairs::ContactPoint {
+    float foundDistance = 0.0F;
+    float foundY = 0.0F;
+  };
+  using Manifold = std::vector<Point>;
+
+  static Manifold* at(const void* manifold) { return static_cast<Manifold*>(const_cast<void*>(manifold)); }
+  static Point& pointAt(const void* manifold, int i) { return at(manifold)->at(static_cast<std::size_t>(i)); }
+
+  static void addCell(int x, int z, pairs::GroundPieces& pieces) {
+    const auto corner = [x, z](int i, int k) {
+      return Vec3(static_cast<float>(x + i), 0.0F, static_cast<float>(z + k));
+    };
+    pieces.add(x, 2 * z, std::vector<Vec3>{corner(0, 0), corner(0, 1), corner(1, 0)});
+    pieces.add(x, 2 * z + 1, std::vector<Vec3>{corner(1, 0), corner(0, 1), corner(1, 1)});
+  }
+
+  // The last one of a part stays, as engines have it with points near each other.
+  void put(void* manifold, int part, float distance) const {
+    Point found;
+    found.position = position;
+    found.normal = Vec3(0.0F, 1.0F, 0.0F);
+    found.distance = found.foundDistance = distance;
+    found.foundY = position.y;
+    found.partA = part;
+    at(manifold)->assign(1, found);
+  }
+
+  bool isNet_;
+  std::vector<std::unique_ptr<PartList>> lists_;
+  std::vector<PartBody> bodies_;
+  std::set<Manifold*> manifolds_;
+  int level_ = 1;
+};
+
+}  // namespace scatter::testing

@@ -1,0 +1,221 @@
+#include "pairs/ground_step.h"
+
+#include <gtest/gtest.h>
+
+#include "collision/geometry.h"
+#include "pairs/contact_tally.h"
+#include "pairs/fake_ground_engine.h"
+
+namespace scatter::pairs {
+namespace {
+
+using lod::SwitchKind;
+using testing::boxPart;
+using testing::FakeGroundEngine;
+
+constexpr int kFinestLevel = 3;
+
+// Each level within the one before: the lowest points are 1, 0.9 and 0.8 m under the middle.
+std::vector<std::vector<PartDef>> threeLevelsOverGround() {
+  const Mat3 upright(1.0F);
+  const auto box = [&upright](float x, float y, float z, float half) {
+    return boxPart(Vec3(x, y, z), Vec3(half), upright, 0.01F);
+  };
+  std::vector<std::vector<PartDef>> levels(3);
+  levels[0] = {box(0.0F, 0.0F, 0.0F, 1.0F)};
+  for (const float x : {-0.45F, 0.45F}) {
+    for (const float z : {-0.45F, 0.45F}) levels[1].push_back(box(x, -0.45F, z, 0.45F));
+    for (const float z : {-0.6F, -0.2F, 0.2F, 0.6F}) levels[2].push_back(box(x, -0.6F, z, 0.2F));
+  }
+  return levels;
+}
+
+/// A body over a ground, and what its planner knows of it.
+struct LivingGround {
+  explicit LivingGround(bool isNet) : engine(threeLevelsOverGround(), isNet) {
+    plan.view.finest = kFinestLevel;
+    plan.target = kFinestLevel;
+  }
+  LivingGround(const LivingGround&) = delete;
+  LivingGround& operator=(const LivingGround&) = delete;
+  ~LivingGround() { pair.restart(0.0F, engine); }
+
+  PairOutcome step(const Vec3& position) {
+    engine.position = position;
+    plan.tries = plan.target != plan.view.level;
+    work = {};
+    const PairOutcome outcome = stepGround(pair, plan, steps, engine, scratch, work);
+    if (outcome.tried) plan.view.level = static_cast<std::uint8_t>(outcome.choice.level);
+    plan.view.touching = outcome.touching;
+    return outcome;
+  }
+  PairOutcome stepAt(float y) { return step(Vec3(0.0F, y, 0.0F)); }
+
+  [[nodiscard]] float press() const {
+    float most = 0.0F;
+    for (const GroundContact& contact : pair.contacts)
+      most = std::max(most, -engine.point(contact.manifold, 0).distance);
+    return most;
+  }
+  [[nodiscard]] bool isQuiet() {
+    PlacedBody placed;
+    EXPECT_TRUE(engine.place(pair.level, placed));
+    return staysQuiet(pair, placed, engine.groundFrame(), engine.groundVersion());
+  }
+
+  FakeGroundEngine engine;
+  GroundPair pair;
+  StepScratch scratch;
+  PairSteps steps;
+  PairWork work;
+  PairPlan plan;
+};
+
+class GroundStep : public ::testing::TestWithParam<bool> {
+ protected:
+  LivingGround body{GetParam()};
+};
+
+TEST_P(GroundStep, TouchesWithThePartsThatAreNear) {
+  body.stepAt(1.0F);
+  EXPECT_TRUE(body.pair.contacts.empty());
+  body.stepAt(0.815F);
+  EXPECT_EQ(body.pair.contacts.size(), 8U);
+  body.stepAt(0.83F);
+  EXPECT_TRUE(body.pair.contacts.empty());
+}
+
+TEST_P(GroundStep, IsQuietAsLongAsNothingCanTouch) {
+  body.stepAt(1.5F);
+  for (float y = 1.45F; y > 0.8F; y -= 0.01F) {
+    body.engine.position.y = y;
+    if (!body.isQuiet()) body.step(body.engine.position);
+    EXPECT_EQ(body.pair.contacts.empty(), y > 0.82F) << y;
+  }
+  EXPECT_FALSE(body.isQuiet()) << "it touches";
+}
+
+// A random walk, in which every part is compared with the truth in every step.
+TEST_P(GroundStep, MissesNothingOnTheWay) {
+  testing::Random random(7);
+  Vec3 position(0.0F, 0.9F, 0.0F);
+  long touching = 0;
+  for (int i = 0; i < 3000; ++i) {
+    position += Vec3(random.uniform(-0.2F, 0.2F), random.uniform(-0.02F, 0.02F), random.uniform(-0.2F, 0.2F));
+    position.y = std::clamp(position.y, 0.75F, 1.1F);
+    body.engine.position = position;
+    if (i == 0 || !body.isQuiet()) body.step(position);
+    std::size_t near = 0;
+    for (int part = 0; part < body.engine.countParts(); ++part)
+      near += body.engine.heightOf(part) < 0.0199F ? 1 : 0;
+    ASSERT_GE(body.pair.contacts.size(), near) << "step " << i;
+    touching += static_cast<long>(near);
+  }
+  EXPECT_GT(touching, 1000);
+}
+
+TEST(GroundRegion, IsLookedUpOncePerSkin) {
+  LivingGround body(true);
+  for (int i = 0; i < 100; ++i) body.step(Vec3(0.01F * static_cast<float>(i), 0.81F, 0.0F));
+  // A quarter of the radius of about 1.1 m is used up four times a metre.
+  EXPECT_LE(body.engine.lookups, 6);
+  EXPECT_GE(body.engine.lookups, 2);
+}
+
+TEST_P(GroundStep, SwitchesOnCreditWithoutPressing) {
+  body.stepAt(0.815F);
+  body.stepAt(0.795F);
+  const float before = body.press();
+  body.plan.target = 2;
+  const PairOutcome outcome = body.stepAt(0.795F);
+  EXPECT_EQ(outcome.choice.level, 2);
+  EXPECT_EQ(outcome.choice.kind, SwitchKind::kOnCredit);
+  EXPECT_TRUE(outcome.credited);
+  EXPECT_FALSE(outcome.isUnsafe);
+  EXPECT_NEAR(body.press(), before, 1e-4F);
+  // It bears the body where the finest shapes did.
+  body.stepAt(0.79F);
+  EXPECT_NEAR(body.press(), before + 0.005F, 1e-4F);
+  // What has come apart touches as usual from then on.
+  body.stepAt(1.0F);
+  body.stepAt(0.89F);
+  EXPECT_NEAR(body.press(), 0.01F, 1e-3F);
+}
+
+TEST_P(GroundStep, NeverPressesByASwitch) {
+  for (std::uint32_t seed = 1; seed <= 40; ++seed) {
+    LivingGround walker(GetParam());
+    testing::Random random(seed);
+    float y = random.uniform(0.78F, 1.05F);
+    for (int i = 0; i < 60; ++i) {
+      y = std::clamp(y + random.uniform(-0.02F, 0.02F), 0.75F, 1.1F);
+      const float stays = walker.press();
+      const float moved = walker.engine.position.y - y;
+      const bool wasTouching = i > 0 && !walker.pair.contacts.empty();
+      walker.plan.target =
+          i % 7 == 3 ? 2 + static_cast<int>(random.uniform(0.0F, 1.999F)) : walker.plan.view.level;
+      if (i == 0) walker.plan.target = 2;
+      const int before = walker.plan.view.level;
+      const PairOutcome outcome = walker.stepAt(y);
+      EXPECT_FALSE(outcome.isUnsafe) << "seed " << seed << ", step " << i;
+      if (walker.plan.view.level == before || before == 0) continue;
+      const float allowed = wasTouching ? std::max(stays + moved, 0.0F) : 0.0F;
+      EXPECT_LE(walker.press(), allowed + kTolerance) << "seed " << seed << ", step " << i;
+    }
+  }
+}
+
+TEST_P(GroundStep, BeginsAtACoarseLevelOnlyWhereItIsApart) {
+  body.plan.target = 2;
+  EXPECT_EQ(body.stepAt(0.85F).choice.level, kFinestLevel);
+  LivingGround apart(GetParam());
+  apart.plan.target = 2;
+  EXPECT_EQ(apart.stepAt(0.95F).choice.level, 2);
+}
+
+TEST_P(GroundStep, WithoutCreditStaysWhereItIs) {
+  body.stepAt(0.81F);
+  body.plan.rules.credit = false;
+  body.plan.target = 2;
+  const PairOutcome outcome = body.stepAt(0.81F);
+  EXPECT_EQ(outcome.choice.kind, SwitchKind::kBlocked);
+  EXPECT_EQ(body.plan.view.level, kFinestLevel);
+  EXPECT_EQ(body.pair.contacts.size(), 8U);
+  EXPECT_EQ(body.stepAt(1.2F).choice.kind, SwitchKind::kFree);
+}
+
+TEST_P(GroundStep, LeavesWhatItDoesNotKnowToTheEngine) {
+  body.stepAt(0.81F);
+  body.engine.refuses = true;
+  body.stepAt(0.81F);
+  EXPECT_EQ(body.engine.fallbacks, 1);
+  EXPECT_TRUE(body.pair.contacts.empty());
+  body.engine.refuses = false;
+  body.stepAt(0.81F);
+  EXPECT_EQ(body.engine.fallbacks, 1);
+  EXPECT_EQ(body.pair.contacts.size(), 8U);
+}
+
+TEST_P(GroundStep, StartsAnewWhenTheGroundChanges) {
+  body.stepAt(0.81F);
+  EXPECT_TRUE(body.pair.restarted);
+  body.stepAt(0.81F);
+  EXPECT_FALSE(body.pair.restarted);
+  ++body.engine.version;
+  body.stepAt(0.81F);
+  EXPECT_TRUE(body.pair.restarted);
+  EXPECT_EQ(body.pair.contacts.size(), 8U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Grounds, GroundStep, ::testing::Bool(),
+                         [](const auto& kind) { return kind.param ? "Net" : "HalfSpace"; });
+
+TEST(CoarsestOnGround, IsTheMiddleLevel) {
+  EXPECT_EQ(coarsestOnGround(1), 1);
+  EXPECT_EQ(coarsestOnGround(2), 2);
+  EXPECT_EQ(coarsestOnGround(3), 2);
+  EXPECT_EQ(coarsestOnGround(5), 3);
+}
+
+}  // namespace
+}  // namespace scatter::pairs
