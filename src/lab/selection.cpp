@@ -14,7 +14,8 @@ const void* modelOf(const BodyDef& def) {
       [](const auto& shape) -> const void* {
         using Kind = std::decay_t<decltype(shape)>;
         if constexpr (std::is_same_v<Kind, std::shared_ptr<const LevelSet>> ||
-                      std::is_same_v<Kind, std::shared_ptr<const TriangleMesh>>) {
+                      std::is_same_v<Kind, std::shared_ptr<const TriangleMesh>> ||
+                      std::is_same_v<Kind, std::shared_ptr<const HeightField>>) {
           return shape.get();
         } else {
           return nullptr;

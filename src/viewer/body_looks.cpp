@@ -12,7 +12,13 @@ namespace scatter::viewer {
 namespace {
 
 using Levels = std::shared_ptr<const LevelSet>;
-using Triangles = std::shared_ptr<const TriangleMesh>;
+
+/// A triangle mesh or a height field, which several bodies may share; null if it is neither.
+std::shared_ptr<const void> sharedSurface(const Shape& shape) {
+  if (const auto* mesh = std::get_if<std::shared_ptr<const TriangleMesh>>(&shape)) return *mesh;
+  if (const auto* field = std::get_if<std::shared_ptr<const HeightField>>(&shape)) return *field;
+  return nullptr;
+}
 
 Item itemOf(MeshId mesh) {
   Item item;
@@ -68,9 +74,9 @@ Item BodyLooks::shape(BodyId body, const BodyDef& def) {
     item.scale = Vec3(sphere->radius);
     return item;
   }
-  if (const auto* triangles = std::get_if<Triangles>(&def.shape)) {
-    if (const auto known = find(triangles->get(), 0)) return itemOf(*known);
-    return itemOf(shared(triangles->get(), 0, *triangles, meshOf(def.shape)));
+  if (const auto surface = sharedSurface(def.shape)) {
+    if (const auto known = find(surface.get(), 0)) return itemOf(*known);
+    return itemOf(shared(surface.get(), 0, surface, meshOf(def.shape)));
   }
   const auto known = own_.find(body);
   if (known != own_.end()) return itemOf(known->second);

@@ -110,6 +110,12 @@ MeshData planeMesh(const Plane& plane) {
   return mesh;
 }
 
+MeshData surfaceMesh(const TriangleMesh& triangles) {
+  MeshData mesh = shadeSurface({triangles.vertices, triangles.triangles});
+  mesh.twoSided = true;
+  return mesh;
+}
+
 }  // namespace
 
 MeshData meshOf(const Level& level) {
@@ -124,9 +130,10 @@ MeshData meshOf(const Shape& shape) {
   if (const auto* compound = std::get_if<Compound>(&shape)) return meshOf(Level{compound->parts});
   if (const auto* plane = std::get_if<Plane>(&shape)) return planeMesh(*plane);
   if (const auto* triangles = std::get_if<std::shared_ptr<const TriangleMesh>>(&shape)) {
-    MeshData mesh = shadeSurface({(*triangles)->vertices, (*triangles)->triangles});
-    mesh.twoSided = true;
-    return mesh;
+    return surfaceMesh(**triangles);
+  }
+  if (const auto* field = std::get_if<std::shared_ptr<const HeightField>>(&shape)) {
+    return surfaceMesh(trianglesOf(**field));
   }
   return std::visit(
       [](const auto& convex) -> MeshData {

@@ -1,9 +1,11 @@
 #include "bullet/physics/shapes.h"
 
 #include <BulletCollision/CollisionShapes/btBvhTriangleMeshShape.h>
+#include <BulletCollision/CollisionShapes/btHeightfieldTerrainShape.h>
 #include <BulletCollision/CollisionShapes/btStaticPlaneShape.h>
 #include <BulletCollision/CollisionShapes/btTriangleIndexVertexArray.h>
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <type_traits>
 
@@ -83,6 +85,20 @@ BulletShapeBuilder::Made BulletShapeBuilder::make(const std::shared_ptr<const Tr
     shape.meshView_ = std::move(array);
     setFinest(shape, std::make_unique<btBvhTriangleMeshShape>(shape.meshView_.get(),
                                                               /*useQuantizedAabbCompression=*/true));
+    return Result<void>();
+  });
+}
+
+BulletShapeBuilder::Made BulletShapeBuilder::make(const std::shared_ptr<const HeightField>& field) {
+  return share(field, [&field](BulletShape& shape) {
+    const auto [low, high] = std::minmax_element(field->heights.begin(), field->heights.end());
+    // Bullet's height fields have their origin half-way between the lowest and the highest point.
+    shape.mass_.center.position.y = 0.5F * (*low + *high);
+    auto heights = std::make_unique<btHeightfieldTerrainShape>(
+        static_cast<int>(field->columns), static_cast<int>(field->rows), field->heights.data(), *low, *high,
+        /*upAxis=*/1, /*flipQuadEdges=*/false);
+    heights->setLocalScaling(btVector3(field->spacingX, 1.0F, field->spacingZ));
+    setFinest(shape, std::move(heights));
     return Result<void>();
   });
 }

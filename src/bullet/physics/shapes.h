@@ -37,7 +37,7 @@ class BulletShape {
   /// The frame of the centre of mass and the principal axes, in the model's frame.
   [[nodiscard]] const Transform& center() const { return mass_.center; }
 
-  /// About `center`'s axes, per kilogram: square metres. Zero for planes and meshes.
+  /// About `center`'s axes, per kilogram: square metres. Zero for planes, meshes and height fields.
   [[nodiscard]] const Vec3& inertia() const { return mass_.inertia; }
 
  private:
@@ -45,7 +45,7 @@ class BulletShape {
 
   PartShapes parts_;
   std::unique_ptr<btStridingMeshInterface> meshView_;
-  std::unique_ptr<btCollisionShape> other_;  ///< A plane or a mesh.
+  std::unique_ptr<btCollisionShape> other_;  ///< A plane, a mesh or a height field.
   btHybridLevelSet levels_;
   btCollisionShape* finest_ = nullptr;
   MassFrame mass_;
@@ -54,7 +54,8 @@ class BulletShape {
   std::shared_ptr<const void> source_;
 };
 
-/// Makes BulletShapes; the same one for the same LevelSet or TriangleMesh as long as a body uses it.
+/// Makes BulletShapes; the same one for the same LevelSet, TriangleMesh or HeightField as long as a body uses
+/// it.
 class BulletShapeBuilder {
  public:
   /// `shape` is that of a body that has passed validateBody(). Fails if a part is not finite or has no
@@ -68,6 +69,7 @@ class BulletShapeBuilder {
   Made make(const Plane& plane);
   Made make(const Compound& compound);
   Made make(const std::shared_ptr<const TriangleMesh>& mesh);
+  Made make(const std::shared_ptr<const HeightField>& field);
   Made make(const std::shared_ptr<const LevelSet>& levels);
 
   template <class Source, class Make>

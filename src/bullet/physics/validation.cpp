@@ -58,6 +58,23 @@ Problem findProblem(const std::shared_ptr<const TriangleMesh>& mesh) {
   return std::nullopt;
 }
 
+Problem findProblem(const std::shared_ptr<const HeightField>& field) {
+  if (!field || field->columns < 2 || field->rows < 2) {
+    return "the height field must have at least 2 columns and 2 rows";
+  }
+  if (field->heights.size() != std::size_t{field->columns} * field->rows) {
+    return "the height field has " + std::to_string(field->heights.size()) + " heights, but " +
+           std::to_string(field->columns) + " columns and " + std::to_string(field->rows) + " rows";
+  }
+  for (const float spacing : {field->spacingX, field->spacingZ}) {
+    if (auto problem = checkLength("the height field's spacing", spacing)) return problem;
+  }
+  for (std::size_t i = 0; i < field->heights.size(); ++i) {
+    if (!isFinite(field->heights[i])) return "height " + std::to_string(i + 1) + " is not finite";
+  }
+  return std::nullopt;
+}
+
 // A LevelSet checks itself when it is made.
 Problem findProblem(const std::shared_ptr<const LevelSet>& levels) {
   if (!levels) return "there is no level set";
@@ -91,6 +108,9 @@ Problem checkMotion(const BodyDef& def) {
     if (std::holds_alternative<Plane>(def.shape)) return "a plane can only be static";
     if (std::holds_alternative<std::shared_ptr<const TriangleMesh>>(def.shape)) {
       return "a triangle mesh can only be static; use convex parts for a body that moves";
+    }
+    if (std::holds_alternative<std::shared_ptr<const HeightField>>(def.shape)) {
+      return "a height field can only be static; use convex parts for a body that moves";
     }
   }
   if (def.motion == Motion::kDynamic && !(isFinite(def.mass) && def.mass > 0.0F)) {

@@ -12,6 +12,11 @@ namespace {
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInf = std::numeric_limits<float>::infinity();
 
+void setField(BodyDef& def, HeightField field) {
+  def.shape = std::make_shared<const HeightField>(std::move(field));
+  def.motion = Motion::kStatic;
+}
+
 struct BadBody {
   std::function<void(BodyDef&)> spoil;
   const char* message;
@@ -86,6 +91,24 @@ std::vector<BadBody> badBodies() {
          d.motion = Motion::kStatic;
        },
        "triangle 1 has the vertex index 3, but there are only 3 vertices"},
+      {[](BodyDef& d) { d.shape = std::make_shared<const HeightField>(); },
+       "a height field can only be static"},
+      {[](BodyDef& d) {
+         setField(d, {.columns = 1, .heights = {0, 0}});
+       },
+       "at least 2 columns and 2 rows"},
+      {[](BodyDef& d) {
+         setField(d, {.heights = {0, 0, 0}});
+       },
+       "the height field has 3 heights, but 2 columns and 2 rows"},
+      {[](BodyDef& d) {
+         setField(d, {.spacingZ = 0.0F, .heights = {0, 0, 0, 0}});
+       },
+       "the height field's spacing must be a positive number of metres, not 0"},
+      {[](BodyDef& d) {
+         setField(d, {.heights = {0, 0, kNaN, 0}});
+       },
+       "height 3 is not finite"},
       {[](BodyDef& d) { d.shape = std::shared_ptr<const LevelSet>(); }, "there is no level set"},
   };
 }

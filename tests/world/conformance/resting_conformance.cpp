@@ -27,6 +27,16 @@ std::shared_ptr<const TriangleMesh> squareMesh(float half) {
   return mesh;
 }
 
+/// Level, high above the origin of its model.
+std::shared_ptr<const HeightField> squareField(float half, float height) {
+  const HeightField field{.columns = 3,
+                          .rows = 5,
+                          .spacingX = half,
+                          .spacingZ = 0.5F * half,
+                          .heights = std::vector<float>(15, height)};
+  return std::make_shared<const HeightField>(field);
+}
+
 /// An L in the plane z = 0: its foot lies along x, its model's origin is the corner.
 Compound letterL() {
   Compound shape;
@@ -83,6 +93,7 @@ TEST_P(PhysicsConformance, HybridRestsWhereItsFinestLevelDoes) {
 
 TEST_P(PhysicsConformance, BoxRestsOnStaticShapes) {
   const std::vector<std::pair<const char*, Shape>> floors{{"mesh", squareMesh(5.0F)},
+                                                          {"height field", squareField(5.0F, 0.0F)},
                                                           {"box", Box{{5.0F, 1e-3F, 5.0F}}},
                                                           {"plane", Plane{{0.0F, 2.0F, 0.0F}, 0.0F}}};
   for (const auto& [name, shape] : floors) {
@@ -94,6 +105,50 @@ TEST_P(PhysicsConformance, BoxRestsOnStaticShapes) {
     const BodyId box = add(bodyAt({0.3F, 3.7F, 0.2F}, Box{}));
     step(180);
     EXPECT_NEAR(physics().state(box).pose.position.y, 3.5F, 0.02F);
+  }
+}
+
+TEST_P(PhysicsConformance, HeightFieldLiesAtItsHeights) {
+  startWithGravity(kEarth);
+  BodyDef floor = bodyAt({0.0F, 3.0F, 0.0F}, squareField(5.0F, 40.0F));
+  floor.motion = Motion::kStatic;
+  const BodyId ground = add(floor);
+  EXPECT_EQ(physics().state(ground).pose.position, Vec3(0.0F, 3.0F, 0.0F));
+  const BodyId ball = add(bodyAt({0.3F, 43.7F, 0.2F}, Sphere{0.5F}));
+  step(180);
+  EXPECT_NEAR(physics().state(ball).pose.position.y, 43.5F, 0.02F);
+}
+
+TEST_P(PhysicsConformance, HeightFieldIsTheSurfaceOfItsTriangles) {
+  const HeightField field{
+      .columns = 4,
+      .rows = 3,
+      .spacingX = 2.0F,
+      .spacingZ = 1.5F,
+      .heights = {0.0F, 1.0F, 0.3F, -2.0F, 1.2F, -0.4F, 0.9F, 0.1F, 2.0F, 0.5F, -1.0F, 3.0F}};
+  const Transform pose{{5.0F, 2.0F, -1.0F}, turn(0.4F, {0, 1, 0})};
+  const auto heightsOf = [&](const Shape& shape) {
+    startWithGravity(Vec3(0.0F));
+    BodyDef def = bodyAt(Vec3(0.0F), shape);
+    def.motion = Motion::kStatic;
+    def.pose = pose;
+    add(def);
+    std::vector<float> heights;
+    for (int x = 0; x < 9; ++x) {
+      for (int z = 0; z < 7; ++z) {
+        const Vec3 at =
+            pose(Vec3(-2.9F + 0.71F * static_cast<float>(x), 0.0F, -1.4F + 0.45F * static_cast<float>(z)));
+        const auto hit = physics().castRay(at + Vec3(0.0F, 20.0F, 0.0F), at - Vec3(0.0F, 20.0F, 0.0F));
+        EXPECT_TRUE(hit);
+        heights.push_back(hit ? hit->point.y : -100.0F);
+      }
+    }
+    return heights;
+  };
+  const auto fromField = heightsOf(std::make_shared<const HeightField>(field));
+  const auto fromMesh = heightsOf(std::make_shared<const TriangleMesh>(trianglesOf(field)));
+  for (std::size_t i = 0; i < fromField.size(); ++i) {
+    EXPECT_NEAR(fromField[i], fromMesh[i], 1e-3F) << i;
   }
 }
 
