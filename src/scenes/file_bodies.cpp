@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "scenes/ground_shapes.h"
+
 namespace scatter {
 namespace {
 
@@ -39,7 +41,7 @@ float massOfBall(float density, float radius) {
   return density * 4.0F / 3.0F * std::numbers::pi_v<float> * radius * radius * radius;
 }
 
-/// The shape of an object that is neither a model nor a plane.
+/// The shape of an object that is neither a model nor can only be static.
 ConvexShape convexShape(const SceneFileShape& shape) {
   if (const auto* box = std::get_if<Box>(&shape)) return *box;
   if (const auto* capsule = std::get_if<Capsule>(&shape)) return *capsule;
@@ -68,9 +70,22 @@ Result<void> FileBodies::setConvex(const SceneFileObject& object, const ConvexSh
 
 Result<void> FileBodies::setShape(const SceneFileObject& object, Common& common) {
   if (std::holds_alternative<SceneFilePlane>(object.shape)) return {};
-  const auto* named = std::get_if<SceneFileModel>(&object.shape);
-  if (named == nullptr) return setConvex(object, convexShape(object.shape), common);
-  const auto model = models_.load(*named);
+  if (const auto* terrain = std::get_if<SceneFileTerrain>(&object.shape)) {
+    common.def.shape = terrainShape(*terrain);
+    return {};
+  }
+  if (const auto* mesh = std::get_if<SceneFileMesh>(&object.shape)) {
+    return readMeshShape(file_.path.parent_path() / mesh->file).map([&common](Shape shape) {
+      common.def.shape = std::move(shape);
+    });
+  }
+  if (const auto* named = std::get_if<SceneFileModel>(&object.shape)) return setModel(object, *named, common);
+  return setConvex(object, convexShape(object.shape), common);
+}
+
+Result<void> FileBodies::setModel(const SceneFileObject& object, const SceneFileModel& named,
+                                  Common& common) {
+  const auto model = models_.load(named);
   if (!model) return fail(model.error().message);
   const LevelSet& levels = *(*model)->levels;
   common.def.shape = (*model)->levels;

@@ -21,8 +21,8 @@ class FileBodies {
   /// All must outlive this.
   FileBodies(const SceneFile& file, SceneModels& models, Random& random);
 
-  /// The bodies of an object. Fails on a model that cannot be read, and on a shape without volume; the
-  /// message begins with the file and line of the object.
+  /// The bodies of an object. Fails on a model or mesh that cannot be read, and on a shape without volume;
+  /// the message begins with the file and line of the object.
   [[nodiscard]] Result<std::vector<BodyDef>> make(const SceneFileObject& object);
 
  private:
@@ -36,6 +36,8 @@ class FileBodies {
 
   [[nodiscard]] Result<Common> common(const SceneFileObject& object);
   [[nodiscard]] Result<void> setShape(const SceneFileObject& object, Common& common);
+  [[nodiscard]] Result<void> setModel(const SceneFileObject& object, const SceneFileModel& named,
+                                      Common& common);
   [[nodiscard]] Result<void> setConvex(const SceneFileObject& object, const ConvexShape& shape,
                                        Common& common);
   void setSize(const SceneFileObject& object, BodyDef& def, float& radius);

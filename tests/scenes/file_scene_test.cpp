@@ -74,6 +74,51 @@ object = [{ name = "s", box = [1, 0.5, 1], stack = { count = 2, base = [1, 3, 1]
   EXPECT_EQ(scene.state("s-2").pose.position, Vec3(1, 4, 1));
 }
 
+const char* const kTerrain = "terrain = { size = [20, 10], cells = [20, 10], relief = 3";
+
+TEST(FileScene, ATerrainIsTheSameSurfaceAsAMeshAndAsAHeightField) {
+  const FileWorld scene(std::string("object = [{ name = \"a\", ") + kTerrain +
+                        " } },\n{ name = \"b\", at = [0, 50, 0], " + kTerrain +
+                        ", kind = \"height_field\" } }]");
+  const auto mesh = std::get<std::shared_ptr<const TriangleMesh>>(scene["a"].def().shape);
+  const auto field = std::get<std::shared_ptr<const HeightField>>(scene["b"].def().shape);
+  const TriangleMesh same = trianglesOf(*field);
+  EXPECT_EQ(mesh->vertices, same.vertices);
+  EXPECT_EQ(mesh->triangles, same.triangles);
+  EXPECT_EQ(mesh->triangles.size(), 400U);
+}
+
+TEST(FileScene, BodiesRestOnATerrain) {
+  for (const char* kind : {"mesh", "height_field"}) {
+    FileWorld scene(
+        std::string("scene = { gravity = [0, -9.81, 0] }\nobject = [{ name = \"ground\", at = [0, "
+                    "-5, 0], friction = 2, ") +
+        kTerrain + ", roughness = 0, kind = \"" + kind +
+        "\" } },\n{ name = \"crate\", model = \"crate\", friction = 2, at = [0, 1, 0] }]");
+    scene.step(300);
+    EXPECT_GT(scene.state("crate").pose.position.y, -5.0F) << kind;
+    EXPECT_LT(scene.state("crate").pose.position.y, -1.0F) << kind;
+    EXPECT_LT(scene.world.physics().maxPenetration(), 0.06) << kind;
+  }
+}
+
+TEST(FileScene, AMeshIsReadFromItsFile) {
+  const TemporaryFolder folder;
+  const auto mesh = folder.path() / "ground.obj";
+  ASSERT_TRUE(writeFile(mesh, "v -5 0 -5\nv 5 0 -5\nv 5 0 5\nv -5 0 5\nf 1 3 2\nf 1 4 3\n"));
+  FileWorld scene("scene = { gravity = [0, -9.81, 0] }\nobject = [{ name = \"ground\", mesh = \"" +
+                  mesh.string() + "\" },\n{ name = \"ball\", sphere = 0.5, at = [1, 1, 2] }]");
+  scene.step(120);
+  EXPECT_NEAR(scene.state("ball").pose.position.y, 0.5F, 0.02F);
+}
+
+TEST(FileScene, AMeshThatCannotBeReadIsNamedWithItsLine) {
+  EXPECT_THAT(FileWorld::errorOf("object = [{ name = \"a\", mesh = \"nowhere.obj\" }]"),
+              testing::AllOf(testing::StartsWith("test.toml:1: "), testing::HasSubstr("nowhere.obj")));
+  EXPECT_THAT(FileWorld::errorOf("object = [{ name = \"a\", mesh = \"ground.txt\" }]"),
+              testing::HasSubstr("known are obj, stl"));
+}
+
 class FileRegion : public testing::TestWithParam<const char*> {};
 
 TEST_P(FileRegion, KeepsAllItsBodiesClearOfOneAnother) {

@@ -33,8 +33,24 @@ struct SceneFilePlane {
   Vec3 normal{0.0F, 1.0F, 0.0F};
 };
 
-using SceneFileShape =
-    std::variant<SceneFileModel, SceneFileBall, Box, Capsule, Cylinder, ConvexHull, SceneFilePlane>;
+/// The triangles of a mesh file relative to the scene file.
+struct SceneFileMesh {
+  std::string file{};
+};
+
+/// A rolling ground, made of smooth noise around the object's position: its lowest point is at the object's
+/// height.
+struct SceneFileTerrain {
+  std::array<float, 2> size{};           ///< Along x and z, metres.
+  std::array<std::uint32_t, 2> cells{};  ///< Along x and z; each is two triangles.
+  float relief = 0.0F;                   ///< From the lowest point to the highest, metres.
+  float roughness = 0.5F;  ///< Height of waves of half the length, of that of the longer ones: 0 to 1.
+  std::uint64_t seed = 1;
+  bool isHeightField = false;  ///< Else a triangle mesh of the same surface.
+};
+
+using SceneFileShape = std::variant<SceneFileModel, SceneFileBall, Box, Capsule, Cylinder, ConvexHull,
+                                    SceneFilePlane, SceneFileMesh, SceneFileTerrain>;
 
 enum class SceneFileMotion : std::uint8_t { kStatic, kKinematic, kDynamic };
 
@@ -193,7 +209,7 @@ struct SceneFileEvent {
 };
 
 /// A scene as a TOML file describes it (docs/scene-files.md), checked: names are resolved, numbers are finite
-/// and in range. Models are not looked up. Metres, kilograms, seconds, radians.
+/// and in range. Models and meshes are not looked up. Metres, kilograms, seconds, radians.
 struct SceneFile {
   std::filesystem::path path{};
   std::string summary{};
@@ -215,7 +231,7 @@ inline constexpr std::size_t kMostSceneBodies = 20000;
 /// Reads a scene file of at most 1 MiB. Errors read `FILE:LINE: what is wrong and how to mend it`.
 [[nodiscard]] Result<SceneFile> readSceneFile(const std::filesystem::path& path);
 
-/// The same from text; `path` is for messages and for models relative to it.
+/// The same from text; `path` is for messages, and for models and meshes relative to it.
 [[nodiscard]] Result<SceneFile> parseSceneFile(std::string_view toml, const std::filesystem::path& path);
 
 /// The tables of all sections and keys, with units, ranges and defaults, in Markdown, as docs/scene-files.md

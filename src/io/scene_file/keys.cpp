@@ -128,11 +128,15 @@ Keys objectShapeKeys() {
        "The convex hull of 4 to 256 points, with a collision margin around it that the engine sets.",
        -kLargest, kLargest},
       directionKey("plane", "one of these",
-                   "A static half-space: its outward normal. Its surface goes through the object's place.")};
+                   "A static half-space: its outward normal. Its surface goes through the object's place."),
+      textKey("mesh", "one of these",
+              "A static surface of triangles: an obj, stl, ply, dae, gltf or glb file relative to the scene "
+              "file, such as `\"bowl.obj\"`."),
+      {"terrain", "table", "", "one of these", "A static rolling ground; see `terrain`."}};
 }
 
 Keys objectBodyKeys() {
-  return {textKey("motion", R"("dynamic"; of a plane "static")",
+  return {textKey("motion", R"("dynamic"; of a plane, mesh or terrain "static")",
                   R"(`"dynamic"`, `"static"` (never moves) or `"kinematic"` (pushes, is never pushed).)"),
           {"mass", "number", "kg", "that of the model, or 1", "", 1e-6, 1e12},
           {"density", "number", "kg/m³", "none", "Instead of `mass`; of the volume of the finest level.",
@@ -180,11 +184,29 @@ SceneSection object() {
           std::move(keys)};
 }
 
+SceneSection terrain() {
+  return {"object.terrain",
+          "terrain = { … }",
+          "Smooth noise over a rectangle whose middle is the object's place; its lowest point is at that "
+          "height. The same numbers give the same surface.",
+          {{"size", "[x, z]", "m", "required", "Whole lengths of the sides.", kSmallest, kLargest},
+           {"cells", "[nx, nz]", "", "required",
+            "Whole numbers, 250 000 cells at most. A cell is two triangles.", 1, 1000},
+           {"relief", "number", "m", "required", "From the lowest point to the highest.", 0, kLargest},
+           {"roughness", "number", "", "0.5",
+            "Each wave that is half as long is so much as high; 0: only the longest, three of them a side.",
+            0, 1},
+           {"seed", "whole number", "", "1", "Of the surface alone; `--seed` does not change it.", 0, 9e15},
+           textKey("kind", "\"mesh\"",
+                   "`\"mesh\"`: a triangle mesh; `\"height_field\"`: the same surface as a height field.")}};
+}
+
 std::vector<SceneSection> objectTables() {
   return {
       roundSection("object.capsule", "capsule = { … }", "A cylinder with round ends, along the y axis.",
                    "Of the part between the ends."),
       roundSection("object.cylinder", "cylinder = { … }", "Along the y axis.", ""),
+      terrain(),
       {"object.grid",
        "grid = { … }",
        "Rows along x, made into layers along z, made into a block along y.",
@@ -193,7 +215,7 @@ std::vector<SceneSection> objectTables() {
         pointKey("center", "[0, 0, 0]", "The middle of the grid.")}},
       {"object.stack",
        "stack = { … }",
-       "Bodies above one another; not for planes, random orientations and random sizes.",
+       "Bodies above one another; not for planes, meshes, terrains, random orientations and random sizes.",
        {{"count", "whole number", "", "required", "", 1, 20000},
         pointKey("base", "[0, 0, 0]", "The middle of the lowest one's underside."),
         {"gap", "number", "m", "0", "Between two bodies' bounds.", -kLargest, kLargest}}},

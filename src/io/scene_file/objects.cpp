@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "io/collada/xml_source.h"
+#include "io/scene_file/ground.h"
 
 namespace scatter::io {
 namespace {
@@ -58,8 +59,8 @@ std::string readModel(const SceneTable& object, std::string_view key, std::strin
 }
 
 SceneFileShape readShape(const SceneTable& object) {
-  const std::string_view kind =
-      object.oneOf({"model", "box", "sphere", "capsule", "cylinder", "hull", "plane"}, true);
+  const std::string_view kind = object.oneOf(
+      {"model", "box", "sphere", "capsule", "cylinder", "hull", "plane", "mesh", "terrain"}, true);
   if (kind == "model") {
     SceneFileModel model;
     object.read("model", model.name);
@@ -82,6 +83,13 @@ SceneFileShape readShape(const SceneTable& object) {
     object.needDirection("plane", plane.normal);
     return plane;
   }
+  if (kind == "mesh") {
+    SceneFileMesh mesh;
+    object.read("mesh", mesh.file);
+    if (mesh.file.empty()) object.report("mesh", R"("mesh" must be the name of a file)");
+    return mesh;
+  }
+  if (kind == "terrain") return readTerrain(object);
   return readBall(object);
 }
 
@@ -127,10 +135,10 @@ SceneFileStack readStack(const SceneTable& object, std::size_t& count) {
 
 void checkStack(const SceneTable& table, const SceneFileObject& object) {
   const auto* ball = std::get_if<SceneFileBall>(&object.shape);
-  if (std::holds_alternative<SceneFilePlane>(object.shape) ||
-      (ball != nullptr && ball->minRadius != ball->maxRadius) ||
+  if (!staticKind(object.shape).empty() || (ball != nullptr && ball->minRadius != ball->maxRadius) ||
       object.orientation.kind == SceneFileOrientation::Kind::kRandom) {
-    table.report("stack", "a stack cannot be of planes, random orientations or random sizes");
+    table.report("stack",
+                 "a stack cannot be of planes, meshes, terrains, random orientations or random sizes");
   }
 }
 
@@ -142,8 +150,8 @@ SceneFilePlacement readPlacement(const SceneTable& table, SceneFileObject& objec
   if (kind == "stack") return readStack(table, object.count);
   if (kind == "in") {
     table.readWhole("count", object.count);
-    if (std::holds_alternative<SceneFilePlane>(object.shape)) {
-      table.report("in", "a plane cannot be placed in a region");
+    if (const std::string_view fixed = staticKind(object.shape); !fixed.empty()) {
+      table.report("in", std::string(fixed) + " cannot be placed in a region");
     }
     return SceneFileRandomPlaces{names.find(table, "in", "region").value_or(0)};
   }
@@ -232,12 +240,14 @@ SceneFileVelocity readSpin(const SceneTable& object) {
 }
 
 SceneFileMotion readMotion(const SceneTable& table, const SceneFileShape& shape) {
-  const bool isPlane = std::holds_alternative<SceneFilePlane>(shape);
+  const std::string_view fixed = staticKind(shape);
   const auto choice = table.choose("motion", {"static", "kinematic", "dynamic"});
   const auto standard =
-      static_cast<std::size_t>(isPlane ? SceneFileMotion::kStatic : SceneFileMotion::kDynamic);
+      static_cast<std::size_t>(fixed.empty() ? SceneFileMotion::kDynamic : SceneFileMotion::kStatic);
   const auto motion = static_cast<SceneFileMotion>(choice.value_or(standard));
-  if (isPlane && motion != SceneFileMotion::kStatic) table.report("motion", "a plane can only be static");
+  if (!fixed.empty() && motion != SceneFileMotion::kStatic) {
+    table.report("motion", std::string(fixed) + " can only be static");
+  }
   return motion;
 }
 
@@ -247,8 +257,8 @@ void readBody(const SceneTable& table, SceneFileObject& object,
   table.checkOneOf({"mass", "density"}, false);
   table.read("mass", object.mass);
   table.read("density", object.density);
-  if (object.density && std::holds_alternative<SceneFilePlane>(object.shape)) {
-    table.report("density", R"(a plane has no volume; leave "density" out)");
+  if (const std::string_view fixed = staticKind(object.shape); object.density && !fixed.empty()) {
+    table.report("density", std::string(fixed) + R"( has no volume; leave "density" out)");
   }
   if (table.has("material")) {
     if (const auto index = names.find(table, "material", "material")) object.material = materials[*index];

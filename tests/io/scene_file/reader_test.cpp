@@ -64,9 +64,10 @@ object = [
   { name = "e", cylinder = { radius = 0.5, length = 1 } },
   { name = "f", hull = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]] },
   { name = "g", plane = [0, 2, 0] },
+  { name = "h", mesh = "bowls/deep.obj" },
 ]
 )");
-  ASSERT_EQ(scene.objects.size(), 7U);
+  ASSERT_EQ(scene.objects.size(), 8U);
   EXPECT_EQ(std::get<SceneFileModel>(scene.objects[0].shape).name, "hunter");
   EXPECT_EQ(std::get<SceneFileModel>(scene.objects[0].shape).levels, 2U);
   EXPECT_EQ(std::get<Box>(scene.objects[1].shape).halfExtents, Vec3(1.5F, 0.25F, 0.45F));
@@ -78,6 +79,30 @@ object = [
   EXPECT_EQ(std::get<ConvexHull>(scene.objects[5].shape).vertices.size(), 4U);
   EXPECT_EQ(std::get<SceneFilePlane>(scene.objects[6].shape).normal, Vec3(0.0F, 1.0F, 0.0F));
   EXPECT_EQ(scene.objects[6].motion, SceneFileMotion::kStatic);
+  EXPECT_EQ(std::get<SceneFileMesh>(scene.objects[7].shape).file, "bowls/deep.obj");
+  EXPECT_EQ(scene.objects[7].motion, SceneFileMotion::kStatic);
+}
+
+TEST(SceneFile, ReadsTerrains) {
+  const SceneFile scene = parse(R"(
+object = [
+  { name = "a", terrain = { size = [80, 40], cells = [100, 50], relief = 5 } },
+  { name = "b", at = [100, 0, 0], terrain = { size = [8, 4.5], cells = [1, 5], relief = 0, roughness = 0.25, seed = 9, kind = "height_field" } },
+]
+)");
+  const auto& plain = std::get<SceneFileTerrain>(scene.objects[0].shape);
+  EXPECT_THAT(plain.size, ElementsAre(80.0F, 40.0F));
+  EXPECT_THAT(plain.cells, ElementsAre(100U, 50U));
+  EXPECT_EQ(plain.relief, 5.0F);
+  EXPECT_EQ(plain.roughness, 0.5F);
+  EXPECT_EQ(plain.seed, 1U);
+  EXPECT_FALSE(plain.isHeightField);
+  EXPECT_EQ(scene.objects[0].motion, SceneFileMotion::kStatic);
+  const auto& full = std::get<SceneFileTerrain>(scene.objects[1].shape);
+  EXPECT_THAT(full.size, ElementsAre(8.0F, 4.5F));
+  EXPECT_EQ(full.roughness, 0.25F);
+  EXPECT_EQ(full.seed, 9U);
+  EXPECT_TRUE(full.isHeightField);
 }
 
 TEST(SceneFile, AGridHasItsRowsAlongXInLayersAlongY) {
