@@ -20,6 +20,7 @@ std::vector<Command> addCommands(CLI::App& program, const std::string& commandLi
           addReportTestCommand(program),
           addLevelsCommand(program),
           addConvertCommand(program),
+          addFamiliesCommand(program),
           addBenchCommand(program),
           addViewLauncher(program, std::move(wordsForView))};
 }
