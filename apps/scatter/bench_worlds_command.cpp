@@ -1,12 +1,16 @@
+#include <scatter/lab/output_folder.h>
 #include <scatter/lab/world_figures.h>
 #include <scatter/world/scene.h>
 #include <spdlog/fmt/fmt.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <vector>
 
 #include "bench_arguments.h"
+#include "family_arguments.h"
 #include "interrupt.h"
 #include "progress_line.h"
 #include "run_arguments.h"
@@ -16,29 +20,62 @@ namespace scatter::app {
 namespace {
 
 constexpr const char* kAllScenes = "all";
+constexpr const char* kFamilies = "families";
 
 struct BenchWorldsArguments {
   BenchArguments bench;
+  FamilyArguments families;
   std::vector<std::string> scenes{kAllScenes};
   std::vector<std::string> worlds{"standard", "finest"};
   int repeat = 3;
   std::optional<int> fidelityEvery;
 };
 
-std::vector<std::string> scenesOf(const BenchWorldsArguments& arguments) {
-  if (arguments.scenes != std::vector<std::string>{kAllScenes}) {
-    return arguments.scenes;
+bool asksForFamilies(const BenchWorldsArguments& arguments) {
+  return std::find(arguments.scenes.begin(), arguments.scenes.end(), kFamilies) != arguments.scenes.end();
+}
+
+Result<void> checkFamilies(const CLI::App& command, const BenchWorldsArguments& arguments) {
+  for (const char* option : {"--seeds", "--scale"}) {
+    if (command.count(option) > 0 && !asksForFamilies(arguments)) {
+      return fail(std::string(option) + " has no meaning here; it goes with --scenes " + kFamilies);
+    }
   }
+  return {};
+}
+
+// Families are written into the folder.
+Result<std::vector<std::string>> scenesOf(const BenchWorldsArguments& arguments,
+                                          const std::filesystem::path& folder) {
   std::vector<std::string> names;
-  for (const auto& scene : SceneRegistry::instance().all()) {
-    names.push_back(scene->name);
+  if (arguments.scenes == std::vector<std::string>{kAllScenes}) {
+    for (const auto& scene : SceneRegistry::instance().all()) {
+      names.push_back(scene->name);
+    }
+    return names;
+  }
+  for (const std::string& scene : arguments.scenes) {
+    if (scene != kFamilies) {
+      names.push_back(scene);
+      continue;
+    }
+    const auto files = writeFamilies(familyNames(), arguments.families, folder);
+    if (!files) {
+      return tl::unexpected(files.error());
+    }
+    names.insert(names.end(), files->begin(), files->end());
   }
   return names;
 }
 
-Result<std::vector<CompareOptions>> makeComparisons(const BenchWorldsArguments& arguments) {
+Result<std::vector<CompareOptions>> makeComparisons(const BenchWorldsArguments& arguments,
+                                                    const std::filesystem::path& folder) {
+  const auto scenes = scenesOf(arguments, folder);
+  if (!scenes) {
+    return tl::unexpected(scenes.error());
+  }
   std::vector<CompareOptions> comparisons;
-  for (const std::string& scene : scenesOf(arguments)) {
+  for (const std::string& scene : *scenes) {
     CompareOptions options{.repeat = arguments.repeat};
     for (const std::string& world : arguments.worlds) {
       auto run = makeBenchRun(arguments.bench, scene, world);
@@ -53,8 +90,30 @@ Result<std::vector<CompareOptions>> makeComparisons(const BenchWorldsArguments& 
   return comparisons;
 }
 
-ExitStatus measure(const BenchWorldsArguments& arguments) {
-  const auto comparisons = makeComparisons(arguments);
+// Removed at the end, unlike what is committed.
+Result<std::optional<StagedFolder>> makeFolder(const BenchWorldsArguments& arguments) {
+  if (!asksForFamilies(arguments)) {
+    return std::nullopt;
+  }
+  std::error_code error;
+  const auto place = std::filesystem::temp_directory_path(error);
+  if (error) {
+    return fail("there is no folder for temporary files (" + error.message() + "); set TMPDIR");
+  }
+  return StagedFolder::create(place / "families").map([](StagedFolder folder) {
+    return std::optional(std::move(folder));
+  });
+}
+
+ExitStatus measure(const CLI::App& command, const BenchWorldsArguments& arguments) {
+  if (auto meaningful = checkFamilies(command, arguments); !meaningful) {
+    return refuse(meaningful.error());
+  }
+  const auto folder = makeFolder(arguments);
+  if (!folder) {
+    return refuse(folder.error());
+  }
+  const auto comparisons = makeComparisons(arguments, *folder ? (*folder)->path() : std::filesystem::path());
   if (!comparisons) {
     return refuse(comparisons.error());
   }
@@ -83,7 +142,10 @@ Command addBenchWorldsCommand(CLI::App& bench) {
   CLI::App* command =
       bench.add_subcommand("worlds", "What worlds take on many scenes, as ratios to the first world");
   auto arguments = std::make_shared<BenchWorldsArguments>();
-  command->add_option("--scenes", arguments->scenes, "Where to measure; all: every registered scene")
+  command
+      ->add_option("--scenes", arguments->scenes,
+                   "Where to measure; all: every registered scene; families: those that `scatter "
+                   "families` writes")
       ->type_name("NAME,NAME")
       ->delimiter(',')
       ->capture_default_str();
@@ -93,10 +155,11 @@ Command addBenchWorldsCommand(CLI::App& bench) {
       ->type_name("NAME,NAME")
       ->delimiter(',')
       ->capture_default_str();
+  addFamilyArguments(*command, arguments->families);
   addRepeatArgument(*command, arguments->repeat);
   addFidelityArgument(*command, arguments->fidelityEvery);
   addBenchArguments(*command, arguments->bench);
-  return {command, [arguments] { return measure(*arguments); }};
+  return {command, [command, arguments] { return measure(*command, *arguments); }};
 }
 
 }  // namespace scatter::app

@@ -1,10 +1,10 @@
 #include <scatter/lab/comparison.h>
 
 #include "lab/comparison_folder.h"
+#include "lab/repeats.h"
 
 #include <algorithm>
 #include <functional>
-#include <limits>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -63,25 +63,10 @@ Result<void> checkSameHashes(const ComparedWorld& world) {
               " on, so its times cannot be compared; look for chance or a clock in the scene or the engine");
 }
 
-Spread spreadOf(const std::vector<double>& values) {
-  const auto [min, max] = std::minmax_element(values.begin(), values.end());
-  return {.median = medianOf(values), .min = *min, .max = *max};
-}
-
-// Each repeat's figure over that of the first world in the same repeat.
 Spread ratio(const ComparedWorld& world, const ComparedWorld& first, TimeStatistics Summary::*channel,
              double TimeStatistics::*figure) {
-  std::vector<double> ratios;
-  for (std::size_t i = 0; i < world.repeats.size(); ++i) {
-    const double value = world.repeats[i].summary.*channel.*figure;
-    const double base = first.repeats[i].summary.*channel.*figure;
-    if (base == 0.0) {
-      const double none = std::numeric_limits<double>::quiet_NaN();
-      return {.median = none, .min = none, .max = none};
-    }
-    ratios.push_back(value / base);
-  }
-  return spreadOf(ratios);
+  return lab::ratioOver(world, first,
+                        [channel, figure](const Run& run) { return run.summary.*channel.*figure; });
 }
 
 TimeRatios ratios(const ComparedWorld& world, const ComparedWorld& first, TimeStatistics Summary::*channel) {

@@ -1,5 +1,6 @@
 #include <scatter/lab/recorder.h>
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -70,6 +71,7 @@ void FrameRecorder::addChannels() {
   for (const CounterColumn& counter : kCounters) {
     counters_.push_back(data_.addChannel({std::string(counter.name), "", ChannelKind::kInteger}));
   }
+  awake_ = data_.addChannel({"awake_bodies", "", ChannelKind::kInteger});
   measured_[kBudget] = real("budget_ms", "ms");
   measured_[kUnits] = real("budget_units", "");
   measured_[kEnergy] = real("kinetic_energy", "J");
@@ -115,6 +117,10 @@ void FrameRecorder::recordCounters() {
   for (std::size_t i = 0; i < kCounters.size(); ++i) {
     data_.set(counters_[i], counters.*kCounters[i].member);
   }
+  const auto& objects = world_.objects();
+  data_.set(awake_, static_cast<double>(std::count_if(objects.begin(), objects.end(), [](const auto& object) {
+              return object->def().motion == Motion::kDynamic && !object->state().asleep;
+            })));
 }
 
 }  // namespace scatter

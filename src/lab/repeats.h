@@ -2,7 +2,9 @@
 
 #include <scatter/lab/comparison.h>
 
+#include <algorithm>
 #include <functional>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -16,6 +18,22 @@ namespace scatter::lab {
     values.push_back(figure(run.summary));
   }
   return medianOf(std::move(values));
+}
+
+/// Each repeat's figure over that of the first world in the same repeat. Not a number where that is zero.
+[[nodiscard]] inline Spread ratioOver(const ComparedWorld& world, const ComparedWorld& first,
+                                      const std::function<double(const Run&)>& figure) {
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < world.repeats.size(); ++i) {
+    const double base = figure(first.repeats[i]);
+    if (base == 0.0) {
+      const double none = std::numeric_limits<double>::quiet_NaN();
+      return {.median = none, .min = none, .max = none};
+    }
+    ratios.push_back(figure(world.repeats[i]) / base);
+  }
+  const auto [min, max] = std::minmax_element(ratios.begin(), ratios.end());
+  return {.median = medianOf(ratios), .min = *min, .max = *max};
 }
 
 }  // namespace scatter::lab

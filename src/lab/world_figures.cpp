@@ -9,6 +9,8 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <numeric>
+#include <string_view>
 #include <utility>
 
 namespace scatter {
@@ -67,6 +69,45 @@ constexpr std::array<RatioColumn, 4> kRatioColumns{{
     {"p99", &TimeRatios::p99, &TimeStatistics::p99},
     {"total", &TimeRatios::total, &TimeStatistics::total},
     {"last_100", &TimeRatios::lastHundred, &TimeStatistics::lastHundred},
+}};
+
+double totalOf(const Run& run, std::string_view column) {
+  const std::vector<double>& values = run.table.values(column);
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+double collisionMs(const Run& run) {
+  return totalOf(run, "collision_detection_ms");
+}
+
+/// Worlds may fall asleep at different times: what is asleep costs nothing, and counts for nothing.
+double awakeStepUs(const Run& run) {
+  const double bodySteps = totalOf(run, "awake_bodies");
+  return bodySteps > 0.0 ? 1000.0 * run.summary.physicsCpuMs.total / bodySteps : 0.0;
+}
+
+double medianOfRuns(const ComparedWorld& world, double (*figure)(const Run& run)) {
+  std::vector<double> values;
+  for (const Run& run : world.repeats) {
+    values.push_back(figure(run));
+  }
+  return medianOf(std::move(values));
+}
+
+/// What is no statistic of the frames' processor times.
+struct WorkColumn {
+  const char* name;     ///< In a file, of the figure.
+  const char* ratio;    ///< In a file, of its ratio.
+  const char* heading;  ///< In a table.
+  double WorldFigures::*value;
+  Spread WorldFigures::*spread;
+};
+
+constexpr std::array<WorkColumn, 2> kWorkColumns{{
+    {"collision_detection_ms", "collision_detection_ratio", "collision", &WorldFigures::collisionMs,
+     &WorldFigures::collisionRatio},
+    {"awake_body_step_us", "awake_body_step_ratio", "per awake", &WorldFigures::awakeStepUs,
+     &WorldFigures::awakeStepRatio},
 }};
 
 struct FidelityColumn {
@@ -136,6 +177,12 @@ Cells csvHeader() {
     }
   }
   header.emplace_back("manifolds_peak");
+  for (const WorkColumn& column : kWorkColumns) {
+    header.emplace_back(column.name);
+    for (const char* part : {"", "_min", "_max"}) {
+      header.push_back(std::string(column.ratio) + part);
+    }
+  }
   for (const FidelityColumn& column : kFidelityColumns) {
     header.emplace_back(column.name);
   }
@@ -158,13 +205,19 @@ Cells csvRow(const WorldFigures& world, const Cells& around) {
   for (const RatioColumn& column : kRatioColumns) {
     cells.push_back(lab::shortestNumber(world.cpuMs.*column.time));
   }
-  for (const RatioColumn& column : kRatioColumns) {
-    const Spread& ratio = world.ratios.*column.ratio;
+  const auto addRatio = [&cells](const Spread& ratio) {
     for (const double value : {ratio.median, ratio.min, ratio.max}) {
       cells.push_back(std::isnan(value) ? std::string() : lab::shortestNumber(value));
     }
+  };
+  for (const RatioColumn& column : kRatioColumns) {
+    addRatio(world.ratios.*column.ratio);
   }
   cells.push_back(lab::shortestNumber(world.manifoldsPeak));
+  for (const WorkColumn& column : kWorkColumns) {
+    cells.push_back(lab::shortestNumber(world.*column.value));
+    addRatio(world.*column.spread);
+  }
   for (const FidelityColumn& column : kFidelityColumns) {
     cells.push_back(world.hasFidelity ? lab::shortestNumber(world.*column.value) : std::string());
   }
@@ -191,7 +244,11 @@ std::vector<WorldFigures> worldFigures(const Comparison& comparison) {
                          .cpuMs = medianTimes(world),
                          .ratios = world.physicsCpuMs,
                          .manifoldsPeak = lab::medianOver(
-                             world, [](const Summary& run) { return run.counter("manifolds").peak; })};
+                             world, [](const Summary& run) { return run.counter("manifolds").peak; }),
+                         .collisionMs = medianOfRuns(world, collisionMs),
+                         .collisionRatio = lab::ratioOver(world, comparison.worlds.front(), collisionMs),
+                         .awakeStepUs = medianOfRuns(world, awakeStepUs),
+                         .awakeStepRatio = lab::ratioOver(world, comparison.worlds.front(), awakeStepUs)};
     if (options.fidelityEvery > 0) {
       addFidelity(world, figures);
     }
@@ -222,6 +279,9 @@ Result<std::vector<WorldFigures>> benchWorlds(
 std::string formatWorldFigures(const std::vector<WorldFigures>& worlds) {
   const bool fidelity = anyFidelity(worlds);
   Cells header{"scene, world", "peak ms", "over", "peak", "p99", "total", "last 100"};
+  for (const WorkColumn& column : kWorkColumns) {
+    header.emplace_back(column.heading);
+  }
   for (const FidelityColumn& column : kFidelityColumns) {
     if (fidelity) {
       header.emplace_back(column.heading);
@@ -234,6 +294,9 @@ std::string formatWorldFigures(const std::vector<WorldFigures>& worlds) {
     for (const RatioColumn& column : kRatioColumns) {
       cells.push_back(lab::ratioText(world.ratios.*column.ratio, world.repeats > 1));
     }
+    for (const WorkColumn& column : kWorkColumns) {
+      cells.push_back(lab::ratioText(world.*column.spread, world.repeats > 1));
+    }
     for (const FidelityColumn& column : kFidelityColumns) {
       if (fidelity) {
         cells.push_back(lab::readableNumber(column.scale * world.*column.value));
@@ -245,7 +308,9 @@ std::string formatWorldFigures(const std::vector<WorldFigures>& worlds) {
   return lab::textTable(lines) +
          lab::fitTerminal("Processor time of the physics: ratios to the scene's first world, medians of " +
                           repeats +
-                          " interleaved repeats (smallest-largest); over: frames over the world's budget.");
+                          " interleaved repeats (smallest-largest); over: frames over the world's budget. "
+                          "collision: wall time "
+                          "of collision detection; per awake: processor time for each awake body and step.");
 }
 
 std::string worldFiguresCsv(const std::vector<WorldFigures>& worlds) {

@@ -35,7 +35,8 @@ TEST(FrameRecorder, HasExactlyTheAgreedColumnsInOrder) {
       "separation_queries,cost_units,planned_units,floor_units,pairs_skipped,list_rebuilds,child_pairs,child_"
       "pairs_"
       "asleep,"
-      "bounds_rejected,axis_rejected,gjk_runs,gjk_iterations,detector_runs,budget_ms,budget_units,kinetic_"
+      "bounds_rejected,axis_rejected,gjk_runs,gjk_iterations,detector_runs,awake_bodies,budget_ms,budget_"
+      "units,kinetic_"
       "energy,max_"
       "penetration,state_hash");
 }
@@ -54,6 +55,7 @@ TEST(FrameRecorder, FillsAFrameFromOneStep) {
   EXPECT_EQ(value("update_aabbs_ms"), 1.0);
   EXPECT_EQ(value("plan_ms"), 10.0);
   EXPECT_EQ(value("objects"), 2.0);
+  EXPECT_EQ(value("awake_bodies"), 2.0);
   EXPECT_EQ(value("manifolds"), 8.0);
   EXPECT_EQ(value("narrowphase_pairs"), 4.0);
   EXPECT_EQ(value("budget_ms"), 5.0);

@@ -22,6 +22,11 @@ struct WorldFigures {
   TimeRatios ratios;      ///< Of that to the scene's first world.
   double manifoldsPeak = 0.0;
 
+  double collisionMs = 0.0;  ///< Wall time of collision detection, all frames.
+  Spread collisionRatio;
+  double awakeStepUs = 0.0;  ///< Processor microseconds, all frames, for each awake body in each step.
+  Spread awakeStepRatio;     ///< Not a number if the first world's bodies all slept.
+
   bool hasFidelity = false;  ///< Was it measured? Else the rest is zero.
   double visibleOverlapMean = 0.0;
   double visibleOverlapPer100 = 0.0;
@@ -43,8 +48,8 @@ struct WorldFigures {
     const std::vector<CompareOptions>& scenes,
     const std::function<void(const std::string& scene, const CompareProgress&)>& progress = {});
 
-/// A table of processor times and ratios, one line for each scene and world, and of fidelity if it was
-/// measured; ends with a new line.
+/// A table of times and ratios, one line for each scene and world, and of fidelity if it was measured; ends
+/// with a new line.
 [[nodiscard]] std::string formatWorldFigures(const std::vector<WorldFigures>& worlds);
 
 /// The same as CSV, with the build, the machine and the date in every row.
