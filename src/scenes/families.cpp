@@ -80,8 +80,9 @@ struct Terrain {
 /// On a full ground 100 cells a side, which are 20 000 triangles.
 Terrain addTerrain(FamilyScene& scene, std::string_view kind) {
   constexpr float kSide = 80.0F;
+  constexpr float kLeastSide = 40.0F;
   constexpr float kCell = 0.8F;
-  const Terrain terrain{.side = scene.side(kSide), .relief = scene.vary(5.0F)};
+  const Terrain terrain{.side = scene.side(kSide, kLeastSide), .relief = scene.vary(5.0F)};
   const std::string size = tomlNumber(terrain.side);
   const std::string cells = std::to_string(std::lround(terrain.side / kCell));
   const std::string roughness = tomlNumber(scene.random().uniform(0.3F, 0.5F));
@@ -104,7 +105,8 @@ void rain(FamilyScene& scene, const Models& models, int count, float side, float
 void makeShipsOn(FamilyScene& scene, std::string_view ground) {
   const Terrain terrain = addTerrain(scene, ground);
   const Models ships = addShips(scene, 4);
-  rain(scene, ships, scene.count(300), 0.8F * terrain.side, terrain.relief);
+  constexpr float kEdge = 8.0F;  // metres, so that few roll off
+  rain(scene, ships, scene.count(300), terrain.side - 2.0F * kEdge, terrain.relief);
 }
 
 void shipsOnMesh(FamilyScene& scene) {
@@ -303,10 +305,12 @@ std::vector<Vec3> gridPlaces(int count, const Vec3& spacing, int layers, float l
   const float middle = 0.5F * static_cast<float>(row - 1);
   std::vector<Vec3> places;
   for (int i = 0; i < count; ++i) {
+    const int layer = i / inLayer;
     const int cell = i % inLayer;
+    const int line = cell / row;
     places.emplace_back((static_cast<float>(cell % row) - middle) * spacing.x,
-                        low + static_cast<float>(i / inLayer) * spacing.y,
-                        (static_cast<float>(cell / row) - middle) * spacing.z);
+                        low + static_cast<float>(layer) * spacing.y,
+                        (static_cast<float>(line) - middle) * spacing.z);
   }
   return places;
 }
@@ -363,6 +367,7 @@ void wheelStack(FamilyScene& scene) {
   scene.add("[[object]]", {{"name", tomlText("wheel")},
                            {"model", tomlText(wheels.models.front().file)},
                            {"friction", randomFriction(scene)},
+                           {"may_rest", "false"},
                            {"stack", "{ count = " + std::to_string(std::max(2, scene.count(20))) + " }"}});
 }
 
@@ -379,7 +384,7 @@ void addWalls(FamilyScene& scene, float side) {
 void furnishedRooms(FamilyScene& scene) {
   scene.begin("ships and wheels rain into rooms with tables and bowls", 480);
   addPlane(scene);
-  const float side = scene.side(26.0F);
+  const float side = scene.side(26.0F, 20.0F);
   addWalls(scene, side);
   const Vec3 size{scene.vary(2.5F), scene.vary(1.0F), scene.vary(1.5F)};
   const FamilyModel table = scene.addModel("table", makeTable(size), 40.0F);

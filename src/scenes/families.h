@@ -21,7 +21,9 @@ struct FamilyInfo {
 
 struct FamilyOptions {
   std::uint64_t seed = 1;  ///< Of everything that is drawn, the scene's own seed too.
-  double scale = 1.0;      ///< Times the number of bodies and the area of terrains; above 0, at most 10.
+
+  /// Times the number of bodies and, down to 40 m a side, the area of terrains; above 0, at most 10.
+  double scale = 1.0;
 };
 
 /// Writes FAMILY-SEED.toml into an existing folder, and its models and meshes into the folder FAMILY-SEED

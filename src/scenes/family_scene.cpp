@@ -15,7 +15,6 @@
 namespace scatter {
 namespace {
 
-constexpr float kLeastSide = 24.0F;   // metres: bodies should land on the ground that is there for them
 constexpr double kFilled = 0.25;      // share of a region that the balls around its bodies fill
 constexpr float kRoomToGrow = 0.15F;  // of the height of a region, that it may need below itself
 
@@ -49,8 +48,8 @@ int FamilyScene::count(int nominal) {
                                                   static_cast<double>(vary(static_cast<float>(nominal))))));
 }
 
-float FamilyScene::side(float nominal) const {
-  return std::max(kLeastSide, nominal * static_cast<float>(std::sqrt(options_.scale)));
+float FamilyScene::side(float nominal, float least) const {
+  return std::max(least, nominal * static_cast<float>(std::sqrt(options_.scale)));
 }
 
 void FamilyScene::begin(std::string_view summary, int frames, bool gravity) {

@@ -42,8 +42,8 @@ class FamilyScene {
   [[nodiscard]] int varyWhole(int nominal);
   [[nodiscard]] int count(int nominal);
 
-  /// The side of a square ground on which that many bodies are as dense as on a full one.
-  [[nodiscard]] float side(float nominal) const;
+  /// The side of a square ground on which bodies are as dense as on a full one, but no less than `least`.
+  [[nodiscard]] float side(float nominal, float least) const;
 
   /// The table [scene]; gravity is that of the earth or none.
   void begin(std::string_view summary, int frames, bool gravity = true);

@@ -198,7 +198,7 @@ SceneSection terrain() {
             0, 1},
            {"seed", "whole number", "", "1", "Of the surface alone; `--seed` does not change it.", 0, 9e15},
            textKey("kind", "\"mesh\"",
-                   "`\"mesh\"`: a triangle mesh; `\"height_field\"`: the same surface as a height field.")}};
+                   R"(`"mesh"`: a triangle mesh; `"height_field"`: the same surface as a height field.)")}};
 }
 
 std::vector<SceneSection> objectTables() {
