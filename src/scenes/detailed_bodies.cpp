@@ -15,26 +15,13 @@ namespace {
 
 constexpr float kGrid = 4096.0F;     // points lie on multiples of its inverse: short in a file, and exact
 constexpr int kMostExtraPoints = 5;  // of a random hull, beside its eight
+constexpr float kMeanReach = 0.8F;   // of its points along an axis, by its radius
 constexpr float kMostReach = 1.4F;   // of a hull along the body, by the length of its group
+constexpr float kMostShift = 0.4F;   // of its middle, by that length
 constexpr float kFullTurn = 2.0F * std::numbers::pi_v<float>;
 
 Vec3 onGrid(const Vec3& point) {
   return glm::round(point * kGrid) / kGrid;
-}
-
-/// A point in each octant, and some more.
-ConvexHull randomHull(const Vec3& center, const Vec3& radii, Random& random) {
-  ConvexHull hull;
-  for (int octant = 0; octant < 8; ++octant) {
-    const Vec3 corner((octant & 1) != 0 ? 1.0F : -1.0F, (octant & 2) != 0 ? 1.0F : -1.0F,
-                      (octant & 4) != 0 ? 1.0F : -1.0F);
-    const Vec3 direction = glm::normalize(corner + 0.6F * random.insideUnitBall());
-    hull.vertices.push_back(onGrid(center + radii * direction));
-  }
-  for (std::size_t extra = random.below(kMostExtraPoints + 1); extra > 0; --extra) {
-    hull.vertices.push_back(onGrid(center + radii * random.direction()));
-  }
-  return hull;
 }
 
 /// From -1 to 1 in each coordinate.
@@ -43,6 +30,21 @@ Vec3 insideCube(Random& random) {
   const float y = random.uniform(-1.0F, 1.0F);
   const float z = random.uniform(-1.0F, 1.0F);
   return {x, y, z};
+}
+
+/// A point in each octant, and some more.
+ConvexHull randomHull(const Vec3& center, const Vec3& radii, Random& random) {
+  ConvexHull hull;
+  for (int octant = 0; octant < 8; ++octant) {
+    const Vec3 corner((octant & 1) != 0 ? 1.0F : -1.0F, (octant & 2) != 0 ? 1.0F : -1.0F,
+                      (octant & 4) != 0 ? 1.0F : -1.0F);
+    const Vec3 share = Vec3(kMeanReach) + (1.0F - kMeanReach) * insideCube(random);
+    hull.vertices.push_back(onGrid(center + radii * corner * share));
+  }
+  for (std::size_t extra = random.below(kMostExtraPoints + 1); extra > 0; --extra) {
+    hull.vertices.push_back(onGrid(center + radii * random.direction()));
+  }
+  return hull;
 }
 
 int longestAxis(const Vec3& size) {
@@ -117,9 +119,9 @@ HullGroups makeCluster(const ClusterDef& def, Random& random) {
     const int group = i % def.groups;
     const float along = def.groups > 1 ? 2.0F * static_cast<float>(group) / (count - 1.0F) - 1.0F : 0.0F;
     Vec3 center = 0.55F * def.halfExtents * insideCube(random);
-    center[axis] = ends * along + 0.6F * length * random.uniform(-1.0F, 1.0F);
+    center[axis] = ends * along + kMostShift * length * random.uniform(-1.0F, 1.0F);
     Vec3 radii = def.halfExtents * random.uniform(0.28F, 0.44F);
-    radii[axis] = length * random.uniform(0.5F, kMostReach - 0.6F);
+    radii[axis] = length * random.uniform(0.75F, kMostReach - kMostShift);
     groups[static_cast<std::size_t>(group)].push_back(randomHull(center, radii, random));
   }
   return groups;
