@@ -33,6 +33,11 @@ kind = "box"
 size = [4, 5, 6]
 clearance = 0.1
 [[object]]
+name = "hills"
+at = [0, -40, 0]
+terrain = { size = [30, 20], cells = [6, 4], relief = 2, roughness = 0.3, seed = 5, kind = "height_field" }
+
+[[object]]
 name = "floor"
 plane = [0, 1, 0]
 [[object]]

@@ -33,6 +33,11 @@ void expectSound(const SceneFile& scene) {
     EXPECT_TRUE(!object.mass || (std::isfinite(*object.mass) && *object.mass > 0.0F));
     EXPECT_TRUE(isFinite(object.velocity.vector) && std::isfinite(object.velocity.amount));
     EXPECT_NEAR(glm::length(object.orientation.rotation), 1.0F, 1e-3F);
+    if (const auto* terrain = std::get_if<SceneFileTerrain>(&object.shape)) {
+      EXPECT_TRUE(terrain->size[0] > 0.0F && terrain->size[1] > 0.0F && terrain->relief >= 0.0F);
+      EXPECT_TRUE(terrain->cells[0] > 0 && terrain->cells[1] > 0);
+      EXPECT_EQ(object.motion, SceneFileMotion::kStatic);
+    }
     if (const auto* places = std::get_if<std::vector<Vec3>>(&object.placement)) {
       EXPECT_EQ(places->size(), object.count);
       EXPECT_TRUE(std::all_of(places->begin(), places->end(), isFinite));
