@@ -22,7 +22,8 @@ struct WorldFigures {
   TimeRatios ratios;      ///< Of that to the scene's first world.
   double manifoldsPeak = 0.0;
 
-  double collisionMs = 0.0;  ///< Wall time of collision detection, all frames.
+  /// Of collision detection, all frames: wall time, of each frame no more than its processor time.
+  double collisionMs = 0.0;
   Spread collisionRatio;
   double awakeStepUs = 0.0;  ///< Processor microseconds, all frames, for each awake body in each step.
   Spread awakeStepRatio;     ///< Not a number if the first world's bodies all slept.
