@@ -46,6 +46,20 @@ std::vector<std::string> familyNames() {
   return names;
 }
 
+/// Those of every scene, and worlds whose pairs switch: all coarse, and within a budget.
+std::vector<WorldCase> switchingWorlds() {
+  std::vector<WorldCase> worlds = everyWorld();
+  PhysicsDef def;
+  def.world = WorldKind::kHybrid;
+  def.switching.switching = Switching::kPair;
+  def.switching.policy = Policy::kCoarsest;
+  worlds.push_back({"coarsest pairs", def});
+  def.switching.policy = Policy::kNone;
+  def.switching.budget.units = 500.0;
+  worlds.push_back({"a budget", def});
+  return worlds;
+}
+
 TEST(Families, AreSeveralWithASummaryEach) {
   std::set<std::string> names;
   for (const FamilyInfo& family : sceneFamilies()) {
@@ -89,7 +103,7 @@ TEST_P(EveryFamily, StepsInEveryWorld) {
   for (const std::uint64_t seed : {1U, 2U}) {
     const auto file = writeFamily(GetParam(), {.seed = seed, .scale = kSmall}, folder.path());
     ASSERT_TRUE(file) << file.error().message;
-    for (const WorldCase& world : everyWorld()) {
+    for (const WorldCase& world : switchingWorlds()) {
       SceneWorld scene(file->string(), world.def, seed);
       EXPECT_GT(scene.world.objects().size(), 1U);
       scene.step();
