@@ -204,8 +204,9 @@ bool GroundLook::asks(const ChildPair& child, const Frame& region, PartContact& 
 
 // Of points of a part that are near each other engines keep the last one: that must be the deepest.
 void GroundLook::addFound(const Frame& region) {
-  std::ranges::stable_sort(scratch_.found, [](const GroundScratch::Found& a, const GroundScratch::Found& b) {
-    return a.part != b.part ? a.part < b.part : a.distance > b.distance;
+  std::ranges::sort(scratch_.found, [](const GroundScratch::Found& a, const GroundScratch::Found& b) {
+    if (a.part != b.part) return a.part < b.part;
+    return a.distance != b.distance ? a.distance > b.distance : a.child < b.child;
   });
   for (const GroundScratch::Found& found : scratch_.found) {
     const ChildPair& child = pair_.parts.children()[static_cast<std::size_t>(found.child)];

@@ -76,7 +76,7 @@ void btHybridGroundAlgorithm::processCollision(const btCollisionObjectWrapper* b
 	btHybridPlanner* planner = m_planIndex >= 0 ? shared.getPlanner() : 0;
 	const bool isFirst = m_bodies->m_side == 0;
 	const btHybridGroundCall call = {isFirst ? body0Wrap : body1Wrap, isFirst ? body1Wrap : body0Wrap, dispatchInfo, resultOut};
-	btHybridGroundEngine engine(static_cast<btCollisionDispatcher*>(m_dispatcher), shared.getObjects(), *m_bodies, call, m_fallback);
+	btHybridGroundEngine engine(static_cast<btCollisionDispatcher*>(m_dispatcher), shared.getObjects(), *m_bodies, call, m_fallback, shared.getBounds());
 	if (staysQuiet(engine))
 	{
 		if (planner)

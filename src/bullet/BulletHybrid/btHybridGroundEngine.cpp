@@ -103,8 +103,8 @@ void btHybridGroundBodies::take(int level, btHybridObjects& objects)
 	m_level = level;
 }
 
-btHybridGroundEngine::btHybridGroundEngine(btCollisionDispatcher* dispatcher, btHybridObjects& objects, btHybridGroundBodies& bodies, const btHybridGroundCall& call, btCollisionAlgorithm*& fallback)
-    : btHybridManifolds(dispatcher, call.m_body, call.m_ground), m_objects(objects), m_bodies(bodies), m_call(call), m_fallback(fallback), m_levelWrap(0, call.m_body->getCollisionShape(), call.m_body->getCollisionObject(), call.m_body->getWorldTransform(), -1, -1), m_isBounded(false), m_boundedPart(-1), m_mayBegin(false)
+btHybridGroundEngine::btHybridGroundEngine(btCollisionDispatcher* dispatcher, btHybridObjects& objects, btHybridGroundBodies& bodies, const btHybridGroundCall& call, btCollisionAlgorithm*& fallback, std::vector<btHybridPartBounds>& parts)
+    : btHybridManifolds(dispatcher, call.m_body, call.m_ground), m_objects(objects), m_bodies(bodies), m_call(call), m_fallback(fallback), m_levelWrap(0, call.m_body->getCollisionShape(), call.m_body->getCollisionObject(), call.m_body->getWorldTransform(), -1, -1), m_isBounded(false), m_parts(parts)
 {
 }
 
@@ -123,9 +123,9 @@ bool btHybridGroundEngine::follow(scatter::pairs::PlacedBody& body)
 bool btHybridGroundEngine::place(int level, scatter::pairs::PlacedBody& body)
 {
 	m_bodies.take(level, m_objects);
-	m_boundedPart = -1;
 	if (!follow(body))
 		return false;
+	m_parts.assign(size_t(body.body->parts().count()), btHybridPartBounds());
 	if (m_bodies.m_switches)
 		m_levelWrap.m_shape = m_bodies.m_body->getShape();
 	releaseFallback();
@@ -201,20 +201,22 @@ void btHybridGroundEngine::boundGround()
 	ground->getAabb(m_call.m_body->getWorldTransform().inverse() * pose, m_groundMin[1], m_groundMax[1]);
 }
 
-void btHybridGroundEngine::boundPart(int part)
+const btHybridPartBounds& btHybridGroundEngine::getBounds(int part)
 {
-	if (part == m_boundedPart)
-		return;
-	m_boundedPart = part;
-	m_mayBegin = isLetThrough(part);
-	if (m_bodies.m_ground.getKind() == BT_HYBRID_HALF_SPACE)
-		return;
-	m_mayBegin = m_mayBegin && meetsInWorld(part) && meetsLeaf(part);
+	btHybridPartBounds& bounds = m_parts[part];
+	if (bounds.m_isKnown)
+		return bounds;
+	bounds.m_isKnown = true;
+	bounds.m_mayBegin = isLetThrough(part);
+	if (!bounds.m_mayBegin || m_bodies.m_ground.getKind() == BT_HYBRID_HALF_SPACE)
+		return bounds;
+	bounds.m_mayBegin = meetsInWorld(part) && meetsLeaf(part);
 	const btTransform inGround = m_call.m_ground->getWorldTransform().inverse() * getPartTransform(part);
-	m_bodies.m_body->getChildShape(part)->getAabb(inGround, m_partMin, m_partMax);
+	m_bodies.m_body->getChildShape(part)->getAabb(inGround, bounds.m_min, bounds.m_max);
 	const btVector3 margin(groundMargin(), groundMargin(), groundMargin());
-	m_partMin -= margin;
-	m_partMax += margin;
+	bounds.m_min -= margin;
+	bounds.m_max += margin;
+	return bounds;
 }
 
 // A filter that a program may have set for the children of compounds.
@@ -253,12 +255,12 @@ bool btHybridGroundEngine::keeps(int part)
 // Of a mesh only the triangles whose bounds meet those of the part, widened by the mesh's margin.
 bool btHybridGroundEngine::mayMeet(const GroundPieces& pieces, const ChildPair& child)
 {
-	boundPart(child.b);
-	if (!m_mayBegin || m_bodies.m_ground.getKind() != BT_HYBRID_TRIANGLES)
-		return m_mayBegin;
+	const btHybridPartBounds& bounds = getBounds(child.b);
+	if (!bounds.m_mayBegin || m_bodies.m_ground.getKind() != BT_HYBRID_TRIANGLES)
+		return bounds.m_mayBegin;
 	const auto points = pieces.pointsOf(pieces.pieces[child.a]);
 	const btVector3 corners[3] = {vector(points[0]), vector(points[1]), vector(points[2])};
-	return TestTriangleAgainstAabb2(corners, m_partMin, m_partMax);
+	return TestTriangleAgainstAabb2(corners, bounds.m_min, bounds.m_max);
 }
 
 void btHybridGroundEngine::add(void* manifold, const GroundPieces& pieces, const ChildPair& child, const scatter::PartContact& contact, const scatter::Frame& frame)

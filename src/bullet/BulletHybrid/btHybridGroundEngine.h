@@ -1,6 +1,8 @@
 #ifndef BT_HYBRID_GROUND_ENGINE_H
 #define BT_HYBRID_GROUND_ENGINE_H
 
+#include <vector>
+
 #include "btHybridGround.h"
 #include "btHybridLevelBodies.h"
 #include "btHybridManifolds.h"
@@ -29,6 +31,20 @@ struct btHybridGroundBodies
 	void take(int level, btHybridObjects& objects);
 };
 
+/// Of a part, in one step: its bounds in the ground's frame, and whether Bullet lets it come into contact.
+struct btHybridPartBounds
+{
+	btVector3 m_min;
+	btVector3 m_max;
+	bool m_isKnown;
+	bool m_mayBegin;
+
+	btHybridPartBounds()
+	    : m_isKnown(false), m_mayBegin(false)
+	{
+	}
+};
+
 /// What one call of processCollision was given; the body first.
 struct btHybridGroundCall
 {
@@ -49,14 +65,11 @@ class btHybridGroundEngine : public btHybridManifolds<scatter::pairs::GroundEngi
 	bool m_isBounded;                      ///< the ground's bounds are known
 	btVector3 m_groundMin[2];              ///< in the world, and in the body's frame
 	btVector3 m_groundMax[2];
-	int m_boundedPart;  ///< whose bounds in the ground's frame are known, and whether Bullet lets it come into contact
-	bool m_mayBegin;
-	btVector3 m_partMin;
-	btVector3 m_partMax;
+	std::vector<btHybridPartBounds>& m_parts;
 
 	btTransform getPartTransform(int part) const;
 	void boundGround();
-	void boundPart(int part);
+	const btHybridPartBounds& getBounds(int part);
 	bool isLetThrough(int part) const;
 	bool meetsInWorld(int part);
 	bool meetsLeaf(int part);
@@ -64,8 +77,8 @@ class btHybridGroundEngine : public btHybridManifolds<scatter::pairs::GroundEngi
 	void detectIn(btPersistentManifold* manifold, const btCollisionObjectWrapper* part, const btCollisionObjectWrapper* ground);
 
 public:
-	/// fallback: Bullet's own algorithm for the two, while there is one. All must outlive it.
-	btHybridGroundEngine(btCollisionDispatcher* dispatcher, btHybridObjects& objects, btHybridGroundBodies& bodies, const btHybridGroundCall& call, btCollisionAlgorithm*& fallback);
+	/// fallback: Bullet's own algorithm for the two, while there is one. parts: memory that engines use in turn. All must outlive it.
+	btHybridGroundEngine(btCollisionDispatcher* dispatcher, btHybridObjects& objects, btHybridGroundBodies& bodies, const btHybridGroundCall& call, btCollisionAlgorithm*& fallback, std::vector<btHybridPartBounds>& parts);
 
 	/// Where the two are, with the shapes that were looked at last; no contacts are going to be looked for.
 	bool follow(scatter::pairs::PlacedBody& body);

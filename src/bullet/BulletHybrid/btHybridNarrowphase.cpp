@@ -106,6 +106,13 @@ scatter::pairs::StepScratch& btHybridNarrowphase::beginPair()
 	return *m_scratches[m_depth++];
 }
 
+std::vector<btHybridPartBounds>& btHybridNarrowphase::getBounds()
+{
+	while (m_depth >= m_bounds.size())
+		m_bounds.push_back(std::make_unique<std::vector<btHybridPartBounds>>());
+	return *m_bounds[m_depth];
+}
+
 int btHybridNarrowphase::countDeepPairs(btScalar depth)
 {
 	btAlignedObjectArray<btHybridLevelBodies*> objects;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "BulletHybrid/btHybridCollision.h"
+#include "btHybridGroundEngine.h"
 #include "btHybridObjects.h"
 #include "pairs/pair_step.h"
 #include "pairs/pair_table.h"
@@ -26,6 +27,7 @@ class btHybridNarrowphase
 	scatter::pairs::PairTable m_plainPairs;
 	scatter::pairs::GroundTable m_grounds;
 	std::vector<std::unique_ptr<scatter::pairs::StepScratch>> m_scratches;
+	std::vector<std::unique_ptr<std::vector<btHybridPartBounds>>> m_bounds;
 	size_t m_depth;  ///< of pairs' steps inside each other's
 	btHybridPlanner* m_planner;
 
@@ -92,6 +94,9 @@ public:
 	{
 		return m_grounds;
 	}
+
+	/// Memory for the engine of a ground algorithm, until the end of the step of its pair.
+	std::vector<btHybridPartBounds>& getBounds();
 
 	/// Memory for one step of a pair, until the end of the step. A program's callback may collide two objects inside of it.
 	scatter::pairs::StepScratch& beginPair();
