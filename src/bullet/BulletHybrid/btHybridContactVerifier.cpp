@@ -257,6 +257,15 @@ int childOf(const btCollisionObject* object, int index)
 	return object->getCollisionShape()->isCompound() ? index : -1;
 }
 
+bool isNested(const btCollisionShape* shape)
+{
+	const btCompoundShape* compound = shape->isCompound() ? static_cast<const btCompoundShape*>(shape) : 0;
+	for (int i = 0; compound && i < compound->getNumChildShapes(); i++)
+		if (compound->getChildShape(i)->isCompound())
+			return true;
+	return false;
+}
+
 btHybridMissedContact describe(const btHybridChildKey& key, const btPersistentManifold* manifold)
 {
 	btHybridMissedContact contact;
@@ -398,7 +407,8 @@ bool btHybridContactVerifier::isCompared(const btHybridChildKey& key) const
 		const btCollisionShape* other = key.m_bodies[1 - i]->getCollisionShape();
 		if (btHybridGround::maybe(shape->getShapeType()) && shape->isConcave() && other->isCompound())
 			continue;
-		if (!btHybridParts::isPartList(shape) || (shape->isCompound() && key.m_children[i] < 0))
+		// The children of compounds in compounds are not told apart.
+		if (isNested(shape) || !btHybridParts::isPartList(shape) || (shape->isCompound() && key.m_children[i] < 0))
 			return false;
 	}
 	return m_parallel->getFate(key.m_bodies[0], key.m_bodies[1]) == btHybridParallelWorld::LOOKED_AT_FINEST;

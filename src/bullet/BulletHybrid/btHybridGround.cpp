@@ -2,7 +2,7 @@
 
 #include <BulletCollision/CollisionShapes/btBoxShape.h>
 #include <BulletCollision/CollisionShapes/btConcaveShape.h>
-#include <BulletCollision/CollisionShapes/btConvexHullShape.h>
+#include <BulletCollision/CollisionShapes/btPolyhedralConvexShape.h>
 #include <BulletCollision/CollisionShapes/btStaticPlaneShape.h>
 
 #include <limits>
@@ -74,6 +74,7 @@ bool btHybridGround::maybe(int shapeType)
 		case TERRAIN_SHAPE_PROXYTYPE:
 		case BOX_SHAPE_PROXYTYPE:
 		case CONVEX_HULL_SHAPE_PROXYTYPE:
+		case CONVEX_TRIANGLEMESH_SHAPE_PROXYTYPE:
 			return true;
 		default:
 			return false;
@@ -96,8 +97,7 @@ btHybridGroundKind btHybridGround::kindOf(const btCollisionShape* shape, btScala
 		return core[core.minAxis()] > 0 ? BT_HYBRID_LARGE_BOX : BT_HYBRID_NO_GROUND;
 	}
 	// Hulls whose polyhedral features are there have contacts of their own kind in Bullet.
-	const btConvexHullShape* hull = static_cast<const btConvexHullShape*>(shape);
-	return hull->getNumPoints() > 3 && !hull->getConvexPolyhedron() ? BT_HYBRID_LARGE_HULL : BT_HYBRID_NO_GROUND;
+	return static_cast<const btPolyhedralConvexShape*>(shape)->getConvexPolyhedron() ? BT_HYBRID_NO_GROUND : BT_HYBRID_LARGE_HULL;
 }
 
 bool btHybridGround::isCurrent(const btCollisionShape* shape, btHybridGroundKind kind) const
@@ -165,10 +165,9 @@ const Polytope& btHybridGround::getCore()
 {
 	if (m_core)
 		return *m_core;
-	const btConvexHullShape* hull = static_cast<const btConvexHullShape*>(m_shape);
 	std::vector<glm::dvec3> points;
-	for (int i = 0; i < hull->getNumPoints(); i++)
-		points.push_back(glm::dvec3(btHybridVec3(hull->getScaledPoint(i))));
+	for (const btVector3& point : btHybridHullPoints(m_shape))
+		points.push_back(glm::dvec3(btHybridVec3(point)));
 	double moved;
 	m_core = btHybridHullOf(points, &moved);
 	// Sides that leave points out, or are not flat, would clip off what is there.
@@ -181,12 +180,13 @@ void btHybridGround::collectHull(const btVector3& low, const btVector3& high, sc
 {
 	pieces.kind = scatter::PartKind::kHull;
 	std::vector<scatter::Vec3> corners;
-	const btConvexHullShape* hull = static_cast<const btConvexHullShape*>(m_shape);
 	if (getCore().isEmpty())
 	{
-		for (int i = 0; i < hull->getNumPoints(); i++)
-			corners.push_back(btHybridVec3(hull->getScaledPoint(i)));
-		return pieces.add(-1, -1, corners);
+		for (const btVector3& point : btHybridHullPoints(m_shape))
+			corners.push_back(btHybridVec3(point));
+		if (!corners.empty())
+			pieces.add(-1, -1, corners);
+		return;
 	}
 	Polytope near = getCore();
 	const double epsilon = c_flat * double((high - low).length());

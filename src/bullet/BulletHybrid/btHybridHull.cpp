@@ -1,8 +1,12 @@
 #include "btHybridHull.h"
 
+#include <BulletCollision/CollisionShapes/btConvexHullShape.h>
+#include <BulletCollision/CollisionShapes/btConvexTriangleMeshShape.h>
+#include <BulletCollision/CollisionShapes/btStridingMeshInterface.h>
 #include <LinearMath/btConvexHullComputer.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 using scatter::levels::HalfSpace;
@@ -47,7 +51,49 @@ OuterPlane planeOf(const std::vector<glm::dvec3>& points, const std::vector<glm:
 	outer.m_isFlat = high - low <= c_flatness * extent;
 	return outer;
 }
+/// Takes the corners of all triangles.
+struct Corners : public btInternalTriangleIndexCallback
+{
+	std::vector<btVector3> m_points;
+
+	virtual void internalProcessTriangleIndex(btVector3* triangle, int, int)
+	{
+		m_points.insert(m_points.end(), triangle, triangle + 3);
+	}
+
+	// Each once, in an order that is the same everywhere.
+	void unite()
+	{
+		const auto components = [](const btVector3& v)
+		{ return std::array<btScalar, 3>{v.x(), v.y(), v.z()}; };
+		std::sort(m_points.begin(), m_points.end(), [&](const btVector3& a, const btVector3& b)
+		          { return components(a) < components(b); });
+		m_points.erase(std::unique(m_points.begin(), m_points.end(), [&](const btVector3& a, const btVector3& b)
+		                           { return components(a) == components(b); }),
+		               m_points.end());
+	}
+};
 }  // namespace
+
+std::vector<btVector3> btHybridHullPoints(const btCollisionShape* shape)
+{
+	Corners corners;
+	if (!shape->isPolyhedral() || static_cast<const btPolyhedralConvexShape*>(shape)->getConvexPolyhedron())
+		return corners.m_points;
+	if (shape->getShapeType() == CONVEX_HULL_SHAPE_PROXYTYPE)
+	{
+		const btConvexHullShape* hull = static_cast<const btConvexHullShape*>(shape);
+		for (int i = 0; i < hull->getNumPoints(); i++)
+			corners.m_points.push_back(hull->getScaledPoint(i));
+	}
+	if (shape->getShapeType() == CONVEX_TRIANGLEMESH_SHAPE_PROXYTYPE)
+	{
+		const btVector3 all(BT_LARGE_FLOAT, BT_LARGE_FLOAT, BT_LARGE_FLOAT);
+		static_cast<const btConvexTriangleMeshShape*>(shape)->getMeshInterface()->InternalProcessAllTriangles(&corners, -all, all);
+		corners.unite();
+	}
+	return corners.m_points;
+}
 
 Polytope btHybridHullOf(const std::vector<glm::dvec3>& points, double* moved)
 {

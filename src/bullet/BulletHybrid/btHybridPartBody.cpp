@@ -24,14 +24,12 @@ void btHybridPartBody::moveTo(const btTransform& transform)
 
 const btCollisionShape* btHybridPartBody::getChildShape(int part) const
 {
-	const btCollisionShape* shape = m_parts->getShape();
-	return shape->isCompound() ? static_cast<const btCompoundShape*>(shape)->getChildShape(part) : shape;
+	return m_parts->getPartShape(part);
 }
 
 btTransform btHybridPartBody::getChildTransform(int part, const btTransform& body) const
 {
-	const btCollisionShape* shape = m_parts->getShape();
-	return shape->isCompound() ? body * static_cast<const btCompoundShape*>(shape)->getChildTransform(part) : body;
+	return m_parts->getPartIndex(part) < 0 ? body : body * m_parts->getPartTransform(part);
 }
 
 bool btHybridPartBody::hasLeaves() const

@@ -56,7 +56,7 @@ public:
 	/// The index by which Bullet knows a part: that of the compound's child, or -1.
 	int getChildIndex(int part) const
 	{
-		return m_parts->getShape()->isCompound() ? part : -1;
+		return m_parts->getPartIndex(part);
 	}
 	const btCollisionShape* getChildShape(int part) const;
 

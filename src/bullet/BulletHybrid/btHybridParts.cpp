@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "btHybridConversions.h"
+#include "btHybridHull.h"
 
 namespace
 {
@@ -26,28 +27,33 @@ const btCompoundShape* asCompound(const btCollisionShape* shape)
 	return shape->isCompound() ? static_cast<const btCompoundShape*>(shape) : 0;
 }
 
-int revisionOf(const btCollisionShape* shape)
+/// A convex shape in a compound, or in a compound in it.
+struct Leaf
+{
+	const btCollisionShape* m_shape;
+	btTransform m_transform;
+	int m_index;  ///< in the compound whose child it is; -1 if it is the whole shape
+};
+
+// Compounds in compounds end somewhere; whoever puts one into itself has worse to fear.
+void collectLeaves(const btCollisionShape* shape, const btTransform& transform, int index, std::vector<Leaf>& leaves)
 {
 	const btCompoundShape* compound = asCompound(shape);
-	return compound ? compound->getUpdateRevision() : 0;
+	if (!compound)
+	{
+		const Leaf leaf = {shape, transform, index};
+		leaves.push_back(leaf);
+		return;
+	}
+	for (int i = 0; i < compound->getNumChildShapes(); i++)
+		collectLeaves(compound->getChildShape(i), index < 0 ? compound->getChildTransform(i) : transform * compound->getChildTransform(i), i, leaves);
 }
 
-int numPartsOf(const btCollisionShape* shape)
+std::vector<Leaf> leavesOf(const btCollisionShape* shape)
 {
-	const btCompoundShape* compound = asCompound(shape);
-	return compound ? compound->getNumChildShapes() : 1;
-}
-
-const btCollisionShape* partShape(const btCollisionShape* shape, int part)
-{
-	const btCompoundShape* compound = asCompound(shape);
-	return compound ? compound->getChildShape(part) : shape;
-}
-
-btTransform partTransform(const btCollisionShape* shape, int part)
-{
-	const btCompoundShape* compound = asCompound(shape);
-	return compound ? compound->getChildTransform(part) : btTransform::getIdentity();
+	std::vector<Leaf> leaves;
+	collectLeaves(shape, btTransform::getIdentity(), -1, leaves);
+	return leaves;
 }
 
 scatter::Mat3 mat3(const btMatrix3x3& m)
@@ -62,12 +68,6 @@ void addCorners(scatter::PartDef& part, const btTransform& transform, const btVe
 		const btVector3 local((corner & 1) ? half.x() : -half.x(), (corner & 2) ? half.y() : -half.y(), (corner & 4) ? half.z() : -half.z());
 		part.core.push_back(btHybridVec3(transform(center + local)));
 	}
-}
-
-void addHull(scatter::PartDef& part, const btTransform& transform, const btConvexHullShape* hull)
-{
-	for (int i = 0; i < hull->getNumPoints(); i++)
-		part.core.push_back(btHybridVec3(transform(hull->getScaledPoint(i))));
 }
 
 void addCapsule(scatter::PartDef& part, const btTransform& transform, const btCapsuleShape* capsule)
@@ -184,6 +184,20 @@ void addBox(scatter::PartDef& part, const btTransform& transform, const btBoxSha
 	addReach(part);
 }
 
+// A hull whose polyhedral features are there is only known to be around its points.
+void addHull(scatter::PartDef& part, const btTransform& transform, const btConvexShape* shape)
+{
+	std::vector<btVector3> points = btHybridHullPoints(shape);
+	part.kind = points.empty() ? scatter::PartKind::kEnclosed : scatter::PartKind::kHull;
+	if (points.size() > size_t(c_mostParts) || (points.empty() && shape->getShapeType() != CONVEX_HULL_SHAPE_PROXYTYPE))
+		return addOther(part, transform, shape);
+	const btConvexHullShape* hull = static_cast<const btConvexHullShape*>(shape);
+	for (int i = 0; points.empty() && i < hull->getNumPoints(); i++)
+		part.core.push_back(btHybridVec3(transform(hull->getScaledPoint(i))));
+	for (const btVector3& point : points)
+		part.core.push_back(btHybridVec3(transform(point)));
+}
+
 scatter::PartDef makePart(const btConvexShape* shape, const btTransform& transform)
 {
 	scatter::PartDef part;
@@ -207,9 +221,8 @@ scatter::PartDef makePart(const btConvexShape* shape, const btTransform& transfo
 			addBox(part, transform, static_cast<const btBoxShape*>(shape));
 			break;
 		case CONVEX_HULL_SHAPE_PROXYTYPE:
-			// Hulls whose polyhedral features are there have contacts of their own kind in Bullet.
-			part.kind = static_cast<const btConvexHullShape*>(shape)->getConvexPolyhedron() ? scatter::PartKind::kEnclosed : scatter::PartKind::kHull;
-			addHull(part, transform, static_cast<const btConvexHullShape*>(shape));
+		case CONVEX_TRIANGLEMESH_SHAPE_PROXYTYPE:
+			addHull(part, transform, shape);
 			break;
 		default:
 			addOther(part, transform, shape);
@@ -220,9 +233,8 @@ scatter::PartDef makePart(const btConvexShape* shape, const btTransform& transfo
 std::vector<scatter::PartDef> makeParts(const btCollisionShape* shape)
 {
 	std::vector<scatter::PartDef> parts;
-	parts.reserve(numPartsOf(shape));
-	for (int i = 0; i < numPartsOf(shape); i++)
-		parts.push_back(makePart(static_cast<const btConvexShape*>(partShape(shape, i)), partTransform(shape, i)));
+	for (const Leaf& leaf : leavesOf(shape))
+		parts.push_back(makePart(static_cast<const btConvexShape*>(leaf.m_shape), leaf.m_transform));
 	return parts;
 }
 
@@ -239,18 +251,17 @@ bool isPart(const btCollisionShape* shape)
 
 bool btHybridParts::isPartList(const btCollisionShape* shape)
 {
-	const btCompoundShape* compound = asCompound(shape);
-	if (!compound)
+	if (!shape->isCompound())
 		return isPart(shape);
-	const int count = compound->getNumChildShapes();
-	for (int i = 0; i < count; i++)
-		if (!isPart(compound->getChildShape(i)))
+	const std::vector<Leaf> leaves = leavesOf(shape);
+	for (const Leaf& leaf : leaves)
+		if (!isPart(leaf.m_shape))
 			return false;
-	return count > 0 && count <= c_mostParts;
+	return !leaves.empty() && leaves.size() <= size_t(c_mostParts);
 }
 
-btHybridParts::Mark::Mark(const btCollisionShape* shape, const btTransform& transform)
-    : m_shape(shape), m_points(0), m_features(0), m_transform(transform), m_scaling(shape->getLocalScaling()), m_margin(shape->getMargin()), m_type(shape->getShapeType()), m_numPoints(0)
+btHybridParts::Mark::Mark(const btCollisionShape* shape, const btTransform& transform, int index)
+    : m_shape(shape), m_index(index), m_points(0), m_features(0), m_transform(transform), m_scaling(shape->getLocalScaling()), m_margin(shape->getMargin()), m_type(shape->getShapeType()), m_numPoints(0)
 {
 	shape->getAabb(btTransform::getIdentity(), m_min, m_max);
 	if (m_type != CONVEX_HULL_SHAPE_PROXYTYPE)
@@ -263,23 +274,43 @@ btHybridParts::Mark::Mark(const btCollisionShape* shape, const btTransform& tran
 
 bool btHybridParts::Mark::operator==(const Mark& other) const
 {
-	return m_shape == other.m_shape && m_type == other.m_type && m_points == other.m_points && m_numPoints == other.m_numPoints && m_features == other.m_features && m_transform == other.m_transform && m_scaling == other.m_scaling && m_min == other.m_min && m_max == other.m_max && m_margin == other.m_margin;
+	return m_shape == other.m_shape && m_index == other.m_index && m_type == other.m_type && m_points == other.m_points && m_numPoints == other.m_numPoints && m_features == other.m_features && m_transform == other.m_transform && m_scaling == other.m_scaling && m_min == other.m_min && m_max == other.m_max && m_margin == other.m_margin;
+}
+
+// A compound before those that are in it.
+void btHybridParts::addRevisions(const btCompoundShape* compound)
+{
+	const Revision revision = {compound, compound->getUpdateRevision(), compound->getNumChildShapes()};
+	m_revisions.push_back(revision);
+	for (int i = 0; i < compound->getNumChildShapes(); i++)
+		if (const btCompoundShape* child = asCompound(compound->getChildShape(i)))
+			addRevisions(child);
 }
 
 btHybridParts::btHybridParts(const btCollisionShape* shape)
-    : m_shape(shape), m_scaling(shape->getLocalScaling()), m_margin(shape->getMargin()), m_revision(revisionOf(shape)), m_list(makeParts(shape)), m_users(0)
+    : m_shape(shape), m_scaling(shape->getLocalScaling()), m_margin(shape->getMargin()), m_list(makeParts(shape)), m_users(0)
 {
-	m_marks.reserve(numPartsOf(shape));
-	for (int i = 0; i < numPartsOf(shape); i++)
-		m_marks.push_back(Mark(partShape(shape, i), partTransform(shape, i)));
+	if (const btCompoundShape* compound = asCompound(shape))
+		addRevisions(compound);
+	for (const Leaf& leaf : leavesOf(shape))
+		m_marks.push_back(Mark(leaf.m_shape, leaf.m_transform, leaf.m_index));
 }
 
+// A compound that is the same still has the compounds that it had; of one that has changed they may be gone.
 bool btHybridParts::isCurrent(bool thorough) const
 {
-	if (m_revision != revisionOf(m_shape) || !(m_scaling == m_shape->getLocalScaling()) || m_margin != m_shape->getMargin() || m_marks.size() != numPartsOf(m_shape))
+	if (!(m_scaling == m_shape->getLocalScaling()) || m_margin != m_shape->getMargin())
 		return false;
-	for (int i = 0; thorough && i < m_marks.size(); i++)
-		if (!(m_marks[i] == Mark(partShape(m_shape, i), partTransform(m_shape, i))))
+	for (int i = 0; i < m_revisions.size(); i++)
+		if (m_revisions[i].m_compound->getUpdateRevision() != m_revisions[i].m_revision || m_revisions[i].m_compound->getNumChildShapes() != m_revisions[i].m_numChildren)
+			return false;
+	if (!thorough)
+		return true;
+	const std::vector<Leaf> leaves = leavesOf(m_shape);
+	if (leaves.size() != size_t(m_marks.size()))
+		return false;
+	for (int i = 0; i < m_marks.size(); i++)
+		if (!(m_marks[i] == Mark(leaves[i].m_shape, leaves[i].m_transform, leaves[i].m_index)))
 			return false;
 	return true;
 }
