@@ -80,8 +80,8 @@ void print(const char* scene, const std::vector<std::vector<Cost>>& costs, std::
 
 // Of several seeds, as one pile has few parts on the ground.
 void compareAll(const Arguments& arguments) {
-  std::printf("%-12s %5s %7s %7s %7s %7s %8s %8s %9s %8s\n", "scene", "seed", "parts", "same", "missed",
-              "deep", "extra", "p99 mm", "less mm", "true mm");
+  std::printf("%-12s %5s %7s %7s %7s %7s %8s %8s %9s %8s %5s\n", "scene", "seed", "parts", "same", "missed",
+              "deep", "extra", "p99 mm", "less mm", "true mm", "sunk");
   for (Scene scene : scenesOf(arguments)) {
     if (!arguments.only.empty() && std::string(scene.name).find(arguments.only) == std::string::npos)
       continue;
@@ -89,9 +89,9 @@ void compareAll(const Arguments& arguments) {
       scene.trial.seed = arguments.seed + static_cast<std::uint64_t>(i);
       const Contacts c = compareContacts(scene.trial);
       const double same = 100.0 * c.sameCount / std::max(c.parts, 1);
-      std::printf("%-12s %5d %7d %6.2f%% %7d %7d %8d %8.4f %9.4f %8.4f\n", scene.name,
+      std::printf("%-12s %5d %7d %6.2f%% %7d %7d %8d %8.4f %9.4f %8.4f %5d\n", scene.name,
                   static_cast<int>(scene.trial.seed), c.parts, same, c.missed, c.missedDeep, c.extra,
-                  c.depthP99, c.shallower, c.trueDepth);
+                  c.depthP99, c.shallower, c.trueDepth, c.sunk);
       std::fflush(stdout);
     }
   }

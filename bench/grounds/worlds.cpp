@@ -214,7 +214,7 @@ Cost run(const Trial& trial, WorldKind kind) {
 Contacts compareContacts(const Trial& trial) {
   using PlainStage = Stage<btDiscreteDynamicsWorld, btSequentialImpulseConstraintSolver>;
   PlainStage moved(trial, WorldKind::kInstalled);
-  static_cast<void>(moved.run());
+  const Cost cost = moved.run();
   const std::vector<btTransform> poses = moved.poses();
   PlainStage bullet(trial, WorldKind::kPlain);
   PlainStage installed(trial, WorldKind::kInstalled);
@@ -222,6 +222,7 @@ Contacts compareContacts(const Trial& trial) {
   const PartContacts ours = installed.detect(poses);
   const bool isFlat = trial.ground != GroundKind::kMesh && trial.ground != GroundKind::kHeightField;
   Contacts result;
+  result.sunk = cost.sunk;
   std::vector<double> differences;
   for (const auto& [key, own] : ours) {
     ++result.parts;

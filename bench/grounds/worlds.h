@@ -48,6 +48,7 @@ struct Contacts {
   int sameCount = 0;       ///< As many points in both.
   double depthP99 = 0.0;   ///< Difference of the deepest points of a part, millimetres.
   double shallower = 0.0;  ///< The most that Bullet has deeper than the algorithm, millimetres.
+  int sunk = 0;            ///< Bodies whose middle was under the ground when the trial ended.
   double trueDepth =
       0.0;  ///< The most by which the algorithm's differ from the lowest point of the part; on flat ground.
 };

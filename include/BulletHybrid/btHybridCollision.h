@@ -19,7 +19,7 @@ struct btHybridCollisionInfo
 	bool m_pairAlgorithm;  ///< off: Bullet's own algorithms, as in btDiscreteDynamicsWorld
 
 	/// Also for pairs in which neither body has levels, if their shapes are compounds of convex shapes, or one is and the other one
-	/// is convex. Off, so that a world without hybrids gives the same bits as btDiscreteDynamicsWorld.
+	/// is convex, a plane, a triangle mesh or a height field. Off, so that a world without hybrids gives the same bits as btDiscreteDynamicsWorld.
 	bool m_plainBodies;
 
 	btHybridMidphase m_midphase;
@@ -87,7 +87,8 @@ struct btHybridMissedContact
 ///
 /// Bullet's are those of a plain Bullet collision world with the same objects at the same places, whose manifolds begin
 /// each step with the points that the hybrid world's began it with. Compared are child pairs of bodies of which one is a
-/// hybrid, that the dispatcher lets collide, whose shapes are convex or compounds of convex children, and that were
+/// hybrid, that the dispatcher lets collide, whose shapes are convex or compounds of convex children, and children of such a
+/// compound with a plane, a triangle mesh or a height field, which counts as one: pairs that were
 /// looked at at their finest level: not those that kept the contacts of the step before. A pair that begins anew, as it is
 /// new, has come back to its finest level, or a shape of it has changed, begins without points in both worlds.
 /// A child pair is in contact if it has contact points; of two spheres each point counts, as Bullet finds them anew.
@@ -108,7 +109,7 @@ struct btHybridContactReport
 
 	/// Differences in which the same proof shows Bullet to be wrong by more than that: it has found a contact of shapes
 	/// that are further apart than the threshold, or none of shapes that are nearer. Its GJK does, with needles, plates
-	/// and parts of millimetres.
+	/// and parts of millimetres, and with triangles of a mesh that has a margin.
 	long m_bulletErrs;
 
 	btAlignedObjectArray<btHybridMissedContact> m_lastMissed;  ///< of the last verified step

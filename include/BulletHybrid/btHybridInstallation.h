@@ -13,17 +13,19 @@ class btHybridRegistration;
 ///     btHybridInstallation installation(&dispatcher);
 ///     if (installation.getMistake()) puts(installation.getMistake());
 ///
-/// Collides two objects of which one has a compound shape and the other one a compound or a convex shape, in the place of create
-/// functions that were registered before; all other pairs go on to those of the dispatcher's configuration. The children must be
-/// convex. The contacts are those that Bullet finds, for a fraction of its time where compounds have many children. A
-/// btHybridRigidBody takes part with the shape that it has.
+/// Collides two objects of which one has a compound shape, whose children are convex or such compounds, and the other one a compound
+/// of this kind, a convex shape, a static plane, a triangle mesh (btBvhTriangleMeshShape, scaled or not), or a height field. It does
+/// so in the place of create functions that were registered before; those that a program registers afterwards are used. All other
+/// pairs go on to those of the dispatcher's configuration. The contacts are those that Bullet finds, for a fraction of its time where
+/// compounds have many children. A btHybridRigidBody takes part with the shape that it has.
 ///
 /// Levels that switch, policies and budgets need the stages of a btHybridDynamicsWorld, which installs the algorithm itself: here
 /// everything is at its finest level.
 ///
 /// Shapes may change in ways that Bullet counts (btCompoundShape::getUpdateRevision), and in the scaling and margin of the whole;
-/// clean the pairs of a body after any other change, and after one of gContactBreakingThreshold. Detectors registered for two
-/// boxes, two spheres or two hulls, and Bullet's multipoint settings, are not asked. Not for several threads at once.
+/// clean the pairs of a body after any other change, and after one of gContactBreakingThreshold. That holds for the vertices of a mesh
+/// and the heights of a field, too, as Bullet asks for it itself. Detectors registered for two boxes, two spheres or two hulls, and
+/// Bullet's multipoint settings but those for planes, are not asked. Not for several threads at once.
 class btHybridInstallation
 {
 	btHybridNarrowphase* m_narrowphase;

@@ -55,7 +55,7 @@ double CostModel::units(const PairWorkload& work) const {
   return weights_.pair + weights_.rebuild * work.rebuilds + weights_.childPair * work.childPairs +
          weights_.gjkRun * work.gjkRuns + weights_.gjkIteration * work.gjkIterations +
          weights_.detectorRun * work.detectorRuns + weights_.contact * work.contacts +
-         weights_.manifold * work.manifolds;
+         weights_.manifold * work.manifolds + weights_.piece * work.pieces;
 }
 
 double CostModel::fixedUnits(int bodies, int broadphasePairs) const {

@@ -23,9 +23,10 @@ TEST(CostModel, AddsUpTheWorkOfAPair) {
   weights.detectorRun = 11.0;
   weights.contact = 13.0;
   weights.manifold = 17.0;
+  weights.piece = 19.0;
   const CostModel costs(weights);
-  // 1 + 2·1 + 3·2 + 5·3 + 7·4 + 11·5 + 13·6 + 17·7
-  EXPECT_DOUBLE_EQ(costs.units({1, 2, 3, 4, 5, 6, 7}), 304.0);
+  // 1 + 2·1 + 3·2 + 5·3 + 7·4 + 11·5 + 13·6 + 17·7 + 19·8
+  EXPECT_DOUBLE_EQ(costs.units({1, 2, 3, 4, 5, 6, 7, 8}), 456.0);
   EXPECT_DOUBLE_EQ(costs.units({}), 1.0);
 }
 
