@@ -15,10 +15,13 @@ constexpr int kCells = 100;
 constexpr int kPoints = kCells + 1;
 constexpr float kCell = Ground::kWidth / kCells;
 
+constexpr std::size_t indexOf(int x, int z) {
+  return static_cast<std::size_t>(z) * kPoints + static_cast<std::size_t>(x);
+}
+
 btVector3 pointAt(const std::vector<float>& heights, int x, int z) {
   const float half = Ground::kWidth / 2;
-  return {static_cast<float>(x) * kCell - half, heights[static_cast<std::size_t>(z * kPoints + x)],
-          static_cast<float>(z) * kCell - half};
+  return {static_cast<float>(x) * kCell - half, heights[indexOf(x, z)], static_cast<float>(z) * kCell - half};
 }
 
 std::unique_ptr<btConvexHullShape> flatHull() {
@@ -65,7 +68,7 @@ Ground::Ground(GroundKind kind, float relief, Random& random) {
 
 // Waves of random directions, lengths of 60 m to 8 m and heights that fall with them.
 void Ground::addHeights(float relief, Random& random) {
-  heights_.assign(static_cast<std::size_t>(kPoints * kPoints), 0.0F);
+  heights_.assign(indexOf(0, kPoints), 0.0F);
   constexpr int kWaves = 24;
   for (int wave = 0; wave < kWaves; ++wave) {
     const float length = 60.0F / (1.0F + 0.27F * static_cast<float>(wave));
@@ -75,8 +78,7 @@ void Ground::addHeights(float relief, Random& random) {
       for (int x = 0; x < kPoints; ++x) {
         const float along =
             kCell * (static_cast<float>(x) * std::cos(angle) + static_cast<float>(z) * std::sin(angle));
-        heights_[static_cast<std::size_t>(z * kPoints + x)] +=
-            length * std::sin(2 * SIMD_PI * along / length + phase);
+        heights_[indexOf(x, z)] += length * std::sin(2 * SIMD_PI * along / length + phase);
       }
     }
   }

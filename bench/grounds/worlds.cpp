@@ -3,11 +3,11 @@
 #include <BulletHybrid/btHybridDynamicsWorld.h>
 #include <BulletHybrid/btHybridInstallation.h>
 #include <btBulletDynamicsCommon.h>
-#include <time.h>
 
 #include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
 #include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
 #include <algorithm>
+#include <ctime>
 #include <map>
 #include <utility>
 

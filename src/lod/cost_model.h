@@ -18,7 +18,7 @@ struct PairWorkload {
   int detectorRuns = 0;
   int contacts = 0;  ///< Contact points handed to the solver.
   int manifolds = 0;
-  int pieces = 0;  ///< Of a ground, looked up anew.
+  int pieces = 0;       ///< Of a ground, looked up anew.
   bool reuses = false;  ///< Kept the contacts of the step before: no example of what a step costs.
 };
 
@@ -34,7 +34,8 @@ struct CostWeights {
   double detectorRun = 1.1;
   double contact = 0.28;
   double manifold = 0.15;
-  double piece = 0.5;  ///< Timed in bench/grounds, with all of its region: 0.44 (ships-mesh), 0.72 (wheels-hills).
+  double piece =
+      0.5;  ///< Timed in bench/grounds, with all of its region: 0.44 (ships-mesh), 0.72 (wheels-hills).
   double separationQuery = 3.0;
   double audit = 0.5;     ///< The distance between the finest shapes, from scratch.
   double switched = 5.0;  ///< Besides the queries: contacts dropped, lists made anew.

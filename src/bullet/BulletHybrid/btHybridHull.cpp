@@ -15,7 +15,7 @@ using scatter::levels::Polytope;
 namespace
 {
 // Point sets no thicker than this share of their extent have no volume.
-const double c_flatness = 1e-6;
+const double c_noVolume = 1e-6;
 
 /// A face of a hull, and how far it had to be moved out.
 struct OuterPlane
@@ -48,7 +48,7 @@ OuterPlane planeOf(const std::vector<glm::dvec3>& points, const std::vector<glm:
 		lowest = std::min(lowest, glm::dot(outer.m_plane.normal, loop[i]));
 	outer.m_plane.offset = high;
 	outer.m_moved = high - lowest;
-	outer.m_isFlat = high - low <= c_flatness * extent;
+	outer.m_isFlat = high - low <= c_noVolume * extent;
 	return outer;
 }
 /// Takes the corners of all triangles.
