@@ -45,8 +45,12 @@ class GroundEngine : public Manifolds {
   /// of a large one is in the box. False if there are more than can be dealt with.
   [[nodiscard]] virtual bool collect(const Vec3& low, const Vec3& high, GroundPieces& pieces) = 0;
 
-  /// Lets the engine's own algorithm collide the two, instead of the pair.
-  virtual void fallBack() = 0;
+  /// Lets the engine's own algorithm collide the two, instead of the pair. Whether it finds contacts; what it
+  /// has found stays with it until the next place().
+  virtual bool fallBack() = 0;
+
+  /// After a look, of every manifold.
+  virtual void looked(void* /*manifold*/) {}
 
   /// Whether a part keeps the contacts that it has, as far as they are good.
   [[nodiscard]] virtual bool keeps(int part) = 0;

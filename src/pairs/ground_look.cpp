@@ -60,6 +60,10 @@ void GroundLook::atLevel(int level) {
 
 bool GroundLook::place(int level) {
   PlacedBody placed;
+  if (pair_.isTooFine) {
+    pair_.isTooFine = engine_.fallBack();
+    return false;
+  }
   if (!engine_.place(level, placed)) {
     fallBack();
     return false;
@@ -75,10 +79,10 @@ bool GroundLook::place(int level) {
   return true;
 }
 
-void GroundLook::fallBack() {
+bool GroundLook::fallBack() {
   if (!pair_.hasFallenBack) pair_.restart(engine_.threshold(), engine_);
   pair_.hasFallenBack = true;
-  engine_.fallBack();
+  return engine_.fallBack();
 }
 
 void GroundLook::refresh() {
@@ -90,6 +94,7 @@ void GroundLook::refresh() {
 
 void GroundLook::releaseEmpty() {
   std::erase_if(pair_.contacts, [this](const GroundContact& contact) {
+    engine_.looked(contact.manifold);
     return engine_.countPoints(contact.manifold) == 0 && drop(contact);
   });
   if (!pair_.contacts.empty()) pair_.quietUntil = Pair::kAwake;
@@ -149,7 +154,7 @@ bool GroundLook::hasRegion(const Frame& bodyInGround) {
   const bool isWhole =
       pair_.region.gather(body_->parts(), bodyInGround, reach, engine_, pair_.parts, scratch_.region);
   work_.pieces += static_cast<int>(pair_.region.pieces().pieces.size());
-  if (!isWhole) fallBack();
+  if (!isWhole) pair_.isTooFine = fallBack();
   return isWhole;
 }
 

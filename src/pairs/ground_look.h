@@ -35,7 +35,7 @@ class GroundLook {
 
  private:
   bool place(int level);
-  void fallBack();
+  bool fallBack();
   void refresh();
   void releaseEmpty();
   bool drop(const GroundContact& contact);

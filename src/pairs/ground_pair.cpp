@@ -20,6 +20,7 @@ void GroundPair::renew() {
   level = 0;
   versions[0] = versions[1] = Pair::kNoParts;
   hasFallenBack = false;
+  isTooFine = false;
   restarted = false;
 }
 

@@ -30,7 +30,9 @@ struct GroundPair {
   Region region{};
   std::vector<GroundContact> contacts{};  ///< In the order of their parts.
   bool hasFallenBack = false;             ///< The engine's own algorithm collides the two.
-  bool restarted = false;                 ///< It began without contacts in its last step.
+  bool isTooFine =
+      false;  ///< It does so because there are too many pieces, and is not disturbed while it has contacts.
+  bool restarted = false;  ///< It began without contacts in its last step.
 
   /// Gives the manifolds back, and forgets what was known of distances.
   void restart(float threshold, Manifolds& engine);

@@ -26,9 +26,10 @@ class FakeGroundEngine : public pairs::GroundEngine {
   FakeGroundEngine& operator=(const FakeGroundEngine&) = delete;
   ~FakeGroundEngine() override { EXPECT_TRUE(manifolds_.empty()) << "manifolds were left to the engine"; }
 
-  Vec3 position{0.0F};   ///< Of the body.
-  bool refuses = false;  ///< The shape is no list of parts.
-  int version = 0;       ///< Of the ground.
+  Vec3 position{0.0F};     ///< Of the body.
+  bool refuses = false;    ///< The shape is no list of parts.
+  int version = 0;         ///< Of the ground.
+  bool isTooFine = false;  ///< There are too many triangles.
   int fallbacks = 0;
   int lookups = 0;
 
@@ -51,6 +52,7 @@ class FakeGroundEngine : public pairs::GroundEngine {
   }
   bool collect(const Vec3& low, const Vec3& high, pairs::GroundPieces& pieces) override {
     ++lookups;
+    if (isTooFine) return false;
     if (low.y > 0.0F || high.y < 0.0F) return true;
     for (int x = static_cast<int>(std::floor(low.x)); static_cast<float>(x) <= high.x; ++x) {
       for (int z = static_cast<int>(std::floor(low.z)); static_cast<float>(z) <= high.z; ++z)
@@ -58,7 +60,10 @@ class FakeGroundEngine : public pairs::GroundEngine {
     }
     return true;
   }
-  void fallBack() override { ++fallbacks; }
+  bool fallBack() override {
+    ++fallbacks;
+    return position.y < 1.0F;
+  }
   bool keeps(int /*part*/) override { return true; }
   // Without this the triangles beside the one under a part would push it sideways.
   bool mayMeet(const pairs::GroundPieces& pieces, const ChildPair& child) override {

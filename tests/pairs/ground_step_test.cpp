@@ -122,6 +122,19 @@ TEST(GroundRegion, IsLookedUpOncePerSkin) {
   EXPECT_GE(body.engine.lookups, 2);
 }
 
+TEST(GroundRegion, OfTooManyPiecesIsTheEnginesWhileItHasContacts) {
+  LivingGround body(true);
+  body.engine.isTooFine = true;
+  for (int i = 0; i < 5; ++i) body.stepAt(0.8F);
+  EXPECT_EQ(body.engine.fallbacks, 5);
+  EXPECT_EQ(body.engine.lookups, 1);
+  body.engine.isTooFine = false;
+  body.stepAt(1.2F);
+  body.stepAt(0.81F);
+  EXPECT_EQ(body.engine.fallbacks, 6);
+  EXPECT_EQ(body.pair.contacts.size(), 8U);
+}
+
 TEST_P(GroundStep, SwitchesOnCreditWithoutPressing) {
   body.stepAt(0.815F);
   body.stepAt(0.795F);

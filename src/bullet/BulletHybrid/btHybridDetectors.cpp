@@ -21,7 +21,8 @@ static void collideWithPlane(btCollisionDispatcher* dispatcher, const btCollisio
 {
 	btCollisionAlgorithmCreateFunc* create = dispatcher->getCollisionConfiguration()->getCollisionAlgorithmCreateFunc(convex->getCollisionShape()->getShapeType(), STATIC_PLANE_PROXYTYPE);
 	const btConvexPlaneCollisionAlgorithm::CreateFunc* known = dynamic_cast<btConvexPlaneCollisionAlgorithm::CreateFunc*>(create);
-	const btCollisionAlgorithmConstructionInfo construction(dispatcher, 1);
+	btCollisionAlgorithmConstructionInfo construction;
+	construction.m_dispatcher1 = dispatcher;
 	btConvexPlaneCollisionAlgorithm algorithm(manifold, construction, convex, plane, false, known ? known->m_numPerturbationIterations : 0, known ? known->m_minimumPointsPerturbationThreshold : 0);
 	algorithm.processCollision(convex, plane, info, result);
 }

@@ -161,19 +161,33 @@ bool btHybridGroundEngine::collect(const scatter::Vec3& low, const scatter::Vec3
 }
 
 // The dispatcher itself would find this algorithm again.
-void btHybridGroundEngine::fallBack()
+bool btHybridGroundEngine::fallBack()
 {
 	const btCollisionObjectWrapper* wraps[2] = {m_call.m_body, m_call.m_ground};
 	if (m_bodies.m_side == 1)
 		btSwap(wraps[0], wraps[1]);
 	if (!m_fallback)
 	{
-		btCollisionAlgorithmConstructionInfo info(m_dispatcher, 1);
+		btCollisionAlgorithmConstructionInfo info;
+		info.m_dispatcher1 = m_dispatcher;
 		btCollisionConfiguration* configuration = m_dispatcher->getCollisionConfiguration();
 		btCollisionAlgorithmCreateFunc* create = configuration->getCollisionAlgorithmCreateFunc(wraps[0]->getCollisionShape()->getShapeType(), wraps[1]->getCollisionShape()->getShapeType());
 		m_fallback = create->CreateCollisionAlgorithm(info, wraps[0], wraps[1]);
 	}
 	m_fallback->processCollision(wraps[0], wraps[1], m_call.m_info, m_call.m_result);
+	btManifoldArray manifolds;
+	m_fallback->getAllContactManifolds(manifolds);
+	for (int i = 0; i < manifolds.size(); i++)
+		if (manifolds[i]->getNumContacts() > 0)
+			return true;
+	return false;
+}
+
+// The callback hears of new contacts too, as far as Bullet keeps them; its algorithm for planes leaves that to the next step.
+void btHybridGroundEngine::looked(void* manifold)
+{
+	if (gContactProcessedCallback && m_bodies.m_ground.getKind() != BT_HYBRID_HALF_SPACE)
+		static_cast<void>(outlasts(manifold));
 }
 
 void btHybridGroundEngine::releaseFallback()

@@ -89,7 +89,8 @@ public:
 	virtual float groundMargin() const;
 	virtual std::optional<scatter::pairs::HalfSpace> halfSpace() const;
 	virtual bool collect(const scatter::Vec3& low, const scatter::Vec3& high, scatter::pairs::GroundPieces& pieces);
-	virtual void fallBack();
+	virtual bool fallBack();
+	virtual void looked(void* manifold);
 	virtual bool keeps(int part);
 	virtual bool mayMeet(const scatter::pairs::GroundPieces& pieces, const scatter::ChildPair& child);
 	virtual void add(void* manifold, const scatter::pairs::GroundPieces& pieces, const scatter::ChildPair& child, const scatter::PartContact& contact, const scatter::Frame& frame);
