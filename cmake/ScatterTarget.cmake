@@ -118,11 +118,12 @@ function(scatter_library name)
   scatter_compile_in_batches(scatter_${name} HEADERS scatter_headers)
 endfunction()
 
-# scatter_test(NAME SOURCES... LINK deps... [ENVIRONMENT name=value...] [SHARDS number] [APART]): a GoogleTest program. CTest lists
-# its cases one by one, with the label "case", and, in the configuration "shards", as so many processes that run all of them.
-# APART: its sources are compiled one by one.
+# scatter_test(NAME SOURCES... LINK deps... [ENVIRONMENT name=value...] [SHARDS number] [COST seconds] [APART]): a GoogleTest
+# program. CTest lists its cases one by one, with the label "case", and, in the configuration "shards", as so many processes that
+# run all of them. COST: about how long a shard takes in the optimised build, if that is long: CTest starts the longest first, so
+# that no core waits for them at the end. APART: its sources are compiled one by one.
 function(scatter_test name)
-  cmake_parse_arguments(ARG "APART" "SHARDS" "SOURCES;LINK;ENVIRONMENT" ${ARGN})
+  cmake_parse_arguments(ARG "APART" "SHARDS;COST" "SOURCES;LINK;ENVIRONMENT" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(${name} PRIVATE SCATTER_TEST_MODEL_DIR="${PROJECT_SOURCE_DIR}/models")
@@ -142,10 +143,13 @@ function(scatter_test name)
   if(NOT ARG_SHARDS)
     set(ARG_SHARDS 2)
   endif()
+  if(NOT ARG_COST)
+    set(ARG_COST 0)
+  endif()
   math(EXPR last "${ARG_SHARDS} - 1")
   foreach(shard RANGE ${last})
     add_test(NAME ${name}.${shard} CONFIGURATIONS shards COMMAND ${name})
-    set_tests_properties(${name}.${shard} PROPERTIES TIMEOUT 1800 LABELS shard
+    set_tests_properties(${name}.${shard} PROPERTIES TIMEOUT 1800 LABELS shard COST ${ARG_COST}
       ENVIRONMENT "GTEST_TOTAL_SHARDS=${ARG_SHARDS};GTEST_SHARD_INDEX=${shard};${ARG_ENVIRONMENT}")
   endforeach()
 endfunction()
