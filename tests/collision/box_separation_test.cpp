@@ -6,6 +6,7 @@
 
 #include "collision/geometry.h"
 #include "collision/reference_distance.h"
+#include "trials.h"
 
 namespace scatter {
 namespace {
@@ -60,7 +61,7 @@ BoxPair randomBoxes(Random& random) {
 TEST(BoxSeparation, IsNeverMoreThanTheDistance) {
   Random random(51);
   int apart = 0;
-  for (int round = 0; round < 10000; ++round) {
+  for (int round = 0; round < test::trials(10000); ++round) {
     const BoxPair boxes = randomBoxes(random);
     const float separation = boxes.separation(kNever);
     const double rounding = 1e-6 * static_cast<double>(boxes.size);
@@ -72,7 +73,7 @@ TEST(BoxSeparation, IsNeverMoreThanTheDistance) {
       ++apart;
     }
   }
-  EXPECT_GT(apart, 3000);
+  EXPECT_GT(apart, test::trials(3000));
 }
 
 TEST(BoxSeparation, IsTheDistanceOfBoxesThatFaceEachOther) {

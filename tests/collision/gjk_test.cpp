@@ -7,6 +7,7 @@
 
 #include "collision/geometry.h"
 #include "collision/reference_distance.h"
+#include "trials.h"
 
 namespace scatter {
 namespace {
@@ -63,7 +64,7 @@ Pose randomPose(Random& random) {
 TEST(GjkReference, ProvesItsAnswers) {
   Random random(31);
   int loose = 0;
-  for (int round = 0; round < 3000; ++round) {
+  for (int round = 0; round < test::trials(3000); ++round) {
     const Pose pose = randomPose(random);
     const DistanceBounds truth = pose.truth();
     if (truth.upper - truth.lower > 1e-9 * static_cast<double>(pose.size)) ++loose;
@@ -113,7 +114,7 @@ TEST(Gjk, DistanceOfTwoPoints) {
 TEST(Gjk, AgreesWithTheReference) {
   Random random(32);
   int undecided = 0;
-  constexpr int kRounds = 12000;
+  constexpr int kRounds = test::trials(12000);
   for (int round = 0; round < kRounds; ++round) {
     const Pose pose = randomPose(random);
     const DistanceBounds truth = pose.truth();
@@ -147,7 +148,7 @@ TEST(Gjk, NearlyAlwaysWithinAThousandth) {
   Random random(33);
   int apart = 0;
   int coarse = 0;
-  for (int round = 0; round < 4000; ++round) {
+  for (int round = 0; round < test::trials(4000); ++round) {
     const Pose pose = randomPose(random);
     const DistanceBounds truth = pose.truth();
     if (truth.lower < 1e-3 * static_cast<double>(pose.size)) continue;
@@ -156,7 +157,7 @@ TEST(Gjk, NearlyAlwaysWithinAThousandth) {
     const double error = std::abs(static_cast<double>(found.distance) - truth.upper);
     if (found.state != State::kConverged || error > 1e-3 * truth.upper) ++coarse;
   }
-  EXPECT_GT(apart, 1000);
+  EXPECT_GT(apart, test::trials(1000));
   EXPECT_LE(coarse, apart / 200);
 }
 

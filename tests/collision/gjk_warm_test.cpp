@@ -6,6 +6,7 @@
 #include "collision/geometry.h"
 #include "collision/gjk.h"
 #include "collision/reference_distance.h"
+#include "trials.h"
 
 namespace scatter {
 namespace {
@@ -36,7 +37,7 @@ WarmSimplex staleSimplex(Random& random, const PolytopeView& a, const PolytopeVi
 TEST(GjkWarm, StaleVerticesChangeNothing) {
   Random random(41);
   int undecided = 0;
-  constexpr int kRounds = 8000;
+  constexpr int kRounds = test::trials(8000);
   for (int round = 0; round < kRounds; ++round) {
     const float size = anySize(random, -3.0F, 3.0F);
     const OwnedPolytope a(randomCore(random, 40, size));

@@ -8,6 +8,7 @@
 
 #include "collision/geometry.h"
 #include "collision/reference_distance.h"
+#include "trials.h"
 
 namespace scatter {
 namespace {
@@ -63,7 +64,7 @@ TEST(NeighbourSearch, ByPartBoxesFindsAllThatAreWithinTheLimit) {
   int within = 0;
   int near = 0;
   int all = 0;
-  for (int round = 0; round < 300; ++round) {
+  for (int round = 0; round < test::trials(300); ++round) {
     const float size = anySize(random, -3.0F, 3.0F);
     const PartList a(randomParts(random, anyInt(random, 1, 20), size, 0.0F));
     const PartList b(randomParts(random, anyInt(random, 1, 20), size, 0.0F));
@@ -88,7 +89,7 @@ TEST(NeighbourSearch, ByPartBoxesFindsAllThatAreWithinTheLimit) {
       EXPECT_LE(static_cast<double>(n.separation), gap + rounding) << "round " << round;
     }
   }
-  EXPECT_GT(within, 1000);
+  EXPECT_GT(within, test::trials(1000));
   // Boxes find more than there is, but not everything.
   EXPECT_LT(near, all * 3 / 4);
 }

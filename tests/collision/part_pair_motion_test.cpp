@@ -7,6 +7,7 @@
 #include "collision/geometry.h"
 #include "collision/part_pair.h"
 #include "collision/reference_distance.h"
+#include "trials.h"
 
 /// The law of the motion bound: whatever the bodies do, and whatever steps are left out, a child pair that is
 /// in contact is listed and awake, and it is judged not to be apart.
@@ -223,8 +224,9 @@ const Scenario kScenarios[] = {{"drift", 300, drift},
                                {"bursts", 300, bursts}};
 
 TEST(PartPairMotion, NoContactIsMissedWhateverStepsAreLeftOut) {
+  constexpr int kRounds = test::kSanitized ? 1 : 3;
   int contacts = 0;
-  for (int combination = 0; combination < 3 * kCombinations; ++combination) {
+  for (int combination = 0; combination < kRounds * kCombinations; ++combination) {
     Random random(static_cast<std::uint64_t>(1000 + combination));
     for (const Scenario& scenario : kScenarios) {
       SCOPED_TRACE(std::string(scenario.name) + ", steps " + std::to_string(combination));
@@ -234,13 +236,13 @@ TEST(PartPairMotion, NoContactIsMissedWhateverStepsAreLeftOut) {
       ASSERT_FALSE(HasFailure());
     }
   }
-  EXPECT_GT(contacts, 20000);
+  EXPECT_GT(contacts, kRounds * 20000 / 3);
 }
 
 TEST(PartPairMotion, NoContactIsMissedAtAnySize) {
   Random random(101);
   int contacts = 0;
-  for (int round = 0; round < 150; ++round) {
+  for (int round = 0; round < test::trials(150); ++round) {
     const float size = anySize(random, -3.0F, 3.0F);
     for (const Scenario& scenario : kScenarios) {
       SCOPED_TRACE(std::string(scenario.name) + ", round " + std::to_string(round));
@@ -250,13 +252,13 @@ TEST(PartPairMotion, NoContactIsMissedAtAnySize) {
       ASSERT_FALSE(HasFailure());
     }
   }
-  EXPECT_GT(contacts, 20000);
+  EXPECT_GT(contacts, test::trials(20000));
 }
 
 TEST(PartPairMotion, NoContactIsMissedFarFromTheWorldsOrigin) {
   Random random(102);
   int contacts = 0;
-  for (int round = 0; round < 100; ++round) {
+  for (int round = 0; round < test::trials(100); ++round) {
     const Vec3 origin = random.direction() * anySize(random, 1.0F, 4.0F);
     for (const Scenario& scenario : kScenarios) {
       SCOPED_TRACE(std::string(scenario.name) + ", round " + std::to_string(round));
@@ -266,13 +268,13 @@ TEST(PartPairMotion, NoContactIsMissedFarFromTheWorldsOrigin) {
       ASSERT_FALSE(HasFailure());
     }
   }
-  EXPECT_GT(contacts, 10000);
+  EXPECT_GT(contacts, test::trials(10000));
 }
 
 TEST(PartPairMotion, NoContactIsMissedOverTenThousandTinySteps) {
   Random random(103);
   const Scenario scenario{"creep", 10000, creep};
-  for (int round = 0; round < 4; ++round) {
+  for (int round = 0; round < test::trials(4); ++round) {
     SCOPED_TRACE("round " + std::to_string(round));
     MotionLaw law(random, 1.0F, 4, 4);
     law.run(scenario, PairSteps{}, Vec3(0.0F));

@@ -10,6 +10,7 @@
 
 #include "collision/geometry.h"
 #include "collision/reference_distance.h"
+#include "trials.h"
 
 namespace scatter {
 namespace {
@@ -90,7 +91,7 @@ TEST(PartQuery, NeverCallsSeparatedWhatIsNearer) {
   PartQuery query;
   int yes = 0;
   int needless = 0;
-  for (int round = 0; round < 3000; ++round) {
+  for (int round = 0; round < test::trials(3000); ++round) {
     const PartList a(knownParts(random, anyInt(random, 1, 4)));
     const PartList b(knownParts(random, anyInt(random, 1, 4)));
     const Frame frameB = frameOf(random.rotation(), random.direction() * random.uniform(0.2F, 4.0F));
@@ -108,16 +109,16 @@ TEST(PartQuery, NeverCallsSeparatedWhatIsNearer) {
       needless += !separated && truth.lower > static_cast<double>(gap) + 0.01 ? 1 : 0;
     }
   }
-  EXPECT_GT(yes, 3000);
+  EXPECT_GT(yes, test::trials(3000));
   // It doubts where margins let no plane show it, or where bounds of a negative gap do.
-  EXPECT_LT(needless, 100);
+  EXPECT_LT(needless, test::trials(100));
 }
 
 TEST(PartQuery, MeasuresTheDistance) {
   Random random(32);
   PartQuery query;
   int apart = 0;
-  for (int round = 0; round < 3000; ++round) {
+  for (int round = 0; round < test::trials(3000); ++round) {
     const PartList a(knownParts(random, anyInt(random, 1, 4)));
     const PartList b(knownParts(random, anyInt(random, 1, 4)));
     const Frame frameB = frameOf(random.rotation(), random.direction() * random.uniform(0.2F, 4.0F));
@@ -134,7 +135,7 @@ TEST(PartQuery, MeasuresTheDistance) {
     EXPECT_NEAR(query.distance(a, b, frameB, distance / 2), std::min(distance, distance / 2),
                 1e-3F + std::max(0.0F, -distance));
   }
-  EXPECT_GT(apart, 500);
+  EXPECT_GT(apart, test::trials(500));
 }
 
 TEST(PartQuery, GivesTheLimitWhereNothingIsNearer) {
@@ -242,7 +243,7 @@ float searchedDepth(Random& random, const PartList::Part& a, const PartList::Par
 TEST(PartDepth, IsNeverLessThanTheTrueDepth) {
   Random random(34);
   int deep = 0;
-  for (int round = 0; round < 1000; ++round) {
+  for (int round = 0; round < test::trials(1000); ++round) {
     const PartList a(randomParts(random, 1, 0.6F, 0.0F));
     const PartList b(randomParts(random, 1, 0.6F, 0.0F));
     const Frame frameB = frameNear(random, a, b, 0.4F);
@@ -251,7 +252,7 @@ TEST(PartDepth, IsNeverLessThanTheTrueDepth) {
     deep += searched > 0.05F ? 1 : 0;
     EXPECT_GE(partDepth(a.part(0), b.part(0), frameB), 0.97F * searched - 0.01F) << "round " << round;
   }
-  EXPECT_GT(deep, 200);
+  EXPECT_GT(deep, test::trials(200));
 }
 
 /// `frame`, after all of space has moved by `motion`.
@@ -270,7 +271,7 @@ Frame moved(const Frame& motion, const Frame& frame) {
 TEST(PartDepth, IsContinuousAlongMotions) {
   Random random(35);
   float deepest = 0.0F;
-  for (int round = 0; round < 2000; ++round) {
+  for (int round = 0; round < test::trials(2000); ++round) {
     const PartList a(randomParts(random, 1, 0.5F, 0.0F));
     const PartList b(randomParts(random, 1, 0.5F, 0.0F));
     const Frame start = frameNear(random, a, b, 0.4F);

@@ -4,6 +4,7 @@
 #include "lab/fake_physics.h"
 #include "lab/play_scene.h"
 #include "lab/temporary_folder.h"
+#include "trials.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -56,7 +57,7 @@ RunOptions runOf(const Played& played, int frames) {
 class PlayedScene : public testing::TestWithParam<Played> {};
 
 TEST_P(PlayedScene, HasTheHashesAndEventsOfARun) {
-  constexpr int kFrames = 150;
+  constexpr int kFrames = test::kSanitized ? 60 : 150;
   const auto run = runScene(runOf(GetParam(), kFrames));
   ASSERT_TRUE(run) << run.error().message;
   const auto experiment = makeExperiment({.run = runOf(GetParam(), 0), .history = {.pairLevels = true}});

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "levels/part_builders.h"
+#include "trials.h"
 
 namespace scatter {
 namespace {
@@ -155,7 +156,7 @@ TEST(ContainmentProperty, SamplingAgrees) {
   Random random(6);
   int nested = 0;
   int open = 0;
-  for (int round = 0; round < 300; ++round) {
+  for (int round = 0; round < test::trials(300); ++round) {
     Level coarser;
     for (int i = 0; i < 6; ++i) {
       const Vec3 half{random.uniform(0.5F, 1.3F), random.uniform(0.5F, 1.3F), random.uniform(0.5F, 1.3F)};
@@ -182,8 +183,8 @@ TEST(ContainmentProperty, SamplingAgrees) {
     EXPECT_LE(sampled, 2.0F * gap->distance + kTolerance) << "round " << round;
   }
   // Both answers must have been put to the test.
-  EXPECT_GT(nested, 30);
-  EXPECT_GT(open, 30);
+  EXPECT_GT(nested, test::trials(30));
+  EXPECT_GT(open, test::trials(30));
 }
 
 }  // namespace

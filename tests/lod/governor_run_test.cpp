@@ -7,6 +7,7 @@
 
 #include "lod/fake_engine.h"
 #include "lod/governor_pairs.h"
+#include "trials.h"
 
 /// The governor at work over whole runs, against an engine whose costs it can only learn.
 namespace scatter::lod {
@@ -78,7 +79,7 @@ class GovernorRun : public ::testing::TestWithParam<Weather> {
 TEST_P(GovernorRun, HoldsEveryBudgetThatCanBeHeld) {
   const auto script = makePile(kPairs, GetParam().growth, 3);
   const double least = runPile(def(), allCoarse(script), kNoBudget).peak;
-  for (const double factor : {1.3, 1.6, 2.0, 3.0, 4.0}) {
+  for (const double factor : test::trials<double>({1.3, 1.6, 2.0, 3.0, 4.0})) {
     const double budget = factor * least;
     const Outcome run = runPile(def(), script, budget);
     EXPECT_LE(run.over, 3) << "at " << factor << " times what the coarsest levels cost";
@@ -112,7 +113,7 @@ TEST(GovernorLongRun, DoesNotFlapUnderAConstantLoad) {
     def.spike = noise / 4.0;
     const auto script = makeClump(1500, 5);
     const double most = runPile(def, script, kNoBudget).peak;
-    for (const double share : {0.5, 0.7, 0.9, 1.0, 1.1}) {
+    for (const double share : test::trials<double>({0.5, 0.7, 0.9, 1.0, 1.1})) {
       EXPECT_LE(runPile(def, script, share * most).lateSwitches, noise > 0.0 ? 30 : 3) << share;
     }
   }

@@ -5,6 +5,7 @@
 
 #include "scenes/scene_world.h"
 #include "scenes/worlds.h"
+#include "trials.h"
 
 namespace scatter::test {
 namespace {
@@ -38,7 +39,7 @@ TEST_P(Breakables, BreakIntoGibsThatWeighAsMuchAndStayInTheYard) {
   const Census start = count(scene.world);
   EXPECT_EQ(start.whole, 32U);
   EXPECT_EQ(start.primitives, 16U * 25U + 16U * 12U);
-  for (int i = 0; i < 240; ++i) {
+  for (int i = 0; i < (kSanitized ? 120 : 240); ++i) {
     scene.step();
     ASSERT_FALSE(scene.world.physics().findInvalidState()) << "frame " << i;
     ASSERT_EQ(objectsOutside(scene.world, kYard, kHeight, 0.6F), std::vector<std::string>{}) << "frame " << i;
@@ -66,12 +67,12 @@ TEST(BreakablesTest, NothingBreaksBeforeItHitsSomething) {
 TEST(BreakablesTest, BreakInTheSameWayInEveryRun) {
   SceneWorld first("breakables", everyWorld()[1].def);
   SceneWorld second("breakables", everyWorld()[1].def);
-  for (int i = 0; i < 100; ++i) {
+  for (int i = 0; i < (kSanitized ? 50 : 100); ++i) {
     first.step();
     second.step();
     ASSERT_EQ(first.world.physics().stateHash(), second.world.physics().stateHash()) << "frame " << i;
   }
-  EXPECT_GT(count(first.world).gibs, 300U);
+  EXPECT_GT(count(first.world).gibs, kSanitized ? 100U : 300U);
 }
 
 }  // namespace

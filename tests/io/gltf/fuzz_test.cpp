@@ -18,6 +18,7 @@
 #include "io/gltf/random.h"
 #include "io/gltf/text.h"
 #include "io/temporary_folder.h"
+#include "trials.h"
 
 namespace scatter {
 namespace {
@@ -243,7 +244,7 @@ TEST_F(GltfFuzz, DamagedFilesAreReadOrRefused) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
   const auto files = seeds();
-  constexpr std::uint64_t kCases = 3000;
+  constexpr std::uint64_t kCases = test::trials(3000);
   std::uint64_t readable = 0;
   std::uint64_t cases = 0;
   for (; (cases < kCases || seconds() < secondsToRun()) && !HasFailure(); ++cases) {

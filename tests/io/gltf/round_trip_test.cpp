@@ -7,6 +7,7 @@
 #include "io/gltf/comparison.h"
 #include "io/gltf/random.h"
 #include "io/temporary_folder.h"
+#include "trials.h"
 
 namespace scatter {
 namespace {
@@ -27,7 +28,7 @@ class GltfRoundTrip : public testing::TestWithParam<const char*> {
 
 TEST_P(GltfRoundTrip, RandomDocumentsComeBackTheSame) {
   test::RandomDocuments documents(7);
-  for (int i = 0; i < 100 && !HasFailure(); ++i) {
+  for (int i = 0; i < test::trials(100) && !HasFailure(); ++i) {
     SCOPED_TRACE("document " + std::to_string(i));
     const PhysicsDocument document = documents.next();
     const PhysicsDocument read = writeAndRead(document);

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace scatter::test {
+
+#ifdef __SANITIZE_ADDRESS__
+constexpr bool kSanitized = true;
+#else
+constexpr bool kSanitized = false;
+#endif
+
+/// How many of `n` alike trials a test makes: all, but under sanitizers a quarter, as memory errors show in
+/// the first trials and each takes ten times as long there; what is found only now and then is for the
+/// optimised build to find. Bars that depend on the number of trials are scaled with it.
+constexpr int trials(int n) {
+  return kSanitized ? std::max(1, n / 4) : n;
+}
+
+/// The first of trials that are listed.
+template <class T>
+std::vector<T> trials(std::vector<T> all) {
+  all.resize(static_cast<std::size_t>(trials(static_cast<int>(all.size()))));
+  return all;
+}
+
+/// A seed for each of `n` random trials.
+inline std::vector<std::uint64_t> seeds(std::uint64_t first, int n) {
+  std::vector<std::uint64_t> all(static_cast<std::size_t>(trials(n)));
+  std::iota(all.begin(), all.end(), first);
+  return all;
+}
+
+}  // namespace scatter::test
