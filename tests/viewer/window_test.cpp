@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "trials.h"
 #include "viewer/debug_views.h"
 #include "viewer/renderers.h"
 #include "viewer/viewer.h"
@@ -109,7 +110,11 @@ class WindowTest : public testing::TestWithParam<std::string> {
 TEST_P(WindowTest, EverySceneOpens) {
   auto renderer = makeRenderer(GetParam(), {});
   ASSERT_TRUE(renderer.has_value()) << renderer.error().message;
-  for (const auto& scene : SceneRegistry::instance().all()) {
+  const auto& scenes = SceneRegistry::instance().all();
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    // Under sanitizers all of them where nothing is drawn, and every fourth where something is.
+    if (test::kSanitized && shows() && i % 4 != 0) continue;
+    const auto& scene = scenes[i];
     ViewerDef def;
     def.worlds = {world(scene->name)};
     def.loops = 3;
@@ -234,14 +239,15 @@ TEST_P(WindowTest, DraggingChangesThePath) {
 
 TEST_P(WindowTest, HandsSpawnThrowFreezeAndDelete) {
   const std::string pick = "1 look 0 0 0 30 10 30\n10 point hunter\n11 down left\n12 up left\n";
-  EXPECT_EQ(played("duel", 40, pick).objects.front(), 2U);
+  const ViewerReport picked = played("duel", 40, pick);
+  EXPECT_EQ(picked.objects.front(), 2U);
   EXPECT_EQ(
       played("duel", 40, pick + "20 key T\n21 move 100 100\n22 down left\n23 up left\n").objects.front(), 3U);
   EXPECT_EQ(
       played("duel", 40, pick + "20 key Ins\n21 move 100 100\n22 down left\n23 up left\n").objects.front(),
       3U);
   EXPECT_EQ(played("duel", 40, pick + "20 key Del\n").objects.front(), 1U);
-  EXPECT_NE(played("duel", 40, pick + "20 key Z\n").stateHashes, played("duel", 40, pick).stateHashes);
+  EXPECT_NE(played("duel", 40, pick + "20 key Z\n").stateHashes, picked.stateHashes);
 }
 
 TEST_P(WindowTest, GatheringPullsEverything) {
@@ -254,15 +260,16 @@ TEST_P(WindowTest, LevelsAreAskedForAndTakenBack) {
   def.worlds = {world("quiet_hybrids")};
   def.worlds.front().physics.switching.credit = false;  // what rests cannot go coarser, and the request waits
   def.loops = 60;
-  const auto count = [&](const std::string& script, LevelEventKind kind) {
+  const auto expectCounts = [&](const std::string& script, const auto& requested, const auto& retracted) {
     const auto report = play(def, script);
-    EXPECT_TRUE(report.has_value()) << report.error().message;
-    return report ? report->levelEvents.front()[static_cast<std::size_t>(kind)] : 0;
+    ASSERT_TRUE(report.has_value()) << report.error().message;
+    const auto& counts = report->levelEvents.front();
+    EXPECT_THAT(counts[static_cast<std::size_t>(LevelEventKind::kRequested)], requested);
+    EXPECT_THAT(counts[static_cast<std::size_t>(LevelEventKind::kRetracted)], retracted);
   };
-  EXPECT_EQ(count("", LevelEventKind::kRequested), 0U);
-  EXPECT_GT(count("20 key L\n21 key PgDn\n", LevelEventKind::kRequested), 1U);
-  EXPECT_EQ(count("20 key L\n21 key PgDn\n", LevelEventKind::kRetracted), 0U);
-  EXPECT_GT(count("20 key L\n21 key PgDn\n30 key U\n", LevelEventKind::kRetracted), 1U);
+  expectCounts("", testing::Eq(0U), testing::Eq(0U));
+  expectCounts("20 key L\n21 key PgDn\n", testing::Gt(1U), testing::Eq(0U));
+  expectCounts("20 key L\n21 key PgDn\n30 key U\n", testing::Gt(1U), testing::Gt(1U));
 }
 
 TEST_P(WindowTest, TwoWorldsHaveOneClock) {
