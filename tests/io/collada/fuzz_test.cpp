@@ -10,6 +10,7 @@
 
 #include "io/collada/xml_mutator.h"
 #include "io/documents.h"
+#include "trials.h"
 
 namespace scatter {
 namespace {
@@ -57,14 +58,14 @@ int fuzz(const std::string& text, std::uint64_t seed, int cases) {
 }
 
 TEST(ColladaFuzz, DamagedSmallFileIsReadOrRefused) {
-  const int readable = fuzz(test::richDocument().text(), 1, 6000);
+  const int readable = fuzz(test::richDocument().text(), 1, test::trials(6000));
   // Both outcomes must occur, or the fuzzer tests nothing.
-  EXPECT_GT(readable, 50);
-  EXPECT_LT(readable, 5950);
+  EXPECT_GT(readable, test::trials(50));
+  EXPECT_LT(readable, test::trials(5950));
 }
 
 TEST(ColladaFuzz, DamagedPlainFileIsReadOrRefused) {
-  fuzz(test::Document{}.text(), 100000, 2000);
+  fuzz(test::Document{}.text(), 100000, test::trials(2000));
 }
 
 class ColladaFuzzModel : public testing::TestWithParam<const char*> {};
@@ -72,7 +73,7 @@ class ColladaFuzzModel : public testing::TestWithParam<const char*> {};
 TEST_P(ColladaFuzzModel, DamagedModelIsReadOrRefused) {
   const auto text = readFile(std::string(SCATTER_TEST_MODEL_DIR "/") + GetParam() + ".dae");
   ASSERT_TRUE(text.has_value()) << text.error().message;
-  fuzz(*text, 200000, 150);
+  fuzz(*text, 200000, test::trials(150));
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, ColladaFuzzModel,

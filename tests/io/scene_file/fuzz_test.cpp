@@ -16,6 +16,7 @@
 
 #include "io/rich_scene.h"
 #include "io/scene_file/toml_mutator.h"
+#include "trials.h"
 
 namespace scatter {
 namespace {
@@ -101,7 +102,7 @@ TEST(SceneFileFuzz, TheRichFileIsSound) {
 }
 
 TEST(SceneFileFuzz, DamagedFilesAreReadOrRefused) {
-  constexpr std::uint64_t kCases = 6000;
+  constexpr std::uint64_t kCases = test::trials(6000);
   const char* seconds = std::getenv("SCATTER_FUZZ_SECONDS");
   const auto end =
       std::chrono::steady_clock::now() + std::chrono::seconds(seconds != nullptr ? std::atoi(seconds) : 0);
@@ -113,8 +114,8 @@ TEST(SceneFileFuzz, DamagedFilesAreReadOrRefused) {
     ASSERT_FALSE(HasFailure());
   }
   // Both must occur, or the fuzzer tests nothing.
-  EXPECT_GT(outcome.read, 100);
-  EXPECT_GT(outcome.refused, 1000);
+  EXPECT_GT(outcome.read, test::trials(100));
+  EXPECT_GT(outcome.refused, test::trials(1000));
   RecordProperty("inputs", std::to_string(seed));
 }
 
