@@ -6,6 +6,7 @@
 #include <new>
 
 #include "RandomShapes.h"
+#include "trials.h"
 
 // A program of its own, because it counts every allocation there is.
 
@@ -162,7 +163,7 @@ TEST(Allocations, TheNarrowphaseMakesNoneAfterWarmUp) {
 
 TEST(Allocations, PairsThatSwitchWithinABudgetMakeNoneAfterWarmUp) {
   const Counting counting;
-  Swaying w(20);
+  Swaying w(kSanitized ? 10 : 20);
   ASSERT_EQ(w.world.addPolicy("speed"), nullptr);
   ASSERT_EQ(w.world.addPolicy("group-density"), nullptr);
   // The budget comes and goes with the swaying, and so do requests, so that pairs switch all the time.

@@ -20,6 +20,7 @@
 #include "io/gltf/comparison.h"
 #include "io/gltf/random.h"
 #include "io/temporary_folder.h"
+#include "trials.h"
 
 namespace scatter {
 namespace {
@@ -106,12 +107,13 @@ std::vector<std::string> seeds() {
 TEST(ColladaDocumentFuzz, DamagedScenesAreReadOrRefused) {
   const std::vector<std::string> texts = seeds();
   Fuzzer fuzzer;
-  for (std::uint64_t seed = 0; seed < 4000 && !HasFailure(); ++seed) {
+  constexpr std::uint64_t kCases = test::trials(4000);
+  for (std::uint64_t seed = 0; seed < kCases && !HasFailure(); ++seed) {
     fuzzer.run(texts[seed % texts.size()], seed);
   }
   // Both outcomes must occur, or the fuzzer tests nothing.
-  EXPECT_GT(fuzzer.readable, 400);
-  EXPECT_LT(fuzzer.readable, 3600);
+  EXPECT_GT(fuzzer.readable, test::trials(400));
+  EXPECT_LT(fuzzer.readable, test::trials(3600));
 }
 
 TEST(ColladaDocumentFuzz, GoesOnForAsLongAsAsked) {
