@@ -6,6 +6,7 @@
 
 #include "RandomShapes.h"
 #include "ScriptedWorld.h"
+#include "trials.h"
 
 // What has been proven apart may be left alone until the bodies have moved enough. These tests look for
 // motions that such bookkeeping could lose.
@@ -79,7 +80,7 @@ TEST_P(MotionBound, HoldsWhenOnlyTheTurnIsTiny) {
 }
 
 TEST_P(MotionBound, HoldsForShapesFarFromTheirBodysOrigin) {
-  for (std::uint64_t seed = 10; seed < 20; ++seed) {
+  for (const std::uint64_t seed : seeds(10, 10)) {
     Duo w(seed, 10, btVector3(100, 0, 0));
     for (int i = 0; i < 400; ++i) {
       // The origin stays; the shape swings by up to two of its lengths a step.
@@ -96,7 +97,7 @@ TEST_P(MotionBound, HoldsForShapesFarFromTheirBodysOrigin) {
 TEST_P(MotionBound, HoldsForTheTipOfAStickThatTurnsAboutItsMiddle) {
   // The tip goes straight at the other body as fast as the turn allows: the bound is tight.
   long expected = 0;
-  for (std::uint64_t seed = 80; seed < 110; ++seed) {
+  for (const std::uint64_t seed : seeds(80, 30)) {
     RandomShapes shapes(seed);
     ScriptedWorld w;
     auto* stick = shapes.make<btCompoundShape>();
@@ -114,12 +115,12 @@ TEST_P(MotionBound, HoldsForTheTipOfAStickThatTurnsAboutItsMiddle) {
     expectNoneMissed(w, "seed " + std::to_string(seed), 0);
     expected += w.report().m_expected;
   }
-  EXPECT_GT(expected, 1000);
+  EXPECT_GT(expected, trials(1000));
 }
 
 TEST_P(MotionBound, HoldsForBodiesThatMoveTogether) {
   long expected = 0;
-  for (std::uint64_t seed = 20; seed < 30; ++seed) {
+  for (const std::uint64_t seed : seeds(20, 10)) {
     Duo w(seed);
     const btTransform between = at(btVector3(0.8F, 0.1F, 0), w.shapes.random.rotation());
     const btVector3 axis = w.shapes.random.direction();
@@ -134,11 +135,11 @@ TEST_P(MotionBound, HoldsForBodiesThatMoveTogether) {
     expectNoneMissed(w, "seed " + std::to_string(seed), 0);
     expected += w.report().m_expected;
   }
-  EXPECT_GT(expected, 1000);
+  EXPECT_GT(expected, trials(1000));
 }
 
 TEST_P(MotionBound, HoldsWhenOneBodyMovesAndThenTheOther) {
-  for (std::uint64_t seed = 30; seed < 40; ++seed) {
+  for (const std::uint64_t seed : seeds(30, 10)) {
     Duo w(seed);
     btTransform poses[2] = {at(btVector3(0, 0, 0)), at(btVector3(1.5F, 0, 0))};
     for (int i = 0; i < 600; ++i) {
@@ -157,7 +158,7 @@ TEST_P(MotionBound, HoldsWhenOneBodyMovesAndThenTheOther) {
 
 TEST_P(MotionBound, HoldsForABodyThatLeavesAndComesBack) {
   long expected = 0;
-  for (std::uint64_t seed = 40; seed < 50; ++seed) {
+  for (const std::uint64_t seed : seeds(40, 10)) {
     Duo w(seed);
     const btTransform home = at(btVector3(0.6F, 0.2F, 0), w.shapes.random.rotation());
     for (int i = 0; i < 200; ++i) {
@@ -171,13 +172,13 @@ TEST_P(MotionBound, HoldsForABodyThatLeavesAndComesBack) {
     expectNoneMissed(w, "seed " + std::to_string(seed), 0);
     expected += w.report().m_expected;
   }
-  EXPECT_GT(expected, 500);
+  EXPECT_GT(expected, trials(500));
 }
 
 TEST_P(MotionBound, ApproachesTheThresholdFromOutside) {
   long expected = 0;
   // The first step within the threshold must have the contact: the bound is tight there.
-  for (std::uint64_t seed = 50; seed < 80; ++seed) {
+  for (const std::uint64_t seed : seeds(50, 30)) {
     Duo w(seed, 3);
     const btQuaternion turn = w.shapes.random.rotation();
     const float stepLength = std::pow(10.0F, w.shapes.random.between(-5, -1));
@@ -193,7 +194,7 @@ TEST_P(MotionBound, ApproachesTheThresholdFromOutside) {
     expectNoneMissed(w, "seed " + std::to_string(seed), 0);
     expected += w.report().m_expected;
   }
-  EXPECT_GT(expected, 1000);
+  EXPECT_GT(expected, trials(1000));
 }
 
 /// A cube of half a metre as a hull: its bounds are as tight as they get, and it has contacts before it
@@ -212,7 +213,7 @@ btConvexHullShape* cubeHull(RandomShapes& shapes) {
 TEST_P(MotionBound, ApproachesWithFlatSides) {
   // With and without another child pair that is in contact all the while and keeps the pair awake.
   long expected = 0;
-  for (std::uint64_t seed = 110; seed < 150; ++seed) {
+  for (const std::uint64_t seed : seeds(110, 40)) {
     RandomShapes shapes(seed);
     ScriptedWorld w;
     btConvexHullShape* cube = cubeHull(shapes);
@@ -236,7 +237,7 @@ TEST_P(MotionBound, ApproachesWithFlatSides) {
     expectNoneMissed(w, "seed " + std::to_string(seed), 1);
     expected += w.report().m_expected;
   }
-  EXPECT_GT(expected, 1000);
+  EXPECT_GT(expected, trials(1000));
 }
 
 TEST_P(MotionBound, PosesThatAreNotNumbersDoNoHarm) {
