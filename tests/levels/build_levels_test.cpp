@@ -13,6 +13,7 @@
 
 #include "levels/meshes.h"
 #include "levels/nesting.h"
+#include "trials.h"
 
 namespace scatter {
 namespace {
@@ -44,7 +45,7 @@ class BuildLevelsTorture : public ::testing::TestWithParam<NamedMesh> {};
 
 TEST_P(BuildLevelsTorture, EnclosesTheMeshAndNests) {
   const SurfaceMesh mesh = GetParam().make();
-  for (const int levels : {3, 6}) {
+  for (const int levels : test::trials<int>({3, 6})) {
     LevelBuildDef definition;
     definition.levels = levels;
     definition.finestParts = 24;
@@ -90,7 +91,7 @@ TEST(BuildLevels, GivesThePartsAskedFor) {
 }
 
 TEST(BuildLevels, KeepsHullsSmall) {
-  for (const int most : {8, 12, 24}) {
+  for (const int most : test::trials<int>({8, 12, 24})) {
     LevelBuildDef definition = withCounts({1, 4, 16});
     definition.maxVertices = most;
     const auto built = buildLevels(knotMesh(64, 10), definition);
@@ -122,7 +123,8 @@ TEST(BuildLevels, BoxesBecomeBoxesAndBallsBalls) {
   EXPECT_NEAR(half.x * half.y * half.z, 1.0F, 1e-4F);
   EXPECT_NEAR(part.pose.position.x, 0.3F, 1e-5F);
 
-  const auto ball = buildLevels(sphereMesh(32), withCounts({1}));
+  const SurfaceMesh ballMesh = sphereMesh(test::kSanitized ? 24 : 32);
+  const auto ball = buildLevels(ballMesh, withCounts({1}));
   ASSERT_TRUE(ball.has_value()) << ball.error().message;
   const auto* sphere = std::get_if<Sphere>(&ball->levels->finest().parts.front().shape);
   ASSERT_NE(sphere, nullptr);
@@ -130,7 +132,7 @@ TEST(BuildLevels, BoxesBecomeBoxesAndBallsBalls) {
 
   LevelBuildDef hullsOnly = withCounts({1});
   hullsOnly.fitPrimitives = false;
-  const auto hull = buildLevels(sphereMesh(32), hullsOnly);
+  const auto hull = buildLevels(ballMesh, hullsOnly);
   ASSERT_TRUE(hull.has_value()) << hull.error().message;
   EXPECT_TRUE(std::holds_alternative<ConvexHull>(hull->levels->finest().parts.front().shape));
 }
@@ -149,7 +151,7 @@ TEST(BuildLevels, PrimitivesHoldTheMarginsOfFinerHulls) {
 TEST(BuildLevels, TheFinestGapIsKept) {
   const SurfaceMesh mesh = torusMesh(32, 16);
   std::size_t last = 0;
-  for (const float gap : {0.06F, 0.03F, 0.015F}) {
+  for (const float gap : test::trials<float>({0.06F, 0.03F, 0.015F})) {
     LevelBuildDef definition;
     definition.finestGap = GapLimit{{}, gap};
     const auto built = buildLevels(mesh, definition);
@@ -177,7 +179,7 @@ TEST(BuildLevels, OrderOfTrianglesNeverBreaksContainment) {
   // Another order of the triangles breaks ties another way, and so merges in another order.
   Random random(7);
   SurfaceMesh mesh = knotMesh(40, 8);
-  for (int round = 0; round < 4; ++round) {
+  for (int round = 0; round < test::trials(4); ++round) {
     for (std::size_t i = mesh.triangles.size() - 1; i > 0; --i) {
       const auto other = static_cast<std::size_t>(random.uniform(0.0F, static_cast<float>(i)));
       std::swap(mesh.triangles[i], mesh.triangles[other]);
@@ -189,7 +191,7 @@ TEST(BuildLevels, OrderOfTrianglesNeverBreaksContainment) {
 }
 
 TEST(BuildLevels, RandomMeshesNest) {
-  for (std::uint64_t seed = 10; seed < 22; ++seed) {
+  for (const std::uint64_t seed : test::seeds(10, 12)) {
     const SurfaceMesh mesh = soupMesh(seed, 1 + static_cast<std::uint32_t>(seed * seed % 97), 0.5F);
     const auto built = buildLevels(mesh, withCounts({1, 3, 7, 20}));
     ASSERT_TRUE(built.has_value()) << "seed " << seed << ": " << built.error().message;
@@ -214,7 +216,7 @@ TEST(BuildLevels, TakesSheetsAsSurfaces) {
 }
 
 TEST(BuildLevels, GroupsWhatIsTooMuch) {
-  const SurfaceMesh mesh = torusMesh(100, 50);
+  const SurfaceMesh mesh = test::kSanitized ? torusMesh(60, 30) : torusMesh(100, 50);
   LevelBuildDef definition = withCounts({1, 8, 32});
   definition.maxTriangles = 2000;
   const auto built = buildLevels(mesh, definition);

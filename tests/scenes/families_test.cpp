@@ -12,6 +12,7 @@
 #include "io/temporary_folder.h"
 #include "scenes/scene_world.h"
 #include "scenes/worlds.h"
+#include "trials.h"
 
 namespace scatter::test {
 namespace {
@@ -100,7 +101,7 @@ TEST_P(EveryFamily, HasModelsOfThreeLevelsThatAreNested) {
 
 TEST_P(EveryFamily, StepsInEveryWorld) {
   const TemporaryFolder folder;
-  for (const std::uint64_t seed : {1U, 2U}) {
+  for (const std::uint64_t seed : seeds(1, 2)) {
     const auto file = writeFamily(GetParam(), {.seed = seed, .scale = kSmall}, folder.path());
     ASSERT_TRUE(file) << file.error().message;
     for (const WorldCase& world : switchingWorlds()) {
