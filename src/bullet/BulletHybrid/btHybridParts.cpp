@@ -191,8 +191,8 @@ void addHull(scatter::PartDef& part, const btTransform& transform, const btConve
 	part.kind = points.empty() ? scatter::PartKind::kEnclosed : scatter::PartKind::kHull;
 	if (points.size() > size_t(c_mostParts) || (points.empty() && shape->getShapeType() != CONVEX_HULL_SHAPE_PROXYTYPE))
 		return addOther(part, transform, shape);
-	const btConvexHullShape* hull = static_cast<const btConvexHullShape*>(shape);
-	for (int i = 0; points.empty() && i < hull->getNumPoints(); i++)
+	const btConvexHullShape* hull = points.empty() ? static_cast<const btConvexHullShape*>(shape) : 0;
+	for (int i = 0; hull && i < hull->getNumPoints(); i++)
 		part.core.push_back(btHybridVec3(transform(hull->getScaledPoint(i))));
 	for (const btVector3& point : points)
 		part.core.push_back(btHybridVec3(transform(point)));
