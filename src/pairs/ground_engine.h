@@ -32,9 +32,6 @@ class GroundEngine : public Manifolds {
   /// Changes when the ground's shape does, as far as engines tell.
   [[nodiscard]] virtual int groundVersion() = 0;
 
-  /// Parts closer than this are in contact, metres.
-  [[nodiscard]] virtual float threshold() const = 0;
-
   /// By which the ground's pieces are widened, metres.
   [[nodiscard]] virtual float groundMargin() const = 0;
 

@@ -10,6 +10,9 @@ namespace scatter::pairs {
 /// drops the points that have come apart.
 class Manifolds : public ContactKeeper {
  public:
+  /// Parts closer than this are in contact, metres.
+  [[nodiscard]] virtual float threshold() const = 0;
+
   [[nodiscard]] virtual void* newManifold() = 0;
   virtual void release(void* manifold) = 0;
   [[nodiscard]] virtual int countPoints(const void* manifold) const = 0;

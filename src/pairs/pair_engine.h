@@ -24,9 +24,6 @@ class PairEngine : public Manifolds {
   [[nodiscard]] virtual const PartList& partsOf(int body, int level) = 0;
   [[nodiscard]] virtual Frame frameOf(int body) const = 0;
 
-  /// Parts closer than this are in contact, metres.
-  [[nodiscard]] virtual float threshold() const = 0;
-
   /// Two points nearer to each other than this are one, metres.
   [[nodiscard]] virtual float pointDistance() const = 0;
 

@@ -4,10 +4,26 @@
 #include <BulletCollision/BroadphaseCollision/btCollisionAlgorithm.h>
 
 #include "BulletHybrid/btHybridObservation.h"
+#include "btHybridFallback.h"
 
 /// The narrowphase of a pair of objects of which at least one is a list of convex parts, owned by their broadphase pair.
 class btHybridAlgorithm : public btCollisionAlgorithm
 {
+protected:
+	btHybridFallback m_fallback;
+
+	/// Adds the manifolds of the fallback, which have no credit.
+	void addFallback(btAlignedObjectArray<btHybridManifoldView>& manifolds) const
+	{
+		btManifoldArray own;
+		m_fallback.getManifolds(own);
+		for (int i = 0; i < own.size(); i++)
+		{
+			const btHybridManifoldView view = {own[i], 0, false};
+			manifolds.push_back(view);
+		}
+	}
+
 public:
 	explicit btHybridAlgorithm(const btCollisionAlgorithmConstructionInfo& info)
 	    : btCollisionAlgorithm(info)

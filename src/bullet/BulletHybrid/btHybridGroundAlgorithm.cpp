@@ -12,7 +12,7 @@ using scatter::pairs::GroundContact;
 using scatter::pairs::GroundPair;
 
 btHybridGroundAlgorithm::btHybridGroundAlgorithm(const btCollisionAlgorithmConstructionInfo& info, btHybridNarrowphase* narrowphase, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, int side)
-    : btHybridAlgorithm(info), m_narrowphase(narrowphase), m_bodies(0), m_ground(0), m_fallback(0), m_index(-1), m_planIndex(-1)
+    : btHybridAlgorithm(info), m_narrowphase(narrowphase), m_bodies(0), m_ground(0), m_index(-1), m_planIndex(-1)
 {
 	const btCollisionObjectWrapper* wraps[2] = {body0Wrap, body1Wrap};
 	btHybridObjects& objects = m_narrowphase->getObjects();
@@ -34,11 +34,7 @@ btHybridGroundAlgorithm::~btHybridGroundAlgorithm()
 {
 	for (const GroundContact& contact : getPair().contacts)
 		m_dispatcher->releaseManifold(btHybridContacts::at(contact.manifold));
-	if (m_fallback)
-	{
-		m_fallback->~btCollisionAlgorithm();
-		m_dispatcher->freeCollisionAlgorithm(m_fallback);
-	}
+	m_fallback.release(m_dispatcher);
 	m_narrowphase->getGrounds().remove(m_index);
 	if (m_ground)
 	{
@@ -99,22 +95,14 @@ void btHybridGroundAlgorithm::processCollision(const btCollisionObjectWrapper* b
 
 void btHybridGroundAlgorithm::getAllContactManifolds(btManifoldArray& manifoldArray)
 {
-	if (m_fallback)
-		m_fallback->getAllContactManifolds(manifoldArray);
+	m_fallback.getManifolds(manifoldArray);
 	for (const GroundContact& contact : getPair().contacts)
 		manifoldArray.push_back(btHybridContacts::at(contact.manifold));
 }
 
 void btHybridGroundAlgorithm::getManifolds(btAlignedObjectArray<btHybridManifoldView>& manifolds) const
 {
-	btManifoldArray others;
-	if (m_fallback)
-		m_fallback->getAllContactManifolds(others);
-	for (int i = 0; i < others.size(); i++)
-	{
-		const btHybridManifoldView view = {others[i], 0, false};
-		manifolds.push_back(view);
-	}
+	addFallback(manifolds);
 	for (const GroundContact& contact : getPair().contacts)
 	{
 		const btHybridManifoldView view = {btHybridContacts::at(contact.manifold), contact.credit, false};

@@ -14,9 +14,8 @@ class btHybridGroundAlgorithm : public btHybridAlgorithm
 {
 	btHybridNarrowphase* m_narrowphase;
 	btHybridGroundBodies* m_bodies;
-	btHybridLevelBodies* m_ground;     ///< for the planner; 0 if the pair does not switch
-	btCollisionAlgorithm* m_fallback;  ///< Bullet's own, while a shape is none that is known
-	int m_index;                       ///< of the pair, in its table
+	btHybridLevelBodies* m_ground;  ///< for the planner; 0 if the pair does not switch
+	int m_index;                    ///< of the pair, in its table
 	int m_planIndex;
 
 	scatter::pairs::GroundPair& getPair() const;

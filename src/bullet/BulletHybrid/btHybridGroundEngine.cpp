@@ -13,57 +13,72 @@ using scatter::pairs::GroundPieces;
 
 namespace
 {
-/// Tells a manifold result which part of the body and which piece of the ground are at work, as Bullet's algorithms do, for as long
-/// as it lives.
-class PieceScope
+btVector3 vector(const scatter::Vec3& v)
 {
-	btManifoldResult* m_result;
-	const btCollisionObjectWrapper* m_before[2];
+	return btVector3(v.x, v.y, v.z);
+}
 
-public:
-	PieceScope(btManifoldResult* result, int side, const btCollisionObjectWrapper& part, const btCollisionObjectWrapper& piece, btPersistentManifold* manifold)
-	    : m_result(result), m_before{result->getBody0Wrap(), result->getBody1Wrap()}
-	{
-		const btCollisionObjectWrapper* wraps[2] = {side == 0 ? &part : &piece, side == 0 ? &piece : &part};
-		m_result->setBody0Wrap(wraps[0]);
-		m_result->setBody1Wrap(wraps[1]);
-		m_result->setShapeIdentifiersA(wraps[0]->m_partId, wraps[0]->m_index);
-		m_result->setShapeIdentifiersB(wraps[1]->m_partId, wraps[1]->m_index);
-		m_result->setPersistentManifold(manifold);
-	}
-	~PieceScope()
-	{
-		m_result->setPersistentManifold(0);
-		m_result->setBody0Wrap(m_before[0]);
-		m_result->setBody1Wrap(m_before[1]);
-	}
-};
-
-/// A piece of a ground as Bullet's algorithms see it: a triangle, or the whole shape.
-class PieceWrap
+/// A part of a body and a piece of its ground as Bullet's algorithms see them. The piece is a triangle, or the whole shape.
+class Meeting
 {
+	btTransform m_transform;  ///< of the part
 	btTriangleShape m_triangle;
-	btCollisionObjectWrapper m_wrap;
+	btCollisionObjectWrapper m_part;
+	btCollisionObjectWrapper m_piece;
 
 public:
-	PieceWrap(const btCollisionObjectWrapper* ground, const GroundPieces& pieces, const ChildPair& child)
-	    : m_wrap(0, ground->getCollisionShape(), ground->getCollisionObject(), ground->getWorldTransform(), -1, -1)
+	Meeting(const btCollisionObjectWrapper* body, const btHybridPartBody* parts, const btCollisionObjectWrapper* ground, const GroundPieces& pieces, const ChildPair& child)
+	    : m_transform(parts->getChildTransform(child.b, body->getWorldTransform())),
+	      m_part(body, parts->getChildShape(child.b), body->getCollisionObject(), m_transform, -1, parts->getChildIndex(child.b)),
+	      m_piece(0, ground->getCollisionShape(), ground->getCollisionObject(), ground->getWorldTransform(), -1, -1)
 	{
 		if (pieces.kind != scatter::PartKind::kTriangle || pieces.pieces.empty())
 			return;
 		const GroundPieces::Piece& piece = pieces.pieces[child.a];
 		const auto points = pieces.pointsOf(piece);
 		for (int i = 0; i < 3; i++)
-			m_triangle.m_vertices1[i] = btVector3(points[size_t(i)].x, points[size_t(i)].y, points[size_t(i)].z);
+			m_triangle.m_vertices1[i] = vector(points[size_t(i)]);
 		m_triangle.setMargin(pieces.margin);
-		m_wrap.m_shape = &m_triangle;
-		m_wrap.m_partId = piece.part;
-		m_wrap.m_index = piece.index;
+		m_piece.m_shape = &m_triangle;
+		m_piece.m_partId = piece.part;
+		m_piece.m_index = piece.index;
 	}
 
-	const btCollisionObjectWrapper& get() const
+	const btCollisionObjectWrapper& part() const
 	{
-		return m_wrap;
+		return m_part;
+	}
+	const btCollisionObjectWrapper& piece() const
+	{
+		return m_piece;
+	}
+};
+
+/// Tells a manifold result which part of the body and which piece of the ground are at work, as Bullet's algorithms do, for as long
+/// as it lives.
+class MeetingScope
+{
+	btManifoldResult* m_result;
+	const btCollisionObjectWrapper* m_before[2];
+
+public:
+	MeetingScope(btManifoldResult* result, int side, const Meeting& meeting, btPersistentManifold* manifold)
+	    : m_result(result), m_before{result->getBody0Wrap(), result->getBody1Wrap()}
+	{
+		const btCollisionObjectWrapper* wraps[2] = {&meeting.part(), &meeting.piece()};
+		if (side == 1)
+			btSwap(wraps[0], wraps[1]);
+		m_result->setBody0Wrap(wraps[0]);
+		m_result->setBody1Wrap(wraps[1]);
+		m_result->setShapeIdentifiersA(wraps[0]->m_partId, wraps[0]->m_index);
+		m_result->setShapeIdentifiersB(wraps[1]->m_partId, wraps[1]->m_index);
+		m_result->setPersistentManifold(manifold);
+	}
+	~MeetingScope()
+	{
+		m_result->setPersistentManifold(0);
+		m_result->setBody0Wrap(m_before[0]);
+		m_result->setBody1Wrap(m_before[1]);
 	}
 };
 
@@ -88,11 +103,6 @@ struct OneContact : public btManifoldResult
 		m_isFound = true;
 	}
 };
-
-btVector3 vector(const scatter::Vec3& v)
-{
-	return btVector3(v.x, v.y, v.z);
-}
 }  // namespace
 
 void btHybridGroundBodies::take(int level, btHybridObjects& objects)
@@ -103,7 +113,7 @@ void btHybridGroundBodies::take(int level, btHybridObjects& objects)
 	m_level = level;
 }
 
-btHybridGroundEngine::btHybridGroundEngine(btCollisionDispatcher* dispatcher, btHybridObjects& objects, btHybridGroundBodies& bodies, const btHybridGroundCall& call, btCollisionAlgorithm*& fallback, std::vector<btHybridPartBounds>& parts)
+btHybridGroundEngine::btHybridGroundEngine(btCollisionDispatcher* dispatcher, btHybridObjects& objects, btHybridGroundBodies& bodies, const btHybridGroundCall& call, btHybridFallback& fallback, std::vector<btHybridPartBounds>& parts)
     : btHybridManifolds(dispatcher, call.m_body, call.m_ground), m_objects(objects), m_bodies(bodies), m_call(call), m_fallback(fallback), m_levelWrap(0, call.m_body->getCollisionShape(), call.m_body->getCollisionObject(), call.m_body->getWorldTransform(), -1, -1), m_isBounded(false), m_parts(parts)
 {
 }
@@ -128,7 +138,7 @@ bool btHybridGroundEngine::place(int level, scatter::pairs::PlacedBody& body)
 	m_parts.assign(size_t(body.body->parts().count()), btHybridPartBounds());
 	if (m_bodies.m_switches)
 		m_levelWrap.m_shape = m_bodies.m_body->getShape();
-	releaseFallback();
+	m_fallback.release(m_dispatcher);
 	return true;
 }
 
@@ -166,17 +176,17 @@ bool btHybridGroundEngine::fallBack()
 	const btCollisionObjectWrapper* wraps[2] = {m_call.m_body, m_call.m_ground};
 	if (m_bodies.m_side == 1)
 		btSwap(wraps[0], wraps[1]);
-	if (!m_fallback)
+	if (!m_fallback.get())
 	{
 		btCollisionAlgorithmConstructionInfo info;
 		info.m_dispatcher1 = m_dispatcher;
 		btCollisionConfiguration* configuration = m_dispatcher->getCollisionConfiguration();
 		btCollisionAlgorithmCreateFunc* create = configuration->getCollisionAlgorithmCreateFunc(wraps[0]->getCollisionShape()->getShapeType(), wraps[1]->getCollisionShape()->getShapeType());
-		m_fallback = create->CreateCollisionAlgorithm(info, wraps[0], wraps[1]);
+		m_fallback.set(create->CreateCollisionAlgorithm(info, wraps[0], wraps[1]));
 	}
-	m_fallback->processCollision(wraps[0], wraps[1], m_call.m_info, m_call.m_result);
+	m_fallback.get()->processCollision(wraps[0], wraps[1], m_call.m_info, m_call.m_result);
 	btManifoldArray manifolds;
-	m_fallback->getAllContactManifolds(manifolds);
+	m_fallback.getManifolds(manifolds);
 	for (int i = 0; i < manifolds.size(); i++)
 		if (manifolds[i]->getNumContacts() > 0)
 			return true;
@@ -188,15 +198,6 @@ void btHybridGroundEngine::looked(void* manifold)
 {
 	if (gContactProcessedCallback && m_bodies.m_ground.getKind() != BT_HYBRID_HALF_SPACE)
 		static_cast<void>(outlasts(manifold));
-}
-
-void btHybridGroundEngine::releaseFallback()
-{
-	if (!m_fallback)
-		return;
-	m_fallback->~btCollisionAlgorithm();
-	m_dispatcher->freeCollisionAlgorithm(m_fallback);
-	m_fallback = 0;
 }
 
 btTransform btHybridGroundEngine::getPartTransform(int part) const
@@ -279,10 +280,8 @@ bool btHybridGroundEngine::mayMeet(const GroundPieces& pieces, const ChildPair& 
 
 void btHybridGroundEngine::add(void* manifold, const GroundPieces& pieces, const ChildPair& child, const scatter::PartContact& contact, const scatter::Frame& frame)
 {
-	const btTransform transform = getPartTransform(child.b);
-	const btCollisionObjectWrapper part(&m_levelWrap, m_bodies.m_body->getChildShape(child.b), m_levelWrap.getCollisionObject(), transform, -1, m_bodies.m_body->getChildIndex(child.b));
-	const PieceWrap piece(m_call.m_ground, pieces, child);
-	const PieceScope scope(m_call.m_result, m_bodies.m_side, part, piece.get(), btHybridContacts::at(manifold));
+	const Meeting meeting(&m_levelWrap, m_bodies.m_body, m_call.m_ground, pieces, child);
+	const MeetingScope scope(m_call.m_result, m_bodies.m_side, meeting, btHybridContacts::at(manifold));
 	// The manifold's second body is the ground, whichever comes first in the pair.
 	const scatter::Vec3 onGround = contact.pointB - contact.axis * contact.distance;
 	m_call.m_result->addContactPoint(vector(frame.rotate(contact.axis)), vector(frame(onGround)), contact.distance);
@@ -290,11 +289,9 @@ void btHybridGroundEngine::add(void* manifold, const GroundPieces& pieces, const
 
 bool btHybridGroundEngine::find(void* manifold, const GroundPieces& pieces, const ChildPair& child, const scatter::Frame& frame, scatter::PartContact& contact)
 {
-	const btTransform transform = getPartTransform(child.b);
-	const btCollisionObjectWrapper part(&m_levelWrap, m_bodies.m_body->getChildShape(child.b), m_levelWrap.getCollisionObject(), transform, -1, m_bodies.m_body->getChildIndex(child.b));
-	const PieceWrap piece(m_call.m_ground, pieces, child);
-	OneContact found(&part, &piece.get(), btHybridContacts::at(manifold));
-	btHybridDetect(m_dispatcher, &part, &piece.get(), btHybridContacts::at(manifold), m_call.m_info, &found);
+	const Meeting meeting(&m_levelWrap, m_bodies.m_body, m_call.m_ground, pieces, child);
+	OneContact found(&meeting.part(), &meeting.piece(), btHybridContacts::at(manifold));
+	btHybridDetect(m_dispatcher, &meeting.part(), &meeting.piece(), btHybridContacts::at(manifold), m_call.m_info, &found);
 	if (!found.m_isFound || found.m_distance > threshold())
 		return false;
 	contact.distance = found.m_distance;
@@ -305,9 +302,7 @@ bool btHybridGroundEngine::find(void* manifold, const GroundPieces& pieces, cons
 
 void btHybridGroundEngine::detect(void* manifold, const GroundPieces& pieces, const ChildPair& child)
 {
-	const btTransform transform = getPartTransform(child.b);
-	const btCollisionObjectWrapper part(&m_levelWrap, m_bodies.m_body->getChildShape(child.b), m_levelWrap.getCollisionObject(), transform, -1, m_bodies.m_body->getChildIndex(child.b));
-	const PieceWrap piece(m_call.m_ground, pieces, child);
-	const PieceScope scope(m_call.m_result, m_bodies.m_side, part, piece.get(), btHybridContacts::at(manifold));
-	btHybridDetect(m_dispatcher, &part, &piece.get(), btHybridContacts::at(manifold), m_call.m_info, m_call.m_result);
+	const Meeting meeting(&m_levelWrap, m_bodies.m_body, m_call.m_ground, pieces, child);
+	const MeetingScope scope(m_call.m_result, m_bodies.m_side, meeting, btHybridContacts::at(manifold));
+	btHybridDetect(m_dispatcher, &meeting.part(), &meeting.piece(), btHybridContacts::at(manifold), m_call.m_info, m_call.m_result);
 }

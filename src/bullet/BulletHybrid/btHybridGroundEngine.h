@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "btHybridFallback.h"
 #include "btHybridGround.h"
 #include "btHybridLevelBodies.h"
 #include "btHybridManifolds.h"
@@ -60,7 +61,7 @@ class btHybridGroundEngine : public btHybridManifolds<scatter::pairs::GroundEngi
 	btHybridObjects& m_objects;
 	btHybridGroundBodies& m_bodies;
 	const btHybridGroundCall& m_call;
-	btCollisionAlgorithm*& m_fallback;
+	btHybridFallback& m_fallback;
 	btCollisionObjectWrapper m_levelWrap;  ///< the body with the shape of its level
 	bool m_isBounded;                      ///< the ground's bounds are known
 	btVector3 m_groundMin[2];              ///< in the world, and in the body's frame
@@ -73,12 +74,10 @@ class btHybridGroundEngine : public btHybridManifolds<scatter::pairs::GroundEngi
 	bool isLetThrough(int part) const;
 	bool meetsInWorld(int part);
 	bool meetsLeaf(int part);
-	void releaseFallback();
-	void detectIn(btPersistentManifold* manifold, const btCollisionObjectWrapper* part, const btCollisionObjectWrapper* ground);
 
 public:
-	/// fallback: Bullet's own algorithm for the two, while there is one. parts: memory that engines use in turn. All must outlive it.
-	btHybridGroundEngine(btCollisionDispatcher* dispatcher, btHybridObjects& objects, btHybridGroundBodies& bodies, const btHybridGroundCall& call, btCollisionAlgorithm*& fallback, std::vector<btHybridPartBounds>& parts);
+	/// parts: memory that engines use in turn. All must outlive it.
+	btHybridGroundEngine(btCollisionDispatcher* dispatcher, btHybridObjects& objects, btHybridGroundBodies& bodies, const btHybridGroundCall& call, btHybridFallback& fallback, std::vector<btHybridPartBounds>& parts);
 
 	/// Where the two are, with the shapes that were looked at last; no contacts are going to be looked for.
 	bool follow(scatter::pairs::PlacedBody& body);

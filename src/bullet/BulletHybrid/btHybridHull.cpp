@@ -51,6 +51,7 @@ OuterPlane planeOf(const std::vector<glm::dvec3>& points, const std::vector<glm:
 	outer.m_isFlat = high - low <= c_noVolume * extent;
 	return outer;
 }
+
 /// Takes the corners of all triangles.
 struct Corners : public btInternalTriangleIndexCallback
 {

@@ -16,7 +16,6 @@ btHybridPairAlgorithm::btHybridPairAlgorithm(const btCollisionAlgorithmConstruct
     : btHybridAlgorithm(info),
       m_narrowphase(narrowphase),
       m_bodies(narrowphase->getObjects().acquire(body0Wrap->getCollisionObject(), narrowphase->getPlanner()), narrowphase->getObjects().acquire(body1Wrap->getCollisionObject(), narrowphase->getPlanner())),
-      m_fallback(0),
       m_index(-1),
       m_planIndex(-1),
       m_switches(m_narrowphase->getPlanner() && btMax(m_bodies.m_objects[0]->getNumLevels(), m_bodies.m_objects[1]->getNumLevels()) > 0)
@@ -36,11 +35,7 @@ btHybridPairAlgorithm::~btHybridPairAlgorithm()
 	                          { own.push_back(static_cast<btPersistentManifold*>(manifold)); });
 	for (int i = 0; i < own.size(); i++)
 		m_dispatcher->releaseManifold(own[i]);
-	if (m_fallback)
-	{
-		m_fallback->~btCollisionAlgorithm();
-		m_dispatcher->freeCollisionAlgorithm(m_fallback);
-	}
+	m_fallback.release(m_dispatcher);
 	if (m_switches)
 		m_narrowphase->getPlanner()->removePair(m_planIndex);
 	m_narrowphase->getPairs(m_switches).remove(m_index);
@@ -100,24 +95,19 @@ void btHybridPairAlgorithm::processCollision(const btCollisionObjectWrapper* bod
 
 void btHybridPairAlgorithm::getAllContactManifolds(btManifoldArray& manifoldArray)
 {
-	if (m_fallback)
-		m_fallback->getAllContactManifolds(manifoldArray);
+	m_fallback.getManifolds(manifoldArray);
 	getPair().forEachManifold([&manifoldArray](void* manifold)
 	                          { manifoldArray.push_back(static_cast<btPersistentManifold*>(manifold)); });
 }
 
 void btHybridPairAlgorithm::getManifolds(btAlignedObjectArray<btHybridManifoldView>& manifolds) const
 {
-	btManifoldArray others;
-	if (m_fallback)
-		m_fallback->getAllContactManifolds(others);
+	addFallback(manifolds);
 	const auto add = [&manifolds](const void* manifold, btScalar credit, bool isHeld)
 	{
 		const btHybridManifoldView view = {static_cast<const btPersistentManifold*>(manifold), credit, isHeld};
 		manifolds.push_back(view);
 	};
-	for (int i = 0; i < others.size(); i++)
-		add(others[i], 0, false);
 	const Pair& pair = getPair();
 	for (const void* manifold : pair.held.manifolds())
 		add(manifold, 0, true);

@@ -13,8 +13,7 @@ class btHybridPairAlgorithm : public btHybridAlgorithm
 {
 	btHybridNarrowphase* m_narrowphase;
 	btHybridPairBodies m_bodies;
-	btCollisionAlgorithm* m_fallback;  ///< Bullet's own, while a shape is no list of parts any more
-	int m_index;                       ///< of the pair, in its table
+	int m_index;  ///< of the pair, in its table
 	int m_planIndex;
 	bool m_switches;
 

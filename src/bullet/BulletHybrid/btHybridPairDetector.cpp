@@ -32,8 +32,8 @@ public:
 	    : m_result(result),
 	      m_before{result->getBody0Wrap(), result->getBody1Wrap()},
 	      m_transforms{bodyA.getChildTransform(partA, m_before[0]->getWorldTransform()), bodyB.getChildTransform(partB, m_before[1]->getWorldTransform())},
-	      m_children{{m_before[0], bodyA.getChildShape(partA), m_before[0]->getCollisionObject(), m_transforms[0], -1, partA},
-	                 {m_before[1], bodyB.getChildShape(partB), m_before[1]->getCollisionObject(), m_transforms[1], -1, partB}}
+	      m_children{{m_before[0], bodyA.getChildShape(partA), m_before[0]->getCollisionObject(), m_transforms[0], -1, bodyA.getChildIndex(partA)},
+	                 {m_before[1], bodyB.getChildShape(partB), m_before[1]->getCollisionObject(), m_transforms[1], -1, bodyB.getChildIndex(partB)}}
 	{
 		m_wraps[0] = bodyA.getChildIndex(partA) < 0 ? m_before[0] : &m_children[0];
 		m_wraps[1] = bodyB.getChildIndex(partB) < 0 ? m_before[1] : &m_children[1];

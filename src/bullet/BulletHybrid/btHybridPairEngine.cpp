@@ -68,7 +68,7 @@ bool btHybridPairEngine::place(int level, scatter::pairs::PlacedBodies& bodies)
 	m_bodies.take(level, m_objects);
 	if (!follow(bodies))
 		return false;
-	releaseFallback();
+	m_fallback.release(m_dispatcher);
 	return true;
 }
 
@@ -90,18 +90,9 @@ float btHybridPairEngine::pointDistance() const
 
 void btHybridPairEngine::fallBack()
 {
-	if (!m_fallback)
-		m_fallback = m_dispatcher->findAlgorithm(m_call.m_wraps[0], m_call.m_wraps[1], 0, BT_CONTACT_POINT_ALGORITHMS);
-	m_fallback->processCollision(m_call.m_wraps[0], m_call.m_wraps[1], m_call.m_info, m_call.m_result);
-}
-
-void btHybridPairEngine::releaseFallback()
-{
-	if (!m_fallback)
-		return;
-	m_fallback->~btCollisionAlgorithm();
-	m_dispatcher->freeCollisionAlgorithm(m_fallback);
-	m_fallback = 0;
+	if (!m_fallback.get())
+		m_fallback.set(m_dispatcher->findAlgorithm(m_call.m_wraps[0], m_call.m_wraps[1], 0, BT_CONTACT_POINT_ALGORITHMS));
+	m_fallback.get()->processCollision(m_call.m_wraps[0], m_call.m_wraps[1], m_call.m_info, m_call.m_result);
 }
 
 // A filter that a program may have set for the children of compounds.

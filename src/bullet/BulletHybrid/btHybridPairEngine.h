@@ -6,6 +6,7 @@
 
 #include <optional>
 
+#include "btHybridFallback.h"
 #include "btHybridLevelBodies.h"
 #include "btHybridManifolds.h"
 #include "btHybridObjects.h"
@@ -60,7 +61,7 @@ class btHybridPairEngine : public btHybridManifolds<scatter::pairs::PairEngine>
 	btHybridObjects& m_objects;
 	btHybridPairBodies& m_bodies;
 	const btHybridPairCall& m_call;
-	btCollisionAlgorithm*& m_fallback;
+	btHybridFallback& m_fallback;
 	bool m_ownGjk;
 	bool m_switches;
 	std::optional<LevelScope> m_scope;  ///< of the bodies that are placed, once their contacts are looked for
@@ -74,12 +75,10 @@ class btHybridPairEngine : public btHybridManifolds<scatter::pairs::PairEngine>
 	btPersistentManifold* manifoldOf(scatter::ChildPair& child);
 	void detectByGjk(scatter::PartPair& parts, scatter::ChildPair& child);
 	void detectByAlgorithm(scatter::ChildPair& child);
-	void releaseFallback();
 
 public:
-	/// switches: the pair has a level, so that the bodies' shapes are not those of the call. fallback: Bullet's own algorithm for the
-	/// pair, while there is one. All must outlive it.
-	btHybridPairEngine(btCollisionDispatcher* dispatcher, btHybridObjects& objects, btHybridPairBodies& bodies, const btHybridPairCall& call, btCollisionAlgorithm*& fallback, bool ownGjk, bool switches)
+	/// switches: the pair has a level, so that the bodies' shapes are not those of the call. All must outlive it.
+	btHybridPairEngine(btCollisionDispatcher* dispatcher, btHybridObjects& objects, btHybridPairBodies& bodies, const btHybridPairCall& call, btHybridFallback& fallback, bool ownGjk, bool switches)
 	    : btHybridManifolds(dispatcher, call.m_wraps[0], call.m_wraps[1]), m_objects(objects), m_bodies(bodies), m_call(call), m_fallback(fallback), m_ownGjk(ownGjk), m_switches(switches)
 	{
 	}

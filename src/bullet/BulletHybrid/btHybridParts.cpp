@@ -187,15 +187,20 @@ void addBox(scatter::PartDef& part, const btTransform& transform, const btBoxSha
 // A hull whose polyhedral features are there is only known to be around its points.
 void addHull(scatter::PartDef& part, const btTransform& transform, const btConvexShape* shape)
 {
-	std::vector<btVector3> points = btHybridHullPoints(shape);
-	part.kind = points.empty() ? scatter::PartKind::kEnclosed : scatter::PartKind::kHull;
-	if (points.size() > size_t(c_mostParts) || (points.empty() && shape->getShapeType() != CONVEX_HULL_SHAPE_PROXYTYPE))
+	const std::vector<btVector3> points = btHybridHullPoints(shape);
+	if (!points.empty() && points.size() <= size_t(c_mostParts))
+	{
+		part.kind = scatter::PartKind::kHull;
+		for (const btVector3& point : points)
+			part.core.push_back(btHybridVec3(transform(point)));
+		return;
+	}
+	if (!points.empty() || shape->getShapeType() != CONVEX_HULL_SHAPE_PROXYTYPE)
 		return addOther(part, transform, shape);
-	const btConvexHullShape* hull = points.empty() ? static_cast<const btConvexHullShape*>(shape) : 0;
-	for (int i = 0; hull && i < hull->getNumPoints(); i++)
+	const btConvexHullShape* hull = static_cast<const btConvexHullShape*>(shape);
+	part.kind = scatter::PartKind::kEnclosed;
+	for (int i = 0; i < hull->getNumPoints(); i++)
 		part.core.push_back(btHybridVec3(transform(hull->getScaledPoint(i))));
-	for (const btVector3& point : points)
-		part.core.push_back(btHybridVec3(transform(point)));
 }
 
 scatter::PartDef makePart(const btConvexShape* shape, const btTransform& transform)
