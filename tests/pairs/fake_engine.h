@@ -4,17 +4,17 @@
 
 #include <array>
 #include <memory>
-#include <set>
 #include <vector>
 
 #include "collision/part_query.h"
+#include "pairs/fake_manifolds.h"
 #include "pairs/pair_engine.h"
 
 namespace scatter::testing {
 
 /// An engine of a page: two bodies whose levels are lists of upright boxes; the second one is moved along x,
-/// away from the first. Two boxes that overlap have one point. At its end no manifold may be left.
-class FakeEngine : public pairs::PairEngine {
+/// away from the first. Two boxes that overlap have one point.
+class FakeEngine : public FakeManifolds<pairs::PairEngine> {
  public:
   explicit FakeEngine(const std::vector<std::vector<PartDef>>& levels) {
     for (const auto& level : levels) {
@@ -22,16 +22,11 @@ class FakeEngine : public pairs::PairEngine {
       for (auto& body : bodies_) body.emplace_back(*lists_.back());
     }
   }
-  FakeEngine(const FakeEngine&) = delete;
-  FakeEngine& operator=(const FakeEngine&) = delete;
-  ~FakeEngine() override { EXPECT_TRUE(manifolds_.empty()) << "manifolds were left to the engine"; }
 
   float x = 0.0F;        ///< Of the second body; the first one is at 0.
   bool refuses = false;  ///< The shapes are no lists of parts.
   int version = 0;       ///< Of both bodies' parts.
   int fallbacks = 0;
-
-  [[nodiscard]] int manifolds() const { return static_cast<int>(manifolds_.size()); }
 
   bool place(int level, pairs::PlacedBodies& placed) override {
     level_ = level;
@@ -48,37 +43,8 @@ class FakeEngine : public pairs::PairEngine {
     frame.origin.x = body == 0 ? 0.0F : x;
     return frame;
   }
-  [[nodiscard]] float threshold() const override { return 0.02F; }
   [[nodiscard]] float pointDistance() const override { return 0.02F; }
   void fallBack() override { ++fallbacks; }
-
-  void* newManifold() override { return *manifolds_.insert(new Manifold).first; }
-  void release(void* manifold) override {
-    ASSERT_EQ(manifolds_.erase(at(manifold)), 1U) << "was released before";
-    delete at(manifold);
-  }
-  bool outlasts(void* manifold) const override {
-    std::erase_if(*at(manifold), [this](Point& point) {
-      point.distance = point.foundDistance + x - point.foundX;
-      return point.distance > threshold();
-    });
-    return !at(manifold)->empty();
-  }
-  int countPoints(const void* manifold) const override { return static_cast<int>(at(manifold)->size()); }
-  bool isFull(const void* manifold) const override { return countPoints(manifold) == 4; }
-  pairs::ContactPoint point(const void* manifold, int i) const override { return pointAt(manifold, i); }
-  void write(void* manifold, int i, const pairs::ContactPoint& point) override {
-    pointAt(manifold, i).distance = point.distance;
-    pointAt(manifold, i).eased = point.eased;
-    pointAt(manifold, i).presses = !point.eased;
-  }
-  float distanceNow(const void* manifold, int i) const override {
-    return pointAt(manifold, i).foundDistance + x - pointAt(manifold, i).foundX;
-  }
-  void move(void* from, int i, void* to) override { at(to)->push_back(pointAt(from, i)); }
-  void addImpulses(const void* from, int i, void* to, int j) override {
-    pointAt(to, j).impulse += pointAt(from, i).impulse;
-  }
 
   void add(ChildPair& /*child*/, const PartContact& /*contact*/) override {
     FAIL() << "boxes are the detector's";
@@ -88,32 +54,25 @@ class FakeEngine : public pairs::PairEngine {
     const float depth = partDepth(list.part(child.a), list.part(child.b), parts.frameB());
     if (depth <= 0.0F) return;
     if (child.contact == nullptr) child.contact = newManifold();
-    Point found;
+    pairs::ContactPoint found;
     found.position = Vec3(x, list.part(child.a).center.y, 0.0F);
     found.normal = Vec3(-1.0F, 0.0F, 0.0F);
-    found.distance = found.foundDistance = -depth;
-    found.foundX = x;
+    found.distance = -depth;
     found.partA = child.a;
     found.partB = child.b;
-    at(child.contact)->assign(1, found);
+    put(child.contact, found);
   }
 
- private:
-  struct Point : pairs::ContactPoint {
-    float foundDistance = 0.0F;
-    float foundX = 0.0F;
-  };
-  using Manifold = std::vector<Point>;
+ protected:
+  [[nodiscard]] float along() const override { return x; }
 
-  static Manifold* at(const void* manifold) { return static_cast<Manifold*>(const_cast<void*>(manifold)); }
-  static Point& pointAt(const void* manifold, int i) { return at(manifold)->at(static_cast<std::size_t>(i)); }
+ private:
   PartBody& bodyAt(std::size_t body, int level) {
     return bodies_[body].at(static_cast<std::size_t>(level - 1));
   }
 
   std::vector<std::unique_ptr<PartList>> lists_;
   std::array<std::vector<PartBody>, 2> bodies_;
-  std::set<Manifold*> manifolds_;
   int level_ = 1;
 };
 

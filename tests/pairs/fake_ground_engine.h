@@ -5,16 +5,16 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <set>
 #include <vector>
 
+#include "pairs/fake_manifolds.h"
 #include "pairs/ground_engine.h"
 
 namespace scatter::testing {
 
 /// An engine of a page: a body whose levels are lists of upright boxes, moved without turning, above the
-/// plane y = 0, which is a half-space or a net of triangles of 1 m. At its end no manifold may be left.
-class FakeGroundEngine : public pairs::GroundEngine {
+/// plane y = 0, which is a half-space or a net of triangles of 1 m.
+class FakeGroundEngine : public FakeManifolds<pairs::GroundEngine> {
  public:
   FakeGroundEngine(const std::vector<std::vector<PartDef>>& levels, bool isNet) : isNet_(isNet) {
     for (const auto& level : levels) {
@@ -22,9 +22,6 @@ class FakeGroundEngine : public pairs::GroundEngine {
       bodies_.emplace_back(*lists_.back());
     }
   }
-  FakeGroundEngine(const FakeGroundEngine&) = delete;
-  FakeGroundEngine& operator=(const FakeGroundEngine&) = delete;
-  ~FakeGroundEngine() override { EXPECT_TRUE(manifolds_.empty()) << "manifolds were left to the engine"; }
 
   Vec3 position{0.0F};     ///< Of the body.
   bool refuses = false;    ///< The shape is no list of parts.
@@ -44,7 +41,6 @@ class FakeGroundEngine : public pairs::GroundEngine {
   }
   [[nodiscard]] Frame groundFrame() const override { return {}; }
   int groundVersion() override { return version; }
-  [[nodiscard]] float threshold() const override { return kThreshold; }
   [[nodiscard]] float groundMargin() const override { return 0.0F; }
   [[nodiscard]] std::optional<pairs::HalfSpace> halfSpace() const override {
     if (isNet_) return std::nullopt;
@@ -102,44 +98,10 @@ class FakeGroundEngine : public pairs::GroundEngine {
   }
   [[nodiscard]] int countParts() const { return lists_.at(static_cast<std::size_t>(level_ - 1))->count(); }
 
-  void* newManifold() override { return *manifolds_.insert(new Manifold).first; }
-  void release(void* manifold) override {
-    ASSERT_EQ(manifolds_.erase(at(manifold)), 1U) << "was released before";
-    delete at(manifold);
-  }
-  bool outlasts(void* manifold) const override {
-    std::erase_if(*at(manifold), [this](Point& point) {
-      point.distance = point.foundDistance + position.y - point.foundY;
-      return point.distance > kThreshold;
-    });
-    return !at(manifold)->empty();
-  }
-  int countPoints(const void* manifold) const override { return static_cast<int>(at(manifold)->size()); }
-  bool isFull(const void* /*manifold*/) const override { return false; }
-  pairs::ContactPoint point(const void* manifold, int i) const override { return pointAt(manifold, i); }
-  void write(void* manifold, int i, const pairs::ContactPoint& point) override {
-    pointAt(manifold, i).distance = point.distance;
-  }
-  float distanceNow(const void* manifold, int i) const override {
-    return pointAt(manifold, i).foundDistance + position.y - pointAt(manifold, i).foundY;
-  }
-  void move(void* /*from*/, int /*i*/, void* /*to*/) override {
-    FAIL() << "contacts of a ground are not held";
-  }
-  void addImpulses(const void*, int, void*, int) override { FAIL() << "contacts of a ground are not held"; }
-
-  static constexpr float kThreshold = 0.02F;
+ protected:
+  [[nodiscard]] float along() const override { return position.y; }
 
  private:
-  struct Point : pairs::ContactPoint {
-    float foundDistance = 0.0F;
-    float foundY = 0.0F;
-  };
-  using Manifold = std::vector<Point>;
-
-  static Manifold* at(const void* manifold) { return static_cast<Manifold*>(const_cast<void*>(manifold)); }
-  static Point& pointAt(const void* manifold, int i) { return at(manifold)->at(static_cast<std::size_t>(i)); }
-
   static void addCell(int x, int z, pairs::GroundPieces& pieces) {
     const auto corner = [x, z](int i, int k) {
       return Vec3(static_cast<float>(x + i), 0.0F, static_cast<float>(z + k));
@@ -148,21 +110,18 @@ class FakeGroundEngine : public pairs::GroundEngine {
     pieces.add(x, 2 * z + 1, std::vector<Vec3>{corner(1, 0), corner(0, 1), corner(1, 1)});
   }
 
-  // The last one of a part stays, as engines have it with points near each other.
   void put(void* manifold, int part, float distance) const {
-    Point found;
+    pairs::ContactPoint found;
     found.position = position;
     found.normal = Vec3(0.0F, 1.0F, 0.0F);
-    found.distance = found.foundDistance = distance;
-    found.foundY = position.y;
+    found.distance = distance;
     found.partA = part;
-    at(manifold)->assign(1, found);
+    FakeManifolds::put(manifold, found);
   }
 
   bool isNet_;
   std::vector<std::unique_ptr<PartList>> lists_;
   std::vector<PartBody> bodies_;
-  std::set<Manifold*> manifolds_;
   int level_ = 1;
 };
 

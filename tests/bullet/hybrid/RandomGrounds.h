@@ -21,6 +21,24 @@ inline std::string nameOf(GroundType type) {
   return kNames[static_cast<int>(type)];
 }
 
+/// Adds two triangles for each cell of a square net whose corners have numbers from `first` to `last`; `at`
+/// tells where a corner is.
+template <class At>
+void addNet(btTriangleMesh& mesh, int first, int last, const At& at) {
+  for (int z = first; z < last; ++z) {
+    for (int x = first; x < last; ++x) {
+      mesh.addTriangle(at(x, z), at(x, z + 1), at(x + 1, z));
+      mesh.addTriangle(at(x + 1, z), at(x, z + 1), at(x + 1, z + 1));
+    }
+  }
+}
+
+/// A level net with cells of a metre.
+inline void addFlatNet(btTriangleMesh& mesh, int first, int last) {
+  addNet(mesh, first, last,
+         [](int x, int z) { return btVector3(static_cast<float>(x), 0, static_cast<float>(z)); });
+}
+
 /// Makes what bodies lie on, with the surface near the origin of the shape, up to 40 `size` wide. Owns its
 /// meshes.
 class RandomGrounds {
@@ -79,12 +97,7 @@ class RandomGrounds {
                        static_cast<float>(z - kCells / 2) * size);
     };
     btTriangleMesh* mesh = newMesh();
-    for (int z = 0; z < kCells; ++z) {
-      for (int x = 0; x < kCells; ++x) {
-        mesh->addTriangle(at(x, z), at(x, z + 1), at(x + 1, z));
-        mesh->addTriangle(at(x + 1, z), at(x, z + 1), at(x + 1, z + 1));
-      }
-    }
+    addNet(*mesh, 0, kCells, at);
     return mesh;
   }
 

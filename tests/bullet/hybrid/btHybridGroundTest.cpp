@@ -136,15 +136,7 @@ struct BlocksOnGround {
   btCollisionShape* flat(GroundType type) {
     if (type == GroundType::kBox) return w.shape<btBoxShape>(btVector3(50, 1, 50));
     if (type == GroundType::kPlane) return w.shape<btStaticPlaneShape>(btVector3(0, 1, 0), btScalar(0));
-    for (int i = -10; i < 10; ++i) {
-      for (int k = -10; k < 10; ++k) {
-        const auto at = [&](int x, int z) {
-          return btVector3(static_cast<float>(i + x), 0, static_cast<float>(k + z));
-        };
-        mesh.addTriangle(at(0, 0), at(0, 1), at(1, 0));
-        mesh.addTriangle(at(1, 0), at(0, 1), at(1, 1));
-      }
-    }
+    addFlatNet(mesh, -10, 10);
     return w.shape<btBvhTriangleMeshShape>(&mesh, true);
   }
 
@@ -235,15 +227,7 @@ struct EdgeMender {
 float leanOfSlide(bool groundFirst, bool installs) {
   RandomShapes shapes(5);
   btTriangleMesh net;
-  for (int i = -6; i < 6; ++i) {
-    for (int k = -6; k < 6; ++k) {
-      const auto at = [&](int x, int z) {
-        return btVector3(static_cast<float>(i + x), 0, static_cast<float>(k + z));
-      };
-      net.addTriangle(at(0, 0), at(0, 1), at(1, 0));
-      net.addTriangle(at(1, 0), at(0, 1), at(1, 1));
-    }
-  }
+  addFlatNet(net, -6, 6);
   auto* mesh = shapes.make<btBvhTriangleMeshShape>(&net, true);
   btTriangleInfoMap edges;
   btGenerateInternalEdgeInfo(mesh, &edges);
