@@ -21,15 +21,19 @@ endif()
 if(SCATTER_SANITIZE)
   target_compile_options(scatter_options INTERFACE -fsanitize=${SCATTER_SANITIZE} -fno-sanitize-recover=all
                                                    -fno-omit-frame-pointer
+    # These three take a quarter to a third of the time of a sanitized build. A null pointer or an address beyond an object is
+    # found by the address sanitizer, too, once it is used.
+    $<$<NOT:$<BOOL:$<TARGET_PROPERTY:SCATTER_CHECKS_ADDRESSES>>>:-fno-sanitize=null,alignment,object-size>
     # GCC 12 reports false ones in instrumented code.
     $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(scatter_options INTERFACE -fsanitize=${SCATTER_SANITIZE})
 endif()
 
-# scatter_optimise_lightly(TARGET...): for code that does not run in every step, or waits for a disk: it is compiled in two thirds of the time.
+# scatter_optimise_lightly(TARGET...): for code that does not run in every step, or waits for a disk: it is compiled in two thirds of
+# the time, or in five sixths in a sanitized build.
 function(scatter_optimise_lightly)
   foreach(target IN LISTS ARGN)
-    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1> $<$<CONFIG:RelWithDebInfo>:-Og>)
   endforeach()
 endfunction()
 
@@ -43,6 +47,11 @@ function(scatter_sanitize_lightly)
   foreach(target IN LISTS ARGN)
     target_compile_options(${target} PRIVATE -fno-sanitize-address-use-after-scope)
   endforeach()
+endfunction()
+
+# scatter_check_addresses(TARGET...): in a sanitized build with all checks of addresses, alignment too: for readers of files.
+function(scatter_check_addresses)
+  set_target_properties(${ARGN} PROPERTIES SCATTER_CHECKS_ADDRESSES ON)
 endfunction()
 
 set(SCATTER_INCLUDE_DIR ${PROJECT_SOURCE_DIR}/include)
@@ -133,11 +142,8 @@ function(scatter_test name)
     set(most 1)
   endif()
   scatter_compile_in_batches(${name} MOST ${most} HEADERS scatter_test_headers)
-  scatter_optimise_lightly(${name})
-  if(SCATTER_SANITIZE)
-    # What tests call is compiled as it is everywhere; they themselves are compiled in half the time.
-    target_compile_options(${name} PRIVATE -O0)
-  endif()
+  # What tests call is compiled as it is everywhere; they themselves are compiled in less time.
+  target_compile_options(${name} PRIVATE -O0)
   gtest_discover_tests(${name} NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60
                        PROPERTIES TIMEOUT 600 LABELS case ENVIRONMENT "${ARG_ENVIRONMENT}")
   if(NOT ARG_SHARDS)
