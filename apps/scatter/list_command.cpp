@@ -42,7 +42,7 @@ std::string describePolicies() {
   }
   text += "and with pair switching any of these, with parameters as in --policy speed:from=5,held\n";
   for (const lod::PolicyInfo& policy : lod::knownPolicies()) {
-    text += fmt::format("  {:<13}  {} ({})\n", policy.name, policy.summary, lod::nameOf(policy.scope)) +
+    text += fmt::format("  {:<13}  {} ({})\n", policy.name, policy.summary, nameOf(policy.scope)) +
             describeParameters(policy);
   }
   return text;

@@ -3,17 +3,15 @@
 
 #include <BulletCollision/CollisionDispatch/btCollisionObject.h>
 #include <LinearMath/btAlignedObjectArray.h>
+#include <scatter/collision/pair_algorithm.h>
 
 /// How the pair algorithm finds the child pairs of two bodies that are near each other.
-enum btHybridMidphase
-{
-	BT_HYBRID_WORLD_BOXES,    ///< world bounds of all parts, every step
-	BT_HYBRID_PART_BOXES,     ///< the parts' boxes in the bodies' frames, every step
-	BT_HYBRID_NEIGHBOUR_LIST  ///< the same with a skin, and only when the skin is used up
-};
+typedef scatter::PairMidphase btHybridMidphase;
+const btHybridMidphase BT_HYBRID_WORLD_BOXES = scatter::PairMidphase::kWorldBoxes;
+const btHybridMidphase BT_HYBRID_PART_BOXES = scatter::PairMidphase::kPartBoxes;
+const btHybridMidphase BT_HYBRID_NEIGHBOUR_LIST = scatter::PairMidphase::kNeighbourList;
 
-/// The narrowphase of bodies that are lists of convex parts. The steps of the pair algorithm can be left out one by one to measure
-/// what each is worth; none of them changes which child pairs are in contact.
+/// The narrowphase of bodies that are lists of convex parts.
 struct btHybridCollisionInfo
 {
 	bool m_pairAlgorithm;  ///< off: Bullet's own algorithms, as in btDiscreteDynamicsWorld
@@ -22,39 +20,16 @@ struct btHybridCollisionInfo
 	/// is convex, a plane, a triangle mesh or a height field. Off, so that a world without hybrids gives the same bits as btDiscreteDynamicsWorld.
 	bool m_plainBodies;
 
-	btHybridMidphase m_midphase;
-	bool m_motionBound;    ///< skip child pairs that cannot have met since their distance was measured
-	bool m_cachedAxis;     ///< try the axis that separated a child pair before anything else
-	bool m_lazyManifolds;  ///< a child pair has a manifold only while it has contacts
-	bool m_ownGjk;         ///< off: Bullet's GJK and EPA for all
-	bool m_warmSimplex;    ///< GJK starts from the simplex it ended with
+	scatter::PairSteps m_steps;
 
 	btHybridCollisionInfo()
-	    : m_pairAlgorithm(true), m_plainBodies(false), m_midphase(BT_HYBRID_NEIGHBOUR_LIST), m_motionBound(true), m_cachedAxis(true), m_lazyManifolds(true), m_ownGjk(true), m_warmSimplex(true)
+	    : m_pairAlgorithm(true), m_plainBodies(false)
 	{
 	}
 };
 
 /// Work of the pair algorithm in one step. Exact: the same run after run.
-struct btHybridCollisionCounts
-{
-	int m_pairs;             ///< broadphase pairs that came to the pair algorithm
-	int m_pairsSkipped;      ///< of those, left at once because neither body has moved enough
-	int m_rebuilds;          ///< neighbour lists made anew
-	int m_childPairs;        ///< child pairs looked at
-	int m_childPairsAsleep;  ///< of those, skipped by the motion bound
-	int m_boundsRejected;    ///< of those, by their world bounds
-	int m_axisRejected;      ///< of those, by the cached axis
-	int m_gjkRuns;
-	int m_gjkIterations;
-	int m_detectorRuns;  ///< child pairs that Bullet's own detectors decided
-	int m_pieces;        ///< triangles of meshes, or clipped large shapes, that were looked up anew near bodies
-
-	btHybridCollisionCounts()
-	    : m_pairs(0), m_pairsSkipped(0), m_rebuilds(0), m_childPairs(0), m_childPairsAsleep(0), m_boundsRejected(0), m_axisRejected(0), m_gjkRuns(0), m_gjkIterations(0), m_detectorRuns(0), m_pieces(0)
-	{
-	}
-};
+typedef scatter::PairWork btHybridCollisionCounts;
 
 /// What the pair algorithm holds at the moment, without contact manifolds. Pairs that have ended leave their
 /// memory, which is not counted, to pairs to come.

@@ -1,16 +1,16 @@
 #ifndef BT_HYBRID_REQUEST_H
 #define BT_HYBRID_REQUEST_H
 
+#include <scatter/lod/request.h>
+
 class btCollisionObject;
 class btHybridRigidBody;
 
 /// Who asked for a level: one body, a cluster of bodies, or the whole world.
-enum btHybridScope
-{
-	BT_HYBRID_LOCAL,
-	BT_HYBRID_GROUP,
-	BT_HYBRID_GLOBAL
-};
+typedef scatter::Scope btHybridScope;
+const btHybridScope BT_HYBRID_LOCAL = scatter::Scope::kLocal;
+const btHybridScope BT_HYBRID_GROUP = scatter::Scope::kGroup;
+const btHybridScope BT_HYBRID_GLOBAL = scatter::Scope::kGlobal;
 
 /// Why a request was withdrawn before it was fulfilled.
 enum btHybridRetraction
@@ -48,14 +48,12 @@ struct btHybridRequest
 };
 
 /// What happened to the level of a pair.
-enum btHybridPairEventKind
-{
-	BT_HYBRID_PAIR_REQUESTED,     ///< a policy wants another level than the pair has, or now wants another one
-	BT_HYBRID_PAIR_ACKNOWLEDGED,  ///< the pair tries for the first time
-	BT_HYBRID_PAIR_BLOCKED,       ///< it is not safe; it will try again
-	BT_HYBRID_PAIR_SWITCHED,
-	BT_HYBRID_PAIR_RETRACTED  ///< not wanted any more, or one of the bodies is gone
-};
+typedef scatter::LevelEventKind btHybridPairEventKind;
+const btHybridPairEventKind BT_HYBRID_PAIR_REQUESTED = scatter::LevelEventKind::kRequested;        ///< a policy wants another level than the pair has, or now wants another one
+const btHybridPairEventKind BT_HYBRID_PAIR_ACKNOWLEDGED = scatter::LevelEventKind::kAcknowledged;  ///< the pair tries for the first time
+const btHybridPairEventKind BT_HYBRID_PAIR_BLOCKED = scatter::LevelEventKind::kBlocked;            ///< it is not safe; it will try again
+const btHybridPairEventKind BT_HYBRID_PAIR_SWITCHED = scatter::LevelEventKind::kSwitched;
+const btHybridPairEventKind BT_HYBRID_PAIR_RETRACTED = scatter::LevelEventKind::kRetracted;  ///< not wanted any more, or one of the bodies is gone
 
 struct btHybridPairEvent
 {

@@ -85,13 +85,13 @@ static_assert(sizeof(kCounts) / sizeof(kCounts[0]) == sizeof(PairWork) / sizeof(
 
 }  // namespace
 
-PairWork& PairWork::operator+=(const PairWork& other) {
-  for (const auto count : kCounts) this->*count += other.*count;
-  return *this;
+PairWork& operator+=(PairWork& work, const PairWork& other) {
+  for (const auto count : kCounts) work.*count += other.*count;
+  return work;
 }
 
-PairWork PairWork::operator-(const PairWork& other) const {
-  PairWork difference = *this;
+PairWork operator-(const PairWork& work, const PairWork& other) {
+  PairWork difference = work;
   for (const auto count : kCounts) difference.*count -= other.*count;
   return difference;
 }
@@ -183,7 +183,7 @@ float PartPair::skin() const {
 
 void PartPair::rebuild(PartBody& a, PartBody& b, const PairSteps& steps, PairScratch& scratch) {
   NeighbourSearch& search = scratch.search;
-  if (steps.midphase == PairMidphase::kWorldBounds || a.parts().hasOpaque() || b.parts().hasOpaque()) {
+  if (steps.midphase == PairMidphase::kWorldBoxes || a.parts().hasOpaque() || b.parts().hasOpaque()) {
     search.byWorldBounds(a, b);
     merge(a, b, search.found(), scratch);
     listed_ = true;

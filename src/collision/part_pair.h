@@ -1,5 +1,7 @@
 #pragma once
 
+#include <scatter/collision/pair_algorithm.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -12,40 +14,8 @@
 
 namespace scatter {
 
-/// How parts that may be near each other are found.
-enum class PairMidphase : std::uint8_t {
-  kWorldBounds,    ///< World bounds of all parts, every step.
-  kPartBoxes,      ///< Boxes in the bodies' frames, every step.
-  kNeighbourList,  ///< The same with a skin, and only when it is used up.
-};
-
-/// The steps of the pair algorithm, to be left out one by one when their worth is measured.
-struct PairSteps {
-  PairMidphase midphase = PairMidphase::kNeighbourList;
-  bool motionBound = true;
-  bool cachedAxis = true;
-  bool ownGjk = true;
-  bool warmSimplex = true;
-  bool lazyManifolds = true;  ///< A child pair has a record of contacts only while it has contacts.
-};
-
-/// Exact counts of work.
-struct PairWork {
-  int pairs = 0;
-  int pairsSkipped = 0;
-  int rebuilds = 0;
-  int childPairs = 0;
-  int childPairsAsleep = 0;
-  int boundsRejected = 0;
-  int axisRejected = 0;
-  int gjkRuns = 0;
-  int gjkIterations = 0;
-  int detectorRuns = 0;  ///< Child pairs that the engine's own detectors decided.
-  int pieces = 0;        ///< Of grounds, that were looked up anew.
-
-  PairWork& operator+=(const PairWork& other);
-  [[nodiscard]] PairWork operator-(const PairWork& other) const;
-};
+PairWork& operator+=(PairWork& work, const PairWork& other);
+[[nodiscard]] PairWork operator-(const PairWork& work, const PairWork& other);
 
 /// Two parts, one of each body, that are near each other.
 struct ChildPair {

@@ -12,14 +12,14 @@ namespace {
 
 using Cells = std::vector<std::string>;
 
-constexpr PairAlgorithmDef kNoSteps{.midphase = Midphase::kWorldBoxes,
-                                    .motionBound = false,
-                                    .cachedAxis = false,
-                                    .lazyManifolds = false,
-                                    .ownGjk = false,
-                                    .warmSimplex = false};
+constexpr PairSteps kNoSteps{.midphase = PairMidphase::kWorldBoxes,
+                             .motionBound = false,
+                             .cachedAxis = false,
+                             .lazyManifolds = false,
+                             .ownGjk = false,
+                             .warmSimplex = false};
 
-CollisionStep hybridStep(std::string label, std::string what, const PairAlgorithmDef& steps,
+CollisionStep hybridStep(std::string label, std::string what, const PairSteps& steps,
                          Policy policy = Policy::kFinest) {
   CollisionStep step{.label = std::move(label), .what = std::move(what), .physics = {}};
   step.physics.world = WorldKind::kHybrid;
@@ -30,18 +30,18 @@ CollisionStep hybridStep(std::string label, std::string what, const PairAlgorith
 }
 
 std::vector<CollisionStep> makeSteps() {
-  PairAlgorithmDef boxes = kNoSteps;
-  boxes.midphase = Midphase::kPartBoxes;
-  PairAlgorithmDef motion = boxes;
+  PairSteps boxes = kNoSteps;
+  boxes.midphase = PairMidphase::kPartBoxes;
+  PairSteps motion = boxes;
   motion.motionBound = true;
-  PairAlgorithmDef axis = boxes;
+  PairSteps axis = boxes;
   axis.cachedAxis = true;
-  PairAlgorithmDef lazy = boxes;
+  PairSteps lazy = boxes;
   lazy.lazyManifolds = true;
-  PairAlgorithmDef list;
+  PairSteps list;
   list.ownGjk = false;
   list.warmSimplex = false;
-  PairAlgorithmDef gjk;
+  PairSteps gjk;
   gjk.warmSimplex = false;
   return {{.label = "standard", .what = "plain engine", .physics = {}},
           hybridStep("world_boxes", "world bounds of the parts", kNoSteps),

@@ -15,7 +15,7 @@ namespace {
 constexpr const char* kHeader = "frame,kind,scope,policy,body,other,from,to,on_credit\n";
 
 std::string rowOf(std::uint64_t frame, const LevelEvent& event) {
-  std::string row = std::to_string(frame) + ',' + lab::nameOf(event.kind) + ',' + lab::nameOf(event.scope);
+  std::string row = std::to_string(frame) + ',' + lab::nameOf(event.kind) + ',' + nameOf(event.scope);
   row += ',';
   row += event.policy;
   for (const std::uint32_t number :

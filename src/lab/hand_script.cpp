@@ -90,7 +90,7 @@ class Writer {
   void operator()(float value) { text_ += ' ' + io::formatNumber(value); }
   void operator()(int value) { text_ += ' ' + std::to_string(value); }
   void operator()(BodyId body) { text_ += ' ' + std::to_string(static_cast<std::uint32_t>(body)); }
-  void operator()(Scope scope) { text_ += ' ' + lab::nameOf(scope); }
+  void operator()(Scope scope) { text_ += std::string(1, ' ') + nameOf(scope); }
   void operator()(const Vec3& value) {
     (*this)(value.x);
     (*this)(value.y);
@@ -125,7 +125,7 @@ class Reader {
   void operator()(Scope& scope) {
     const std::string_view word = take();
     for (const Scope known : {Scope::kLocal, Scope::kGroup, Scope::kGlobal}) {
-      if (word == lab::nameOf(known)) {
+      if (word == nameOf(known)) {
         scope = known;
         return;
       }

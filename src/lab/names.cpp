@@ -24,13 +24,13 @@ std::string nameOf(Narrowphase narrowphase) {
   return narrowphase == Narrowphase::kScatter ? "scatter" : "engine";
 }
 
-std::string nameOf(Midphase midphase) {
+std::string nameOf(PairMidphase midphase) {
   switch (midphase) {
-    case Midphase::kWorldBoxes:
+    case PairMidphase::kWorldBoxes:
       return "world_boxes";
-    case Midphase::kPartBoxes:
+    case PairMidphase::kPartBoxes:
       return "part_boxes";
-    case Midphase::kNeighbourList:
+    case PairMidphase::kNeighbourList:
       return "neighbour_list";
   }
   return "unknown";
@@ -38,18 +38,6 @@ std::string nameOf(Midphase midphase) {
 
 std::string nameOf(Switching switching) {
   return switching == Switching::kPair ? "pair" : "body";
-}
-
-std::string nameOf(Scope scope) {
-  switch (scope) {
-    case Scope::kLocal:
-      return "local";
-    case Scope::kGroup:
-      return "group";
-    case Scope::kGlobal:
-      return "global";
-  }
-  return "unknown";
 }
 
 std::string nameOf(LevelEventKind kind) {

@@ -11,9 +11,8 @@ namespace scatter::lab {
 [[nodiscard]] std::string nameOf(WorldKind kind);
 [[nodiscard]] std::string nameOf(Policy policy);
 [[nodiscard]] std::string nameOf(Narrowphase narrowphase);
-[[nodiscard]] std::string nameOf(Midphase midphase);
+[[nodiscard]] std::string nameOf(PairMidphase midphase);
 [[nodiscard]] std::string nameOf(Switching switching);
-[[nodiscard]] std::string nameOf(Scope scope);
 [[nodiscard]] std::string nameOf(LevelEventKind kind);
 
 }  // namespace scatter::lab

@@ -38,15 +38,24 @@ constexpr std::array kCounters{
     CounterColumn{"cost_units", &StepCounters::costUnits},
     CounterColumn{"planned_units", &StepCounters::plannedUnits},
     CounterColumn{"floor_units", &StepCounters::floorUnits},
-    CounterColumn{"pairs_skipped", &StepCounters::pairsSkipped},
-    CounterColumn{"list_rebuilds", &StepCounters::listRebuilds},
-    CounterColumn{"child_pairs", &StepCounters::childPairs},
-    CounterColumn{"child_pairs_asleep", &StepCounters::childPairsAsleep},
-    CounterColumn{"bounds_rejected", &StepCounters::boundsRejected},
-    CounterColumn{"axis_rejected", &StepCounters::axisRejected},
-    CounterColumn{"gjk_runs", &StepCounters::gjkRuns},
-    CounterColumn{"gjk_iterations", &StepCounters::gjkIterations},
-    CounterColumn{"detector_runs", &StepCounters::detectorRuns},
+};
+
+struct WorkColumn {
+  std::string_view name;
+  int PairWork::*member;
+};
+
+constexpr std::array kWork{
+    WorkColumn{"pairs_skipped", &PairWork::pairsSkipped},
+    WorkColumn{"list_rebuilds", &PairWork::rebuilds},
+    WorkColumn{"child_pairs", &PairWork::childPairs},
+    WorkColumn{"child_pairs_asleep", &PairWork::childPairsAsleep},
+    WorkColumn{"bounds_rejected", &PairWork::boundsRejected},
+    WorkColumn{"axis_rejected", &PairWork::axisRejected},
+    WorkColumn{"gjk_runs", &PairWork::gjkRuns},
+    WorkColumn{"gjk_iterations", &PairWork::gjkIterations},
+    WorkColumn{"detector_runs", &PairWork::detectorRuns},
+    WorkColumn{"ground_pieces", &PairWork::pieces},
 };
 
 }  // namespace
@@ -70,6 +79,9 @@ void FrameRecorder::addChannels() {
   measured_[kLoad] = real("cpu_load", "cores");
   for (const CounterColumn& counter : kCounters) {
     counters_.push_back(data_.addChannel({std::string(counter.name), "", ChannelKind::kInteger}));
+  }
+  for (const WorkColumn& count : kWork) {
+    counters_.push_back(data_.addChannel({std::string(count.name), "", ChannelKind::kInteger}));
   }
   awake_ = data_.addChannel({"awake_bodies", "", ChannelKind::kInteger});
   measured_[kBudget] = real("budget_ms", "ms");
@@ -116,6 +128,9 @@ void FrameRecorder::recordCounters() {
   const StepCounters& counters = world_.physics().counters();
   for (std::size_t i = 0; i < kCounters.size(); ++i) {
     data_.set(counters_[i], counters.*kCounters[i].member);
+  }
+  for (std::size_t i = 0; i < kWork.size(); ++i) {
+    data_.set(counters_[kCounters.size() + i], counters.pairWork.*kWork[i].member);
   }
   const auto& objects = world_.objects();
   data_.set(awake_, static_cast<double>(std::count_if(objects.begin(), objects.end(), [](const auto& object) {

@@ -73,7 +73,7 @@ void SceneRun::step(const std::function<void()>& beforeStep) {
 void SceneRun::observe() {
   takeEvents();
   const Physics& physics = world_->physics();
-  const std::uint32_t childPairs = physics.counters().childPairs;
+  const int childPairs = physics.counters().pairWork.childPairs;
   if (childPairs > mostChildPairs_) {
     mostChildPairs_ = childPairs;
     run_.summary.collisionMemory = physics.collisionMemory();

@@ -69,7 +69,7 @@ class SceneRun {
   FrameRecorder recorder_;
   std::optional<FidelityRecorder> fidelity_;
   Run run_;
-  std::uint32_t mostChildPairs_ = 0;
+  int mostChildPairs_ = 0;
 };
 
 }  // namespace scatter::lab

@@ -21,7 +21,7 @@ Json timesJson(const TimeStatistics& times) {
 }
 
 Json collisionJson(const CollisionDef& collision) {
-  const PairAlgorithmDef& steps = collision.pairAlgorithm;
+  const PairSteps& steps = collision.pairAlgorithm;
   Json json{{"narrowphase", nameOf(collision.narrowphase)}, {"verify_every", collision.verifyEvery}};
   if (collision.narrowphase == Narrowphase::kScatter) {
     json["pair_algorithm"] = {{"midphase", nameOf(steps.midphase)},

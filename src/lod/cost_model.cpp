@@ -52,10 +52,12 @@ double CostModel::Mean::with(double prior) const {
 }
 
 double CostModel::units(const PairWorkload& work) const {
-  return weights_.pair + weights_.rebuild * work.rebuilds + weights_.childPair * work.childPairs +
-         weights_.gjkRun * work.gjkRuns + weights_.gjkIteration * work.gjkIterations +
-         weights_.detectorRun * work.detectorRuns + weights_.contact * work.contacts +
-         weights_.manifold * work.manifolds + weights_.piece * work.pieces;
+  const PairWork& counts = work.counts;
+  const int awake = counts.childPairs - counts.childPairsAsleep;
+  return weights_.pair + weights_.rebuild * counts.rebuilds + weights_.childPair * awake +
+         weights_.gjkRun * counts.gjkRuns + weights_.gjkIteration * counts.gjkIterations +
+         weights_.detectorRun * counts.detectorRuns + weights_.contact * work.contacts +
+         weights_.manifold * work.manifolds + weights_.piece * counts.pieces;
 }
 
 double CostModel::fixedUnits(int bodies, int broadphasePairs) const {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <scatter/collision/pair_algorithm.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -11,14 +13,9 @@ namespace scatter::lod {
 
 /// Work of one pair in one step. Exact counts.
 struct PairWorkload {
-  int rebuilds = 0;
-  int childPairs = 0;  ///< Awake ones.
-  int gjkRuns = 0;
-  int gjkIterations = 0;
-  int detectorRuns = 0;
+  PairWork counts{};
   int contacts = 0;  ///< Contact points handed to the solver.
   int manifolds = 0;
-  int pieces = 0;       ///< Of a ground, looked up anew.
   bool reuses = false;  ///< Kept the contacts of the step before: no example of what a step costs.
 };
 

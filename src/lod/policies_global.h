@@ -20,7 +20,7 @@ namespace scatter::lod {
 class LoadPolicy final : public NamedPolicy<LoadPolicy> {
  public:
   static constexpr std::string_view kName = "load";
-  static constexpr PolicyScope kScope = PolicyScope::kGlobal;
+  static constexpr Scope kScope = Scope::kGlobal;
 
   struct Def {
     float over = 1.0F;  ///< Of the budget.
@@ -49,7 +49,7 @@ class LoadPolicy final : public NamedPolicy<LoadPolicy> {
 class OverlapPolicy final : public NamedPolicy<OverlapPolicy> {
  public:
   static constexpr std::string_view kName = "overlap";
-  static constexpr PolicyScope kScope = PolicyScope::kGlobal;
+  static constexpr Scope kScope = Scope::kGlobal;
 
   struct Def {
     int groups = 4;   ///< Overlaps of two groups.
@@ -80,7 +80,7 @@ class OverlapPolicy final : public NamedPolicy<OverlapPolicy> {
 class FinestPolicy final : public NamedPolicy<FinestPolicy> {
  public:
   static constexpr std::string_view kName = "finest";
-  static constexpr PolicyScope kScope = PolicyScope::kGlobal;
+  static constexpr Scope kScope = Scope::kGlobal;
 
   struct Def {
     [[nodiscard]] static std::string_view mistake() { return {}; }
@@ -97,7 +97,7 @@ class FinestPolicy final : public NamedPolicy<FinestPolicy> {
 class CoarsestPolicy final : public NamedPolicy<CoarsestPolicy> {
  public:
   static constexpr std::string_view kName = "coarsest";
-  static constexpr PolicyScope kScope = PolicyScope::kGlobal;
+  static constexpr Scope kScope = Scope::kGlobal;
 
   struct Def {
     [[nodiscard]] static std::string_view mistake() { return {}; }

@@ -22,7 +22,7 @@ struct GroupEffect {
 /// before stays so until it is a fifth below.
 class GroupPolicy : public Policy {
  public:
-  [[nodiscard]] PolicyScope scope() const final { return PolicyScope::kGroup; }
+  [[nodiscard]] Scope scope() const final { return Scope::kGroup; }
   void observe(const Situation& situation) final;
   void advise(const Situation& situation, const PairView& pair, Wish& wish) const final;
 
@@ -53,7 +53,7 @@ class GroupPolicy : public Policy {
 class GroupRangePolicy final : public GroupPolicy {
  public:
   static constexpr std::string_view kName = "group-range";
-  static constexpr PolicyScope kScope = PolicyScope::kGroup;
+  static constexpr Scope kScope = Scope::kGroup;
 
   struct Def {
     float packing = 0.3F;  ///< Volume of the members' balls in the volume of the group's; 0: not looked at.
@@ -85,7 +85,7 @@ class GroupRangePolicy final : public GroupPolicy {
 class GroupSharePolicy final : public GroupPolicy {
  public:
   static constexpr std::string_view kName = "group-share";
-  static constexpr PolicyScope kScope = PolicyScope::kGroup;
+  static constexpr Scope kScope = Scope::kGroup;
 
   struct Def {
     float share = 0.5F;     ///< Of the members.
@@ -117,7 +117,7 @@ class GroupSharePolicy final : public GroupPolicy {
 class GroupDensityPolicy final : public NamedPolicy<GroupDensityPolicy> {
  public:
   static constexpr std::string_view kName = "group-density";
-  static constexpr PolicyScope kScope = PolicyScope::kGroup;
+  static constexpr Scope kScope = Scope::kGroup;
 
   struct Def {
     int from = 3;

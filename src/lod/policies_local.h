@@ -18,7 +18,7 @@ namespace scatter::lod {
 class ProximityPolicy final : public NamedPolicy<ProximityPolicy> {
  public:
   static constexpr std::string_view kName = "proximity";
-  static constexpr PolicyScope kScope = PolicyScope::kLocal;
+  static constexpr Scope kScope = Scope::kLocal;
 
   struct Def {
     int level = 1;
@@ -42,7 +42,7 @@ class ProximityPolicy final : public NamedPolicy<ProximityPolicy> {
 class SpeedPolicy final : public NamedPolicy<SpeedPolicy> {
  public:
   static constexpr std::string_view kName = "speed";
-  static constexpr PolicyScope kScope = PolicyScope::kLocal;
+  static constexpr Scope kScope = Scope::kLocal;
 
   struct Def {
     float from = 5.0F;    ///< Metres a second.
@@ -67,7 +67,7 @@ class SpeedPolicy final : public NamedPolicy<SpeedPolicy> {
 class ContactTimePolicy final : public NamedPolicy<ContactTimePolicy> {
  public:
   static constexpr std::string_view kName = "contact-time";
-  static constexpr PolicyScope kScope = PolicyScope::kLocal;
+  static constexpr Scope kScope = Scope::kLocal;
 
   struct Def {
     int steps = 60;
@@ -91,7 +91,7 @@ class ContactTimePolicy final : public NamedPolicy<ContactTimePolicy> {
 class FocusPolicy final : public NamedPolicy<FocusPolicy> {
  public:
   static constexpr std::string_view kName = "focus";
-  static constexpr PolicyScope kScope = PolicyScope::kLocal;
+  static constexpr Scope kScope = Scope::kLocal;
 
   struct Def {
     float size = 0.1F;    ///< Radius on screen, in half heights of the picture.
@@ -127,7 +127,7 @@ class FocusPolicy final : public NamedPolicy<FocusPolicy> {
 class HeldPolicy final : public NamedPolicy<HeldPolicy> {
  public:
   static constexpr std::string_view kName = "held";
-  static constexpr PolicyScope kScope = PolicyScope::kLocal;
+  static constexpr Scope kScope = Scope::kLocal;
 
   struct Def {
     [[nodiscard]] static std::string_view mistake() { return {}; }
@@ -144,7 +144,7 @@ class HeldPolicy final : public NamedPolicy<HeldPolicy> {
 class MassPolicy final : public NamedPolicy<MassPolicy> {
  public:
   static constexpr std::string_view kName = "mass";
-  static constexpr PolicyScope kScope = PolicyScope::kLocal;
+  static constexpr Scope kScope = Scope::kLocal;
 
   struct Def {
     float reference = 0.0F;  ///< Kilograms; 0: the median of all bodies that can be moved.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <scatter/lod/request.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <limits>
@@ -8,9 +10,6 @@
 #include "lod/situation.h"
 
 namespace scatter::lod {
-
-/// Whose knowledge a policy uses (report, section 3.4.4).
-enum class PolicyScope : std::uint8_t { kLocal, kGroup, kGlobal };
 
 /// What is wanted of one pair. Each policy fills in one of its own; PolicyList composes them.
 struct Wish {
@@ -50,7 +49,8 @@ class Policy {
 
   /// Lives as long as the program and ends with a 0: events name policies by it.
   [[nodiscard]] virtual std::string_view name() const = 0;
-  [[nodiscard]] virtual PolicyScope scope() const = 0;
+  /// Whose knowledge it uses.
+  [[nodiscard]] virtual Scope scope() const = 0;
 
   /// Every planned step, before advise(): looks at groups or at the whole world. Keeps nothing of the
   /// situation itself, whose bodies and pairs do not outlive the step.
@@ -66,7 +66,7 @@ template <class Derived>
 class NamedPolicy : public Policy {
  public:
   [[nodiscard]] std::string_view name() const final { return Derived::kName; }
-  [[nodiscard]] PolicyScope scope() const final { return Derived::kScope; }
+  [[nodiscard]] Scope scope() const final { return Derived::kScope; }
 };
 
 }  // namespace scatter::lod

@@ -215,18 +215,6 @@ std::span<const PolicyInfo> knownPolicies() {
   return Catalog::instance().infos();
 }
 
-std::string_view nameOf(PolicyScope scope) {
-  switch (scope) {
-    case PolicyScope::kLocal:
-      return "local";
-    case PolicyScope::kGroup:
-      return "group";
-    case PolicyScope::kGlobal:
-      return "global";
-  }
-  return "unknown";
-}
-
 Result<std::unique_ptr<Policy>> makeKnownPolicy(std::size_t index, std::span<const double> values,
                                                 const std::shared_ptr<Grouping>& grouping) {
   assert(index < knownPolicies().size());

@@ -27,15 +27,13 @@ struct ParameterInfo {
 /// A policy, as people choose it.
 struct PolicyInfo {
   std::string_view name{};
-  PolicyScope scope = PolicyScope::kLocal;
+  Scope scope = Scope::kLocal;
   std::string_view summary{};  ///< One line.
   std::span<const ParameterInfo> parameters{};
 };
 
 /// All policies that come with Scatter: local ones, group ones, global ones. Lives as long as the program.
 [[nodiscard]] std::span<const PolicyInfo> knownPolicies();
-
-[[nodiscard]] std::string_view nameOf(PolicyScope scope);
 
 /// Makes a known policy. `values`: of its parameters, in their order and range. `grouping`: for policies that
 /// look at groups. Fails if the values do not go together, with a few words.

@@ -114,7 +114,7 @@ class GroundStep {
 
   void report() {
     const ContactTally all = tally();
-    outcome_.work = workloadOf(work_);
+    outcome_.work.counts = work_;
     outcome_.work.manifolds = all.manifolds;
     outcome_.work.contacts = all.points;
     outcome_.touching = all.least < kTouching;

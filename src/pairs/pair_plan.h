@@ -24,8 +24,6 @@ struct PairPlan {
   static constexpr int kNever = std::numeric_limits<int>::max();
 };
 
-[[nodiscard]] lod::PairWorkload workloadOf(const PairWork& work);
-
 /// What has become of a pair in one step.
 struct PairOutcome {
   bool tried = false;

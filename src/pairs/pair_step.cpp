@@ -44,7 +44,7 @@ class PairStep {
     settleCredit();
     if (needsAudit()) audit();
     if (!credit_.keepsHeld(pair_.parts.motion())) pair_.held.release(engine_);
-    outcome_.work = workloadOf(work_);
+    outcome_.work.counts = work_;
     report();
     const bool canBeQuiet = pair_.held.empty() && !pair_.hasFallenBack;
     pair_.quietUntil = canBeQuiet ? pair_.parts.quietUntil() : Pair::kAwake;
@@ -255,7 +255,7 @@ class PairStep {
       pair_.held.release(engine_);
     }
     takeAudit();
-    outcome_.auditWork = workloadOf(work_ - before);
+    outcome_.auditWork.counts = work_ - before;
   }
 
   void takeAudit() {
@@ -317,17 +317,6 @@ class PairStep {
 };
 
 }  // namespace
-
-lod::PairWorkload workloadOf(const PairWork& work) {
-  lod::PairWorkload load;
-  load.rebuilds = work.rebuilds;
-  load.pieces = work.pieces;
-  load.childPairs = work.childPairs - work.childPairsAsleep;
-  load.gjkRuns = work.gjkRuns;
-  load.gjkIterations = work.gjkIterations;
-  load.detectorRuns = work.detectorRuns;
-  return load;
-}
 
 void collidePair(Pair& pair, int level, const PairSteps& steps, PairEngine& engine, StepScratch& scratch,
                  PairWork& work) {

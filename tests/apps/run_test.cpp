@@ -23,7 +23,7 @@ constexpr const char* kHeader =
     "touching_pairs,touching_finest_pairs,reused_pairs,blocked_tries,separation_queries,cost_units,planned_"
     "units,floor_units,"
     "pairs_skipped,list_rebuilds,child_pairs,child_pairs_asleep,bounds_rejected,axis_rejected,gjk_runs,"
-    "gjk_iterations,detector_runs,awake_bodies,budget_ms,budget_units,"
+    "gjk_iterations,detector_runs,ground_pieces,awake_bodies,budget_ms,budget_units,"
     "kinetic_energy,max_penetration,state_hash";
 
 class RunTest : public ProgramTest {

@@ -290,7 +290,7 @@ TEST(PartPair, DropsExactlyTheContactsOfChildrenThatLeft) {
   const PartList listA(randomParts(random, 15, 1.0F, 0.02F));
   const PartList listB(randomParts(random, 15, 1.0F, 0.02F));
   for (const PairMidphase midphase :
-       {PairMidphase::kWorldBounds, PairMidphase::kPartBoxes, PairMidphase::kNeighbourList}) {
+       {PairMidphase::kWorldBoxes, PairMidphase::kPartBoxes, PairMidphase::kNeighbourList}) {
     TwoBodies bodies(listA, listB);
     bodies.steps.midphase = midphase;
     std::vector<char> records(4096);

@@ -21,7 +21,7 @@ Result<Comparison> compareSteps(int repeat) {
                         .commandLine = {}});
 }
 
-const PairAlgorithmDef& algorithmOf(const std::string& label) {
+const PairSteps& algorithmOf(const std::string& label) {
   const auto& steps = collisionSteps();
   const auto found = std::find_if(steps.begin(), steps.end(),
                                   [&](const CollisionStep& step) { return step.label == label; });
@@ -29,7 +29,7 @@ const PairAlgorithmDef& algorithmOf(const std::string& label) {
   return found->physics.collision.pairAlgorithm;
 }
 
-int switchesOn(const PairAlgorithmDef& steps) {
+int switchesOn(const PairSteps& steps) {
   return int{steps.motionBound} + int{steps.cachedAxis} + int{steps.lazyManifolds} + int{steps.ownGjk} +
          int{steps.warmSimplex};
 }
@@ -52,11 +52,11 @@ TEST(CollisionSteps, BeginWithTheStandardWorldAndEndWithLevelOne) {
 
 TEST(CollisionSteps, AddOneStepAtATimeUpToTheDefault) {
   EXPECT_EQ(switchesOn(algorithmOf("world_boxes")), 0);
-  EXPECT_EQ(algorithmOf("world_boxes").midphase, Midphase::kWorldBoxes);
+  EXPECT_EQ(algorithmOf("world_boxes").midphase, PairMidphase::kWorldBoxes);
   EXPECT_EQ(switchesOn(algorithmOf("part_boxes")), 0);
   for (const char* alone : {"motion_bound", "cached_axis", "lazy_manifolds"}) {
     EXPECT_EQ(switchesOn(algorithmOf(alone)), 1) << alone;
-    EXPECT_EQ(algorithmOf(alone).midphase, Midphase::kPartBoxes) << alone;
+    EXPECT_EQ(algorithmOf(alone).midphase, PairMidphase::kPartBoxes) << alone;
   }
   EXPECT_TRUE(algorithmOf("motion_bound").motionBound);
   EXPECT_TRUE(algorithmOf("cached_axis").cachedAxis);
@@ -65,8 +65,8 @@ TEST(CollisionSteps, AddOneStepAtATimeUpToTheDefault) {
   EXPECT_FALSE(algorithmOf("neighbour_list").ownGjk);
   EXPECT_EQ(switchesOn(algorithmOf("own_gjk")), 4);
   EXPECT_FALSE(algorithmOf("own_gjk").warmSimplex);
-  EXPECT_EQ(switchesOn(algorithmOf("warm_simplex")), switchesOn(PairAlgorithmDef{}));
-  EXPECT_EQ(algorithmOf("warm_simplex").midphase, PairAlgorithmDef{}.midphase);
+  EXPECT_EQ(switchesOn(algorithmOf("warm_simplex")), switchesOn(PairSteps{}));
+  EXPECT_EQ(algorithmOf("warm_simplex").midphase, PairSteps{}.midphase);
 }
 
 TEST(CollisionSteps, RunsKeepTheSceneAndItsOptions) {

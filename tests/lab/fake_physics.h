@@ -21,6 +21,7 @@ struct FakeBehaviour {
   std::uint64_t invalidStep = 0;   ///< In this step the first body's position is lost; 0: never.
   std::uint64_t missedStep = 0;    ///< In this step, if verified, three contacts are missed; 0: never.
   double penetration = 0.25;       ///< In every step.
+  std::optional<PairWork> work{};  ///< Of every step, in the place of the usual.
   std::uint64_t jumpStep =
       0;  ///< In this step the first body is moved 0.5 m up, whatever its velocity; 0: never.
   bool countsTouching =
@@ -108,11 +109,11 @@ class FakePhysics final : public Physics {
   void setProfiling(bool on) override { def_.profiling = on; }
   ContactReport contactReport() const override { return contacts_; }
   CollisionMemory collisionMemory() const override {
-    const std::uint64_t pairs = counters_.childPairs / 5;
-    return {.pairs = pairs,
-            .childPairs = counters_.childPairs,
-            .pairBytes = 900 * pairs,
-            .childPairBytes = 56 * std::uint64_t{counters_.childPairs},
+    const auto childPairs = static_cast<std::uint64_t>(counters_.pairWork.childPairs);
+    return {.pairs = childPairs / 5,
+            .childPairs = childPairs,
+            .pairBytes = 900 * (childPairs / 5),
+            .childPairBytes = 56 * childPairs,
             .bodyBytes = 7,
             .partBytes = 8};
   }
@@ -143,13 +144,14 @@ class FakePhysics final : public Physics {
     counters_.contacts = 3 * step;
     if (hybrid && def_.collision.narrowphase == Narrowphase::kScatter) {
       // The most in the middle of ten steps.
-      counters_.childPairs = 5 * (step <= 5 ? step : 10 - std::min(step, 10U));
-      counters_.gjkRuns = 2 * step;
+      counters_.pairWork.childPairs = static_cast<int>(5 * (step <= 5 ? step : 10 - std::min(step, 10U)));
+      counters_.pairWork.gjkRuns = static_cast<int>(2 * step);
     }
     if (hybrid && def_.collision.verifyEvery > 0 &&
         steps_ % static_cast<std::uint64_t>(def_.collision.verifyEvery) == 0) {
       verify();
     }
+    if (behaviour_.work) counters_.pairWork = *behaviour_.work;
     if (behaviour_.countsTouching) {
       counters_.touchingPairs = 10;
       counters_.touchingFinestPairs = step == 7 ? 9 : 10;

@@ -35,7 +35,8 @@ TEST(FrameRecorder, HasExactlyTheAgreedColumnsInOrder) {
       "separation_queries,cost_units,planned_units,floor_units,pairs_skipped,list_rebuilds,child_pairs,child_"
       "pairs_"
       "asleep,"
-      "bounds_rejected,axis_rejected,gjk_runs,gjk_iterations,detector_runs,awake_bodies,budget_ms,budget_"
+      "bounds_rejected,axis_rejected,gjk_runs,gjk_iterations,detector_runs,ground_pieces,awake_bodies,budget_"
+      "ms,budget_"
       "units,kinetic_"
       "energy,max_"
       "penetration,state_hash");
@@ -64,6 +65,29 @@ TEST(FrameRecorder, FillsAFrameFromOneStep) {
   EXPECT_EQ(value("max_penetration"), 0.25);
   EXPECT_EQ(data.hash(*data.find("state_hash")), world->physics().stateHash());
   EXPECT_EQ(data.value(*data.find("manifolds"), 1), 4.0);
+}
+
+TEST(FrameRecorder, EveryCountOfThePairAlgorithmHasItsColumn) {
+  const auto world = fakeWorld({.work = PairWork{.pairs = 1,
+                                                 .pairsSkipped = 2,
+                                                 .rebuilds = 3,
+                                                 .childPairs = 4,
+                                                 .childPairsAsleep = 5,
+                                                 .boundsRejected = 6,
+                                                 .axisRejected = 7,
+                                                 .gjkRuns = 8,
+                                                 .gjkIterations = 9,
+                                                 .detectorRuns = 10,
+                                                 .pieces = 11}});
+  FrameData data(2);
+  FrameRecorder recorder(*world, data);
+  ASSERT_TRUE(recorder.step());
+  double expected = 2.0;
+  for (const char* column :
+       {"pairs_skipped", "list_rebuilds", "child_pairs", "child_pairs_asleep", "bounds_rejected",
+        "axis_rejected", "gjk_runs", "gjk_iterations", "detector_runs", "ground_pieces"}) {
+    EXPECT_EQ(data.value(*data.find(column)), expected++) << column;
+  }
 }
 
 TEST(FrameRecorder, NamesTheObjectWhoseStateIsLost) {

@@ -26,7 +26,14 @@ TEST(CostModel, AddsUpTheWorkOfAPair) {
   weights.piece = 19.0;
   const CostModel costs(weights);
   // 1 + 2·1 + 3·2 + 5·3 + 7·4 + 11·5 + 13·6 + 17·7 + 19·8
-  EXPECT_DOUBLE_EQ(costs.units({1, 2, 3, 4, 5, 6, 7, 8}), 456.0);
+  const PairWork counts{.rebuilds = 1,
+                        .childPairs = 12,
+                        .childPairsAsleep = 10,
+                        .gjkRuns = 3,
+                        .gjkIterations = 4,
+                        .detectorRuns = 5,
+                        .pieces = 8};
+  EXPECT_DOUBLE_EQ(costs.units({.counts = counts, .contacts = 6, .manifolds = 7}), 456.0);
   EXPECT_DOUBLE_EQ(costs.units({}), 1.0);
 }
 

@@ -25,7 +25,7 @@ class ConstantPolicy final : public Policy {
   explicit ConstantPolicy(const Wish& wish) : wish_(wish) {}
 
   [[nodiscard]] std::string_view name() const override { return "constant"; }
-  [[nodiscard]] PolicyScope scope() const override { return PolicyScope::kLocal; }
+  [[nodiscard]] Scope scope() const override { return Scope::kLocal; }
   void advise(const Situation& /*situation*/, const PairView& /*pair*/, Wish& wish) const override {
     wish = wish_;
   }

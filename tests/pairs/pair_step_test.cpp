@@ -106,7 +106,7 @@ TEST(PairStep, LivesFromTheFirstLookToTheLast) {
   EXPECT_FALSE(living.step(1.59F).audited);
   outcome = living.step(1.585F);
   EXPECT_TRUE(outcome.audited);
-  EXPECT_GT(outcome.auditWork.childPairs, 0);
+  EXPECT_GT(outcome.auditWork.counts.childPairs, 0);
   EXPECT_NEAR(living.pair.credit.gap, -0.015F, 1e-4F);
 
   // Finer again, with an overlap of 1.5 cm on credit: the contacts go back to the parts that they are of.
@@ -143,12 +143,12 @@ TEST(PairStep, StaysWhereASwitchIsNotSafe) {
 TEST(PairStep, KeepsItsContactsOnceButNotTwice) {
   LivingPair living;
   living.step(3.0F);
-  const int looked = living.step(1.59F).work.detectorRuns;
+  const int looked = living.step(1.59F).work.counts.detectorRuns;
   EXPECT_GT(looked, 0);
   living.plan.keepsFrom = 0;
   const PairOutcome kept = living.step(1.58F);
   EXPECT_TRUE(kept.work.reuses);
-  EXPECT_EQ(kept.work.detectorRuns, 0);
+  EXPECT_EQ(kept.work.counts.detectorRuns, 0);
   EXPECT_TRUE(kept.touching);
   EXPECT_NEAR(living.press(), 0.02F, 1e-4F) << "where the bodies are now";
   EXPECT_FALSE(living.step(1.58F).work.reuses);
@@ -187,8 +187,8 @@ TEST(PairStep, CountsItsOwnWorkOnly) {
   const PairWork before = living.work;
   const PairOutcome outcome = living.step(1.59F);
   const PairWork own = living.work - before;
-  EXPECT_EQ(own.detectorRuns, outcome.work.detectorRuns);
-  EXPECT_EQ(own.childPairs - own.childPairsAsleep, outcome.work.childPairs);
+  EXPECT_EQ(own.detectorRuns, outcome.work.counts.detectorRuns);
+  EXPECT_EQ(own.childPairs, outcome.work.counts.childPairs);
   EXPECT_EQ(own.pairs, 1);
 }
 

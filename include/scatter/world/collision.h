@@ -1,5 +1,7 @@
 #pragma once
 
+#include <scatter/collision/pair_algorithm.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -14,28 +16,10 @@ enum class Narrowphase : std::uint8_t {
   kEngine,   ///< The engine's own algorithms.
 };
 
-/// How the pair algorithm finds the child pairs (a part of one body and a part of the other) that are near.
-enum class Midphase : std::uint8_t {
-  kWorldBoxes,     ///< World bounds of all parts, every step.
-  kPartBoxes,      ///< The parts' boxes in the bodies' frames, every step.
-  kNeighbourList,  ///< The same with a skin, and only when the skin is used up.
-};
-
-/// The steps of the pair algorithm, to be left out one by one when measuring what each is worth. None of
-/// them changes which child pairs are in contact.
-struct PairAlgorithmDef {
-  Midphase midphase = Midphase::kNeighbourList;
-  bool motionBound = true;    ///< Skip child pairs that cannot have met since they were measured.
-  bool cachedAxis = true;     ///< Try the axis that separated a child pair first.
-  bool lazyManifolds = true;  ///< A contact cache only for child pairs in contact.
-  bool ownGjk = true;         ///< Off: the engine's.
-  bool warmSimplex = true;    ///< GJK starts from where it ended.
-};
-
 /// The narrowphase of hybrid bodies. Has no meaning in a standard world.
 struct CollisionDef {
   Narrowphase narrowphase = Narrowphase::kScatter;
-  PairAlgorithmDef pairAlgorithm{};
+  PairSteps pairAlgorithm{};
 
   /// Compares the contacts of hybrid bodies with those of the engine's own collision world beside this one,
   /// every so many steps; 0: never. Slow, in every step, and its time counts as the step's; changes nothing

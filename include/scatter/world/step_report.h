@@ -1,5 +1,7 @@
 #pragma once
 
+#include <scatter/collision/pair_algorithm.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -56,16 +58,7 @@ struct StepCounters {
   std::uint32_t plannedUnits = 0;         ///< What it was planned to cost.
   std::uint32_t floorUnits = 0;  ///< What of it could not be given up, about; 0 where the budget was kept.
 
-  // The pair algorithm's work; zero without it.
-  std::uint32_t pairsSkipped = 0;      ///< Pairs left at once: neither body has moved enough.
-  std::uint32_t listRebuilds = 0;      ///< Neighbour lists made anew.
-  std::uint32_t childPairs = 0;        ///< Pairs of parts looked at.
-  std::uint32_t childPairsAsleep = 0;  ///< Of those, skipped by the motion bound.
-  std::uint32_t boundsRejected = 0;    ///< Of those, by their world bounds.
-  std::uint32_t axisRejected = 0;      ///< Of those, by the cached axis.
-  std::uint32_t gjkRuns = 0;
-  std::uint32_t gjkIterations = 0;
-  std::uint32_t detectorRuns = 0;  ///< Child pairs that the engine's own detectors decided.
+  PairWork pairWork{};  ///< Zero without the pair algorithm.
 };
 
 }  // namespace scatter

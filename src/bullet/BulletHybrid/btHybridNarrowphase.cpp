@@ -28,39 +28,10 @@ void btHybridNarrowphase::removeUser()
 		delete this;
 }
 
-void btHybridNarrowphase::setInfo(const btHybridCollisionInfo& info)
-{
-	m_info = info;
-	m_steps.midphase = info.m_midphase == BT_HYBRID_WORLD_BOXES  ? scatter::PairMidphase::kWorldBounds
-	                   : info.m_midphase == BT_HYBRID_PART_BOXES ? scatter::PairMidphase::kPartBoxes
-	                                                             : scatter::PairMidphase::kNeighbourList;
-	m_steps.motionBound = info.m_motionBound;
-	m_steps.cachedAxis = info.m_cachedAxis;
-	m_steps.ownGjk = info.m_ownGjk;
-	m_steps.warmSimplex = info.m_warmSimplex;
-	m_steps.lazyManifolds = info.m_lazyManifolds;
-}
-
 void btHybridNarrowphase::beginStep()
 {
 	m_objects.beginStep();
-	m_work = scatter::PairWork();
-}
-
-const btHybridCollisionCounts& btHybridNarrowphase::getCounts() const
-{
-	m_counts.m_pairs = m_work.pairs;
-	m_counts.m_pairsSkipped = m_work.pairsSkipped;
-	m_counts.m_rebuilds = m_work.rebuilds;
-	m_counts.m_childPairs = m_work.childPairs;
-	m_counts.m_childPairsAsleep = m_work.childPairsAsleep;
-	m_counts.m_boundsRejected = m_work.boundsRejected;
-	m_counts.m_axisRejected = m_work.axisRejected;
-	m_counts.m_gjkRuns = m_work.gjkRuns;
-	m_counts.m_gjkIterations = m_work.gjkIterations;
-	m_counts.m_detectorRuns = m_work.detectorRuns;
-	m_counts.m_pieces = m_work.pieces;
-	return m_counts;
+	m_work = btHybridCollisionCounts();
 }
 
 static void count(const scatter::pairs::PairTable& pairs, size_t plannedBytes, btHybridCollisionMemory& memory)

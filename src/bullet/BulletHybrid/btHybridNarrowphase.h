@@ -17,9 +17,7 @@ class btHybridPlanner;
 class btHybridNarrowphase
 {
 	btHybridCollisionInfo m_info;
-	scatter::PairSteps m_steps;
-	scatter::PairWork m_work;
-	mutable btHybridCollisionCounts m_counts;
+	btHybridCollisionCounts m_work;
 	int m_users;
 
 	btHybridObjects m_objects;
@@ -64,18 +62,24 @@ public:
 	}
 	const scatter::PairSteps& getSteps() const
 	{
-		return m_steps;
+		return m_info.m_steps;
 	}
-	void setInfo(const btHybridCollisionInfo& info);
+	void setInfo(const btHybridCollisionInfo& info)
+	{
+		m_info = info;
+	}
 
 	void beginStep();
 
 	/// Of the step under way.
-	scatter::PairWork& getWork()
+	btHybridCollisionCounts& getWork()
 	{
 		return m_work;
 	}
-	const btHybridCollisionCounts& getCounts() const;
+	const btHybridCollisionCounts& getCounts() const
+	{
+		return m_work;
+	}
 	btHybridCollisionMemory getMemory() const;
 
 	btHybridObjects& getObjects()

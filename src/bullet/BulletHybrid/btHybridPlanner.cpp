@@ -319,8 +319,7 @@ const char* btHybridPlanner::whoAsks(int pair, btHybridScope& scope) const
 		scope = hasBudget() ? BT_HYBRID_GLOBAL : BT_HYBRID_LOCAL;
 		return hasBudget() ? "governor" : "default";
 	}
-	const btHybridScope scopes[] = {BT_HYBRID_LOCAL, BT_HYBRID_GROUP, BT_HYBRID_GLOBAL};
-	scope = byProgram ? BT_HYBRID_LOCAL : scopes[int(m_policies[planned.wish.askedBy].scope())];
+	scope = byProgram ? BT_HYBRID_LOCAL : m_policies[planned.wish.askedBy].scope();
 	return byProgram ? "program" : m_policies[planned.wish.askedBy].name().data();
 }
 

@@ -259,7 +259,7 @@ void BulletPhysics::countStep(std::uint32_t newContacts) {
       addPairCounts(info, counters_);
       budgetUnits_ = info.m_budgetUnits;
     }
-    addCollisionCounts(hybrid->getCollisionCounts(), counters_);
+    counters_.pairWork = hybrid->getCollisionCounts();
   }
 }
 
@@ -283,8 +283,7 @@ FidelitySample BulletPhysics::measureFidelity() const {
 bool BulletPhysics::requestLevel(BodyId body, int level, Scope scope) {
   BulletBody& asked = at(body);
   if (asked.switching() == nullptr) return false;
-  constexpr btHybridScope kScopes[]{BT_HYBRID_LOCAL, BT_HYBRID_GROUP, BT_HYBRID_GLOBAL};
-  return engine_.switching()->requestLevel(asked.switching(), level, kScopes[static_cast<int>(scope)]);
+  return engine_.switching()->requestLevel(asked.switching(), level, scope);
 }
 
 void BulletPhysics::retractRequest(BodyId body) {

@@ -21,18 +21,6 @@ MissedContact reported(const btHybridMissedContact& missed) {
 
 }  // namespace
 
-void addCollisionCounts(const btHybridCollisionCounts& counts, StepCounters& counters) {
-  counters.pairsSkipped = static_cast<std::uint32_t>(counts.m_pairsSkipped);
-  counters.listRebuilds = static_cast<std::uint32_t>(counts.m_rebuilds);
-  counters.childPairs = static_cast<std::uint32_t>(counts.m_childPairs);
-  counters.childPairsAsleep = static_cast<std::uint32_t>(counts.m_childPairsAsleep);
-  counters.boundsRejected = static_cast<std::uint32_t>(counts.m_boundsRejected);
-  counters.axisRejected = static_cast<std::uint32_t>(counts.m_axisRejected);
-  counters.gjkRuns = static_cast<std::uint32_t>(counts.m_gjkRuns);
-  counters.gjkIterations = static_cast<std::uint32_t>(counts.m_gjkIterations);
-  counters.detectorRuns = static_cast<std::uint32_t>(counts.m_detectorRuns);
-}
-
 ContactReport fromBullet(const btHybridContactReport& report) {
   ContactReport result{.steps = wide(report.m_steps),
                        .childPairs = wide(report.m_childPairs),

@@ -71,16 +71,9 @@ btHybridSwitchingInfo switchingInfo(const SwitchingDef& def) {
 }
 
 btHybridCollisionInfo collisionInfo(const CollisionDef& def) {
-  constexpr btHybridMidphase kMidphases[]{BT_HYBRID_WORLD_BOXES, BT_HYBRID_PART_BOXES,
-                                          BT_HYBRID_NEIGHBOUR_LIST};
   btHybridCollisionInfo info;
   info.m_pairAlgorithm = def.narrowphase == Narrowphase::kScatter;
-  info.m_midphase = kMidphases[static_cast<int>(def.pairAlgorithm.midphase)];
-  info.m_motionBound = def.pairAlgorithm.motionBound;
-  info.m_cachedAxis = def.pairAlgorithm.cachedAxis;
-  info.m_lazyManifolds = def.pairAlgorithm.lazyManifolds;
-  info.m_ownGjk = def.pairAlgorithm.ownGjk;
-  info.m_warmSimplex = def.pairAlgorithm.warmSimplex;
+  info.m_steps = def.pairAlgorithm;
   return info;
 }
 

@@ -6,21 +6,8 @@
 
 namespace scatter {
 
-Scope fromBullet(btHybridScope scope) {
-  switch (scope) {
-    case BT_HYBRID_GROUP:
-      return Scope::kGroup;
-    case BT_HYBRID_GLOBAL:
-      return Scope::kGlobal;
-    case BT_HYBRID_LOCAL:
-      break;
-  }
-  return Scope::kLocal;
-}
-
 void LevelListener::add(LevelEventKind kind, const btHybridRigidBody& body, const btHybridRequest& request) {
-  LevelEvent event{kind, fromBullet(request.m_scope), BulletBody::of(body).id(), body.getLevel(),
-                   request.m_targetLevel};
+  LevelEvent event{kind, request.m_scope, BulletBody::of(body).id(), body.getLevel(), request.m_targetLevel};
   event.policy = request.m_byProximity ? "proximity" : "program";
   open_.push_back(event);
 }
@@ -48,11 +35,8 @@ void LevelListener::retracted(btHybridRigidBody* body, const btHybridRequest& re
 }
 
 void LevelListener::pairEvent(const btHybridPairEvent& event) {
-  constexpr LevelEventKind kKinds[]{LevelEventKind::kRequested, LevelEventKind::kAcknowledged,
-                                    LevelEventKind::kBlocked, LevelEventKind::kSwitched,
-                                    LevelEventKind::kRetracted};
-  open_.push_back({.kind = kKinds[event.m_kind],
-                   .scope = fromBullet(event.m_scope),
+  open_.push_back({.kind = event.m_kind,
+                   .scope = event.m_scope,
                    .body = BulletBody::of(*event.m_objectA).id(),
                    .from = event.m_fromLevel,
                    .to = event.m_toLevel,

@@ -8,8 +8,6 @@
 
 namespace scatter {
 
-[[nodiscard]] Scope fromBullet(btHybridScope scope);
-
 /// Collects what happens to requests, span by span. A span ends with a step and begins where the one
 /// before it ended.
 class LevelListener final : public btHybridListener {

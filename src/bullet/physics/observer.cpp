@@ -25,7 +25,7 @@ std::optional<ObservedRequest> requestOf(const btHybridRequestView& view, bool r
   if (view.m_targetLevel == 0) return std::nullopt;
   ObservedRequest request;
   request.target = view.m_targetLevel;
-  request.scope = fromBullet(view.m_scope);
+  request.scope = view.m_scope;
   request.policy = view.m_policy;
   request.waitingSteps = static_cast<std::uint32_t>(view.m_waitingSteps);
   if (view.m_blockedBy != nullptr) request.blockedBy = BulletBody::of(*view.m_blockedBy).id();

@@ -22,8 +22,9 @@ class PairLog : public EventLog {
       const bool isTheirs =
           (event.m_objectA == a && event.m_objectB == b) || (event.m_objectA == b && event.m_objectB == a);
       if (!isTheirs) continue;
-      result.push_back(std::string(names[event.m_kind]) + " " + std::to_string(event.m_fromLevel) + " to " +
-                       std::to_string(event.m_toLevel) + (event.m_onCredit ? " on credit" : ""));
+      result.push_back(std::string(names[static_cast<int>(event.m_kind)]) + " " +
+                       std::to_string(event.m_fromLevel) + " to " + std::to_string(event.m_toLevel) +
+                       (event.m_onCredit ? " on credit" : ""));
     }
     return result;
   }

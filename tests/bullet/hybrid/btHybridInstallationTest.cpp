@@ -113,10 +113,10 @@ TEST(btHybridInstallation, CountsItsWork) {
   btHybridInstallation installation(&crowd.own.dispatcher);
   crowd.step();
   const btHybridCollisionCounts counts = installation.takeCollisionCounts();
-  EXPECT_GT(counts.m_pairs, 10);
-  EXPECT_GT(counts.m_childPairs, counts.m_pairs);
-  EXPECT_EQ(installation.takeCollisionCounts().m_pairs, 0);
-  EXPECT_EQ(installation.getCollisionMemory().m_pairs, counts.m_pairs);
+  EXPECT_GT(counts.pairs, 10);
+  EXPECT_GT(counts.childPairs, counts.pairs);
+  EXPECT_EQ(installation.takeCollisionCounts().pairs, 0);
+  EXPECT_EQ(installation.getCollisionMemory().m_pairs, counts.pairs);
 }
 
 TEST(btHybridInstallation, TakesItselfBack) {
@@ -124,7 +124,7 @@ TEST(btHybridInstallation, TakesItselfBack) {
   {
     btHybridInstallation installation(&crowd.own.dispatcher);
     crowd.step();
-    EXPECT_GT(installation.takeCollisionCounts().m_pairs, 0);
+    EXPECT_GT(installation.takeCollisionCounts().pairs, 0);
   }
   // Pairs that have it keep it, new ones do not get it.
   for (int step = 0; step < 20; ++step) crowd.step();
@@ -239,7 +239,7 @@ TEST(btHybridInstallation, WorksInAMultiBodyWorld) {
   for (int step = 0; step < 400; ++step) {
     own.world.stepSimulation(1.0F / 60, 0);
     bullets.world.stepSimulation(1.0F / 60, 0);
-    meetings += own.installation->takeCollisionCounts().m_pairs;
+    meetings += own.installation->takeCollisionCounts().pairs;
     // From the first contact on, the last digits go their own ways.
     if (hasMet) continue;
     ASSERT_EQ(childPairsInContact(own), childPairsInContact(bullets)) << "step " << step;
@@ -271,7 +271,7 @@ TEST(btHybridInstallation, WorksInASoftBodyWorld) {
     world.addRigidBody(bodies.back().get());
   }
   world.stepSimulation(1.0F / 60, 0);
-  EXPECT_EQ(installation.takeCollisionCounts().m_pairs, 3);
+  EXPECT_EQ(installation.takeCollisionCounts().pairs, 3);
   EXPECT_GT(dispatcher.getNumManifolds(), 0);
   for (auto& body : bodies) world.removeRigidBody(body.get());
 }
@@ -284,16 +284,16 @@ TEST(btHybridInstallation, IsASettingOfHybridWorlds) {
   btCompoundShape* shape = makeCompound(random, shapes);
   for (int i = 0; i < 3; ++i) world.add(1, shape, btVector3(0, 0.4F * static_cast<float>(i), 0));
   world.world.performDiscreteCollisionDetection();
-  EXPECT_EQ(world.world.getCollisionCounts().m_pairs, 0);
+  EXPECT_EQ(world.world.getCollisionCounts().pairs, 0);
   btHybridCollisionInfo info;
   info.m_plainBodies = true;
   EXPECT_EQ(world.world.setCollisionInfo(info), nullptr);
   world.world.performDiscreteCollisionDetection();
-  EXPECT_EQ(world.world.getCollisionCounts().m_pairs, 3);
+  EXPECT_EQ(world.world.getCollisionCounts().pairs, 3);
   EXPECT_EQ(world.world.getPairStepInfo().m_pairs, 0) << "none of them switches";
   EXPECT_EQ(world.world.setCollisionInfo(btHybridCollisionInfo()), nullptr);
   world.world.performDiscreteCollisionDetection();
-  EXPECT_EQ(world.world.getCollisionCounts().m_pairs, 0);
+  EXPECT_EQ(world.world.getCollisionCounts().pairs, 0);
 }
 
 }  // namespace

@@ -244,19 +244,18 @@ TEST_P(PairEvents, TheBreakingThresholdChanges) {
   gContactBreakingThreshold = before;
 }
 
-std::vector<btHybridCollisionInfo> variants() {
-  std::vector<btHybridCollisionInfo> result(1);
-  bool btHybridCollisionInfo::*const switches[] = {
-      &btHybridCollisionInfo::m_motionBound, &btHybridCollisionInfo::m_cachedAxis,
-      &btHybridCollisionInfo::m_lazyManifolds, &btHybridCollisionInfo::m_ownGjk,
-      &btHybridCollisionInfo::m_warmSimplex};
+std::vector<PairSteps> stepVariants() {
+  std::vector<PairSteps> result(1);
+  bool PairSteps::*const switches[] = {&PairSteps::motionBound, &PairSteps::cachedAxis,
+                                       &PairSteps::lazyManifolds, &PairSteps::ownGjk,
+                                       &PairSteps::warmSimplex};
   for (const btHybridMidphase midphase :
        {BT_HYBRID_WORLD_BOXES, BT_HYBRID_PART_BOXES, BT_HYBRID_NEIGHBOUR_LIST}) {
-    btHybridCollisionInfo bare;
-    bare.m_midphase = midphase;
+    PairSteps bare;
+    bare.midphase = midphase;
     for (const auto one : switches) {
-      btHybridCollisionInfo without;
-      without.m_midphase = midphase;
+      PairSteps without;
+      without.midphase = midphase;
       without.*one = false;
       result.push_back(without);
       bare.*one = false;
@@ -265,10 +264,19 @@ std::vector<btHybridCollisionInfo> variants() {
     // Under sanitizers each step has been with others and been left out by now.
     if (kSanitized) continue;
     for (const auto one : switches) {
-      btHybridCollisionInfo only = bare;
+      PairSteps only = bare;
       only.*one = true;
       result.push_back(only);
     }
+  }
+  return result;
+}
+
+std::vector<btHybridCollisionInfo> variants() {
+  std::vector<btHybridCollisionInfo> result;
+  for (const PairSteps& steps : stepVariants()) {
+    result.emplace_back();
+    result.back().m_steps = steps;
   }
   return result;
 }
@@ -282,8 +290,9 @@ TEST_P(PairEvents, EveryCombinationOfStepsFindsTheContacts) {
       w.detect();
     }
     EXPECT_EQ(w.report().m_missed, 0)
-        << "midphase " << info.m_midphase << " motion " << info.m_motionBound << " axis " << info.m_cachedAxis
-        << " lazy " << info.m_lazyManifolds << " gjk " << info.m_ownGjk << " warm " << info.m_warmSimplex;
+        << "midphase " << static_cast<int>(info.m_steps.midphase) << " motion " << info.m_steps.motionBound
+        << " axis " << info.m_steps.cachedAxis << " lazy " << info.m_steps.lazyManifolds << " gjk "
+        << info.m_steps.ownGjk << " warm " << info.m_steps.warmSimplex;
     EXPECT_GT(w.report().m_expected, trials(300));
     EXPECT_LE(w.report().m_extra * 100, w.report().m_expected);
   }
@@ -335,7 +344,9 @@ TEST_P(PairEvents, EveryCombinationOfStepsHasTheSameContacts) {
   }
   // Bullet's GJK, in the place of ours, misses a contact of two hulls now and then: the variants that use it
   // are compared with each other, and with ours but for one contact in a thousand.
-  const auto usesOurs = [&worlds](std::size_t i) { return worlds[i]->world.getCollisionInfo().m_ownGjk; };
+  const auto usesOurs = [&worlds](std::size_t i) {
+    return worlds[i]->world.getCollisionInfo().m_steps.ownGjk;
+  };
   std::size_t firstOfBullets = 0;
   while (usesOurs(firstOfBullets)) ++firstOfBullets;
   Difference alike;

@@ -59,7 +59,7 @@ class Twins {
     }
   }
 
-  int pairs() const { return ours.world.getCollisionCounts().m_pairs; }
+  int pairs() const { return ours.world.getCollisionCounts().pairs; }
   std::array<ScriptedWorld*, 2> both() { return {&ours, &bullets}; }
 
   btCompoundShape* compound(std::initializer_list<std::pair<btCollisionShape*, btVector3>> children,
@@ -400,7 +400,7 @@ TEST_P(PairShapeChanges, AParallelDispatcherRunsBulletsAlgorithms) {
   for (btRigidBody* body : {static_cast<btRigidBody*>(&hybrid), &other}) world.addRigidBody(body);
   for (int step = 0; step < 2; ++step) {
     world.performDiscreteCollisionDetection();
-    EXPECT_EQ(world.getCollisionCounts().m_pairs, 0);
+    EXPECT_EQ(world.getCollisionCounts().pairs, 0);
     ASSERT_EQ(dispatcher.getNumManifolds(), 1);
     EXPECT_EQ(dispatcher.getManifoldByIndexInternal(0)->getNumContacts(), 1);
   }

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+
+namespace scatter {
+
+/// How the pair algorithm finds the child pairs (a part of one body and a part of the other) that are near.
+enum class PairMidphase : std::uint8_t {
+  kWorldBoxes,     ///< World bounds of all parts, every step.
+  kPartBoxes,      ///< The parts' boxes in the bodies' frames, every step.
+  kNeighbourList,  ///< The same with a skin, and only when the skin is used up.
+};
+
+/// The steps of the pair algorithm, to be left out one by one when measuring what each is worth. None of
+/// them changes which child pairs are in contact.
+struct PairSteps {
+  PairMidphase midphase = PairMidphase::kNeighbourList;
+  bool motionBound = true;    ///< Skip child pairs that cannot have met since their distance was measured.
+  bool cachedAxis = true;     ///< Try the axis that separated a child pair before anything else.
+  bool lazyManifolds = true;  ///< A child pair has a manifold only while it has contacts.
+  bool ownGjk = true;         ///< Off: the engine's.
+  bool warmSimplex = true;    ///< GJK starts from the simplex it ended with.
+};
+
+/// The pair algorithm's work in one step. Exact counts: the same run after run.
+struct PairWork {
+  int pairs = 0;             ///< Broadphase pairs that came to the pair algorithm.
+  int pairsSkipped = 0;      ///< Of those, left at once because neither body has moved enough.
+  int rebuilds = 0;          ///< Neighbour lists made anew.
+  int childPairs = 0;        ///< Pairs of parts looked at.
+  int childPairsAsleep = 0;  ///< Of those, skipped by the motion bound.
+  int boundsRejected = 0;    ///< Of those, by their world bounds.
+  int axisRejected = 0;      ///< Of those, by the cached axis.
+  int gjkRuns = 0;
+  int gjkIterations = 0;
+  int detectorRuns = 0;  ///< Child pairs that the engine's own detectors decided.
+  int pieces = 0;        ///< Of grounds (triangles, what of a large shape is near a body), looked up anew.
+};
+
+}  // namespace scatter
