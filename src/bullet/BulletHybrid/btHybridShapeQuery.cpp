@@ -1,12 +1,6 @@
 #include "btHybridShapeQuery.h"
 
-#include <BulletCollision/CollisionShapes/btCompoundShape.h>
-#include <BulletCollision/CollisionShapes/btConcaveShape.h>
-#include <BulletCollision/CollisionShapes/btTriangleShape.h>
-#include <LinearMath/btAabbUtil2.h>
-
 #include <algorithm>
-#include <memory>
 #include <vector>
 
 #include "btHybridConvexQuery.h"
@@ -38,11 +32,9 @@ struct Child
 	const btConvexShape* m_shape;
 	btTransform m_transform;
 
-	Child(const btCollisionShape* shape, const btTransform& body, int part)
+	Child(const btHybridParts& parts, const btTransform& body, int part)
+	    : m_shape(static_cast<const btConvexShape*>(parts.getPartShape(part))), m_transform(body * parts.getPartTransform(part))
 	{
-		const btCompoundShape* compound = shape->isCompound() ? static_cast<const btCompoundShape*>(shape) : 0;
-		m_shape = static_cast<const btConvexShape*>(compound ? compound->getChildShape(part) : shape);
-		m_transform = compound ? body * compound->getChildTransform(part) : body;
 	}
 };
 
@@ -65,11 +57,11 @@ struct PartPlaces
 	}
 	Child childA(const scatter::Neighbours& near) const
 	{
-		return Child(m_partsA.getShape(), m_a, near.a);
+		return Child(m_partsA, m_a, near.a);
 	}
 	Child childB(const scatter::Neighbours& near) const
 	{
-		return Child(m_partsB.getShape(), m_b, near.b);
+		return Child(m_partsB, m_b, near.b);
 	}
 };
 
@@ -132,122 +124,33 @@ bool partOverlapsDeeper(const PartPlaces& places, const scatter::Neighbours& nea
 	return btHybridConvexDepth(a.m_shape, a.m_transform, b.m_shape, b.m_transform) > depth;
 }
 
-void getAabb(const btHybridPlacedShape& placed, btScalar wider, btVector3& aabbMin, btVector3& aabbMax)
+btScalar pieceDepth(const btHybridPiece& a, const btHybridPiece& b)
 {
-	placed.m_shape->getAabb(placed.m_transform, aabbMin, aabbMax);
-	const btVector3 wide(wider, wider, wider);
-	aabbMin -= wide;
-	aabbMax += wide;
-}
-
-// Convex pieces and planes of a shape that is no part list.
-class Pieces : public btTriangleCallback
-{
-	std::vector<btHybridPlacedShape> m_pieces;
-	std::vector<std::unique_ptr<btTriangleShape>> m_triangles;
-	btTransform m_mesh;
-	btScalar m_meshMargin;
-
-public:
-	const std::vector<btHybridPlacedShape>& get() const
-	{
-		return m_pieces;
-	}
-
-	// What lies in the box. Shapes that hand out neither children nor triangles have no pieces.
-	void collect(const btHybridPlacedShape& placed, const btVector3& aabbMin, const btVector3& aabbMax)
-	{
-		const btCollisionShape* shape = placed.m_shape;
-		if (shape->getShapeType() == STATIC_PLANE_PROXYTYPE)
-		{
-			m_pieces.push_back(placed);
-			return;
-		}
-		btVector3 lower, upper;
-		getAabb(placed, 0, lower, upper);
-		if (shape->getShapeType() == EMPTY_SHAPE_PROXYTYPE || !TestAabbAgainstAabb2(lower, upper, aabbMin, aabbMax))
-			return;
-		if (shape->isConvex())
-			m_pieces.push_back(placed);
-		else if (shape->isCompound())
-			collectChildren(placed, aabbMin, aabbMax);
-		else if (shape->isConcave())
-			collectTriangles(placed, aabbMin, aabbMax);
-	}
-
-	virtual void processTriangle(btVector3* triangle, int, int)
-	{
-		m_triangles.push_back(std::make_unique<btTriangleShape>(triangle[0], triangle[1], triangle[2]));
-		m_triangles.back()->setMargin(m_meshMargin);
-		m_pieces.push_back({m_triangles.back().get(), m_mesh});
-	}
-
-private:
-	void collectChildren(const btHybridPlacedShape& placed, const btVector3& aabbMin, const btVector3& aabbMax)
-	{
-		const btCompoundShape* compound = static_cast<const btCompoundShape*>(placed.m_shape);
-		for (int i = 0; i < compound->getNumChildShapes(); i++)
-			collect({compound->getChildShape(i), placed.m_transform * compound->getChildTransform(i)}, aabbMin, aabbMax);
-	}
-
-	void collectTriangles(const btHybridPlacedShape& placed, const btVector3& aabbMin, const btVector3& aabbMax)
-	{
-		m_mesh = placed.m_transform;
-		m_meshMargin = placed.m_shape->getMargin();
-		btVector3 lower, upper;
-		btTransformAabb(aabbMin, aabbMax, m_meshMargin, m_mesh.inverse(), lower, upper);
-		static_cast<const btConcaveShape*>(placed.m_shape)->processAllTriangles(this, lower, upper);
-	}
-};
-
-// Calls `visit` with every two pieces that are not further apart, by their bounds, than `reach`.
-template <class Visit>
-void forEachPiecePair(const btHybridPlacedShape& a, const btHybridPlacedShape& b, btScalar reach, const Visit& visit)
-{
-	btVector3 aabbMin, aabbMax;
-	Pieces piecesA, piecesB;
-	getAabb(b, reach, aabbMin, aabbMax);
-	piecesA.collect(a, aabbMin, aabbMax);
-	getAabb(a, reach, aabbMin, aabbMax);
-	piecesB.collect(b, aabbMin, aabbMax);
-	for (const btHybridPlacedShape& pieceA : piecesA.get())
-		for (const btHybridPlacedShape& pieceB : piecesB.get())
-			visit(pieceA, pieceB);
-}
-
-bool isPlane(const btHybridPlacedShape& piece)
-{
-	return piece.m_shape->getShapeType() == STATIC_PLANE_PROXYTYPE;
-}
-
-const btConvexShape* asConvex(const btHybridPlacedShape& piece)
-{
-	return static_cast<const btConvexShape*>(piece.m_shape);
-}
-
-btScalar pieceDepth(const btHybridPlacedShape& a, const btHybridPlacedShape& b)
-{
-	if (isPlane(a) && isPlane(b))
+	if (a.isPlane() && b.isPlane())
 		return -BT_LARGE_FLOAT;
-	if (isPlane(a))
-		return btHybridPlaneDepth(a.m_shape, a.m_transform, asConvex(b), b.m_transform);
-	if (isPlane(b))
-		return btHybridPlaneDepth(b.m_shape, b.m_transform, asConvex(a), a.m_transform);
-	return btHybridConvexDepth(asConvex(a), a.m_transform, asConvex(b), b.m_transform);
+	const btTransform& transformA = a.m_placed.m_transform;
+	const btTransform& transformB = b.m_placed.m_transform;
+	if (a.isPlane())
+		return btHybridPlaneDepth(a.m_placed.m_shape, transformA, b.asConvex(), transformB);
+	if (b.isPlane())
+		return btHybridPlaneDepth(b.m_placed.m_shape, transformB, a.asConvex(), transformA);
+	return btHybridConvexDepth(a.asConvex(), transformA, b.asConvex(), transformB);
 }
 
-btScalar pieceDistance(const btHybridPlacedShape& a, const btHybridPlacedShape& b)
+btScalar pieceDistance(const btHybridPiece& a, const btHybridPiece& b)
 {
-	if (isPlane(a) || isPlane(b))
+	if (a.isPlane() || b.isPlane())
 		return btMax(btScalar(0), -pieceDepth(a, b));
-	return btHybridConvexDistance(asConvex(a), a.m_transform, asConvex(b), b.m_transform);
+	return btHybridConvexDistance(a.asConvex(), a.m_placed.m_transform, b.asConvex(), b.m_placed.m_transform);
 }
 
 bool piecesOverlapDeeper(const btHybridPlacedShape& a, const btHybridPlacedShape& b, btScalar depth)
 {
 	bool deeper = false;
-	forEachPiecePair(a, b, 0, [&](const btHybridPlacedShape& pieceA, const btHybridPlacedShape& pieceB)
-	                 { deeper = deeper || pieceDepth(pieceA, pieceB) > depth; });
+	btHybridVisitPieces(a, b, 0, [&](const btHybridPiece& pieceA, const btHybridPiece& pieceB)
+	                    {
+		                    deeper = pieceDepth(pieceA, pieceB) > depth;
+		                    return !deeper; });
 	return deeper;
 }
 
@@ -256,8 +159,10 @@ btScalar piecesDistance(const btHybridPlacedShape& a, const btHybridPlacedShape&
 	btScalar least = BT_LARGE_FLOAT;
 	// A distance beyond the reach that was searched need not be the least.
 	for (btScalar reach = c_firstReach, searched = 0; least > searched && searched < c_furthest; searched = reach, reach *= c_widening)
-		forEachPiecePair(a, b, reach, [&](const btHybridPlacedShape& pieceA, const btHybridPlacedShape& pieceB)
-		                 { least = btMin(least, pieceDistance(pieceA, pieceB)); });
+		btHybridVisitPieces(a, b, reach, [&](const btHybridPiece& pieceA, const btHybridPiece& pieceB)
+		                    {
+			                    least = btMin(least, pieceDistance(pieceA, pieceB));
+			                    return true; });
 	return least;
 }
 }  // namespace

@@ -1,20 +1,13 @@
 #ifndef BT_HYBRID_SHAPE_QUERY_H
 #define BT_HYBRID_SHAPE_QUERY_H
 
-#include <BulletCollision/CollisionShapes/btCollisionShape.h>
 #include <LinearMath/btHashMap.h>
 
 #include <vector>
 
 #include "btHybridParts.h"
+#include "btHybridPieces.h"
 #include "collision/neighbour_search.h"
-
-/// A shape and where it is.
-struct btHybridPlacedShape
-{
-	const btCollisionShape* m_shape;
-	btTransform m_transform;
-};
 
 /// How deep shapes overlap and how far they are apart, margins included; between their convex parts, in any order.
 /// Remembers what it has learned of shapes, which must not change while it lives, and nothing of where they were.

@@ -95,6 +95,40 @@ TEST(ShapeQuery, AnEmptyShapeIsNowhere) {
   }
 }
 
+// One has the same parts as the other, in compounds in a compound.
+TEST(ShapeQuery, CompoundsInCompoundsAreTheirParts) {
+  btConvexHullShape hull;
+  for (int i = 0; i < 8; ++i) {
+    hull.addPoint(
+        btVector3((i & 1) != 0 ? 0.4F : -0.4F, (i & 2) != 0 ? 0.3F : -0.3F, (i & 4) != 0 ? 0.2F : -0.5F));
+  }
+  btSphereShape ball(0.5F);
+  btCylinderShape can(btVector3(0.3F, 0.6F, 0.3F));
+  const btTransform group = at({0, 2, 0}, btQuaternion(btVector3(1, 0, 0), 0.4F));
+  const btTransform inGroup = at({1, 0, 0.5F}, btQuaternion(btVector3(0, 0, 1), 0.9F));
+  btCompoundShape inner;
+  inner.addChildShape(at({-1, 0, 0}), &hull);
+  inner.addChildShape(inGroup, &can);
+  btCompoundShape nested;
+  nested.addChildShape(at({0, -1, 0}), &ball);
+  nested.addChildShape(group, &inner);
+  btCompoundShape flat;
+  flat.addChildShape(at({0, -1, 0}), &ball);
+  flat.addChildShape(group * at({-1, 0, 0}), &hull);
+  flat.addChildShape(group * inGroup, &can);
+  btHybridShapeQuery query;
+  Random random(3);
+  for (int i = 0; i < 40; ++i) {
+    const btTransform pose =
+        at(random.inCube(3.0F), btQuaternion(btVector3(0, 1, 0), 0.2F * static_cast<float>(i)));
+    const btHybridPlacedShape other = {&can, pose};
+    const btHybridPlacedShape ofNested = {&nested, at({0, 0, 0})};
+    const btHybridPlacedShape ofFlat = {&flat, at({0, 0, 0})};
+    EXPECT_NEAR(query.getDistance(ofNested, other), query.getDistance(ofFlat, other), 1e-3F);
+    EXPECT_NEAR(depthOf(query, ofNested, other), depthOf(query, ofFlat, other), 2e-3F);
+  }
+}
+
 struct Answer {
   float distance = BT_LARGE_FLOAT;
   float depth = -BT_LARGE_FLOAT;
