@@ -72,7 +72,7 @@ bool countAdded(btManifoldPoint&, const btCollisionObjectWrapper*, int, int, con
   ++addedPoints;
   return false;
 }
-void countStarted(btPersistentManifold* const&) {
+void countStartedManifolds(btPersistentManifold* const&) {
   ++startedManifolds;
 }
 
@@ -81,7 +81,7 @@ TEST(ContactVerifier, CallsNoContactCallbackAndPutsThemBack) {
   Clump verified(false);
   verified.world.verifyContacts(1);
   gContactAddedCallback = countAdded;
-  gContactStartedCallback = countStarted;
+  gContactStartedCallback = countStartedManifolds;
   std::vector<std::array<int, 2>> counts;
   for (Clump* clump : {&plain, &verified}) {
     for (auto& body : clump->bodies) {
@@ -92,7 +92,7 @@ TEST(ContactVerifier, CallsNoContactCallbackAndPutsThemBack) {
     counts.push_back({addedPoints, startedManifolds});
   }
   EXPECT_EQ(gContactAddedCallback, countAdded);
-  EXPECT_EQ(gContactStartedCallback, countStarted);
+  EXPECT_EQ(gContactStartedCallback, countStartedManifolds);
   gContactAddedCallback = nullptr;
   gContactStartedCallback = nullptr;
   EXPECT_GT(counts[0][0], 100);

@@ -64,8 +64,8 @@ ChildPairs childPairsInContact(World& world) {
 }
 
 /// Ten plain bodies, each with its own compound, and two with a bare hull, on paths of their own.
-struct Crowd {
-  Crowd() : random(11) {
+struct InstalledCrowd {
+  InstalledCrowd() : random(11) {
     for (int i = 0; i < 12; ++i) {
       btCollisionShape* shape = makeCompound(random, shapes);
       if (i >= 10) shape = static_cast<btCompoundShape*>(shape)->getChildShape(1);
@@ -90,7 +90,7 @@ struct Crowd {
 };
 
 TEST(btHybridInstallation, FindsBulletsContactsForPlainCompounds) {
-  Crowd crowd;
+  InstalledCrowd crowd;
   const btHybridInstallation installation(&crowd.own.dispatcher);
   ASSERT_EQ(installation.getMistake(), nullptr);
   std::size_t seen = 0;
@@ -109,7 +109,7 @@ TEST(btHybridInstallation, FindsBulletsContactsForPlainCompounds) {
 }
 
 TEST(btHybridInstallation, CountsItsWork) {
-  Crowd crowd;
+  InstalledCrowd crowd;
   btHybridInstallation installation(&crowd.own.dispatcher);
   crowd.step();
   const btHybridCollisionCounts counts = installation.takeCollisionCounts();
@@ -120,7 +120,7 @@ TEST(btHybridInstallation, CountsItsWork) {
 }
 
 TEST(btHybridInstallation, TakesItselfBack) {
-  Crowd crowd;
+  InstalledCrowd crowd;
   {
     btHybridInstallation installation(&crowd.own.dispatcher);
     crowd.step();
@@ -148,7 +148,7 @@ TEST(btHybridInstallation, SaysWhyItCannotWork) {
 }
 
 TEST(btHybridInstallation, NoticesChangesThatBulletCounts) {
-  Crowd crowd;
+  InstalledCrowd crowd;
   const btHybridInstallation installation(&crowd.own.dispatcher);
   for (int step = 0; step < 40; ++step) {
     if (step == 20) {

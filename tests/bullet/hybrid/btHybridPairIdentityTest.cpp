@@ -11,9 +11,9 @@ namespace scatter::test {
 namespace {
 
 /// Ships that are drawn together, with plain bodies among them.
-class Crowd : public PairTestWorld {
+class PulledCrowd : public PairTestWorld {
  public:
-  Crowd(btHybridSwitchingMode mode, int level) : PairTestWorld(mode, 3) {
+  PulledCrowd(btHybridSwitchingMode mode, int level) : PairTestWorld(mode, 3) {
     // Body switching takes the threshold from the level's shape, pair switching from the finest.
     dispatcher.setDispatcherFlags(dispatcher.getDispatcherFlags() &
                                   ~btCollisionDispatcher::CD_USE_RELATIVE_CONTACT_BREAKING_THRESHOLD);
@@ -47,8 +47,8 @@ class Crowd : public PairTestWorld {
 class LevelIdentity : public testing::TestWithParam<int> {};
 
 TEST_P(LevelIdentity, PairsHeldToALevelAreBodiesAtThatLevel) {
-  Crowd byPairs(BT_HYBRID_PAIR_SWITCHING, GetParam());
-  Crowd byBodies(BT_HYBRID_BODY_SWITCHING, GetParam());
+  PulledCrowd byPairs(BT_HYBRID_PAIR_SWITCHING, GetParam());
+  PulledCrowd byBodies(BT_HYBRID_BODY_SWITCHING, GetParam());
   int touched = 0;
   for (int step = 0; step < 400; ++step) {
     byPairs.pull();
@@ -66,7 +66,7 @@ TEST_P(LevelIdentity, PairsHeldToALevelAreBodiesAtThatLevel) {
 INSTANTIATE_TEST_SUITE_P(Levels, LevelIdentity, testing::Values(2, 3));
 
 TEST(Quiet, NothingIsPlannedWithoutAReason) {
-  Crowd w(BT_HYBRID_PAIR_SWITCHING, 3);
+  PulledCrowd w(BT_HYBRID_PAIR_SWITCHING, 3);
   for (int step = 0; step < 200; ++step) {
     w.pull();
     const btHybridPairStepInfo info = w.pairInfo();
@@ -82,7 +82,7 @@ TEST(Quiet, NothingIsPlannedWithoutAReason) {
 }
 
 TEST(Quiet, ComesBackWhenTheReasonsAreGone) {
-  Crowd w(BT_HYBRID_PAIR_SWITCHING, 3);
+  PulledCrowd w(BT_HYBRID_PAIR_SWITCHING, 3);
   for (int step = 0; step < 100; ++step) w.pull();
   w.world.setBudgetUnits(10);
   for (int step = 0; step < 60; ++step) w.pull();

@@ -17,7 +17,7 @@ constexpr int kWorlds = 25;
 #else
 constexpr int kWorlds = 600;
 #endif
-constexpr int kSteps = 90;
+constexpr int kRandomSteps = 90;
 constexpr float kTimeStep = 1.0F / 60;
 
 /// A reason to switch, from a step on.
@@ -36,7 +36,7 @@ std::vector<Reason> randomReasons(Random& random, int bodies) {
   const int count = 2 + random.index(3);
   for (int i = 0; i < count; ++i) {
     Reason reason;
-    reason.step = 4 + (kSteps - 4) * i / count + random.index(kSteps / count - 4);
+    reason.step = 4 + (kRandomSteps - 4) * i / count + random.index(kRandomSteps / count - 4);
     reason.kind = static_cast<Reason::Kind>(random.index(3));
     for (int k = 0; k < bodies; ++k) reason.levels.push_back(random.chance(0.6F) ? 1 + random.index(3) : 0);
     reason.units = random.chance(0.2F) ? 0 : static_cast<double>(random.between(5, 400));
@@ -222,7 +222,7 @@ TEST(RandomSwitches, GainNoEnergyMoveNoBodyAndMakeNoContactDeeper) {
   Totals totals;
   for (std::uint64_t seed = 1; seed <= kWorlds && !HasFatalFailure(); ++seed) {
     SmallWorld w(seed);
-    w.run(kSteps - 1);
+    w.run(kRandomSteps - 1);
     EXPECT_EQ(w.unsafe, 0) << "world " << seed;
     totals.switches += w.switches;
     totals.onCredit += w.onCredit;
@@ -242,7 +242,7 @@ TEST(RandomSwitches, WithoutSafetyMakeContactsDeeper) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     SmallWorld w(seed);
     w.world.getPairSwitchingInfo().m_safetyConditions = false;
-    w.run(kSteps - 1);
+    w.run(kRandomSteps - 1);
     unsafe += w.unsafe;
   }
   EXPECT_GT(unsafe, 10);

@@ -20,9 +20,9 @@ namespace {
 using MakeShape = std::function<btCollisionShape*(RandomShapes&)>;
 
 /// The same bodies in two worlds.
-class Twins {
+class OddTwins {
  public:
-  explicit Twins(std::uint64_t seed, const MakeShape& makeOther) : shapes(seed) {
+  explicit OddTwins(std::uint64_t seed, const MakeShape& makeOther) : shapes(seed) {
     const btHybridLevelSet& levels = shapes.oneLevel(shapes.compound(10, 1));
     btCollisionShape* other = makeOther(shapes);
     for (ScriptedWorld* w : {&ours, &bullets}) {
@@ -61,7 +61,7 @@ void expectCovered(const std::map<ChildPair, ChildContact>& contacts,
 long compareWithBullet(const char* what, const MakeShape& makeOther, const btVector3& centre = {0, 0, 0}) {
   long compared = 0;
   for (std::uint64_t seed = 300; seed < 304; ++seed) {
-    Twins twins(seed, makeOther);
+    OddTwins twins(seed, makeOther);
     for (int step = 0; step < 60; ++step) {
       // Far away in between, so that no world has old contacts to keep.
       twins.place(0, btTransform(btQuaternion::getIdentity(), btVector3(0, 500, 0)));

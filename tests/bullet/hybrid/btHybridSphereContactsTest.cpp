@@ -18,7 +18,7 @@ int destroyed = 0;
 void countEnded(btPersistentManifold* const&) {
   ++ended;
 }
-void countStarted(btPersistentManifold* const&) {
+void countStartedSpheres(btPersistentManifold* const&) {
   ++started;
 }
 bool countAdded(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
@@ -76,7 +76,7 @@ class SphereContacts : public testing::TestWithParam<bool> {
   void SetUp() override {
     ended = started = added = destroyed = 0;
     gContactEndedCallback = countEnded;
-    gContactStartedCallback = countStarted;
+    gContactStartedCallback = countStartedSpheres;
     gContactAddedCallback = countAdded;
     gContactDestroyedCallback = countDestroyed;
   }
