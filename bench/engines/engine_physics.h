@@ -40,22 +40,10 @@ class EnginePhysics : public Physics {
   void destroyVehicle(VehicleId vehicle) final;
   [[nodiscard]] std::optional<RayHit> castRay(const Vec3& from, const Vec3& to) const final;
 
-  [[nodiscard]] int level(BodyId) const final { return 1; }
-  [[nodiscard]] int levelCount(BodyId) const final { return 1; }
-  bool requestLevel(BodyId, int, Scope) final { return false; }
-  void retractRequest(BodyId) final {}
-  void retractAllRequests() final {}
-  [[nodiscard]] int pairLevel(BodyId, BodyId) const final { return 0; }
-  [[nodiscard]] double budgetUnits() const final { return 0.0; }
-  [[nodiscard]] FidelitySample measureFidelity() const final { return {}; }
-  [[nodiscard]] std::span<const LevelEvent> levelEvents() const final { return {}; }
-
   /// Counted here, outside of what is measured.
   [[nodiscard]] const StepCounters& counters() const final;
   [[nodiscard]] const StageTimes& stageTimes() const final { return stageTimes_; }
   void setProfiling(bool) final {}
-  [[nodiscard]] ContactReport contactReport() const final { return {}; }
-  [[nodiscard]] CollisionMemory collisionMemory() const final { return {}; }
 
   [[nodiscard]] std::uint64_t stateHash() const final;
   [[nodiscard]] double kineticEnergy() const final;

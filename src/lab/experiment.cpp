@@ -124,7 +124,8 @@ void Experiment::playScript() {
 void Experiment::keepHistory() {
   pairs_.clear();
   if (history_.def().pairLevels) {
-    world().physics().observe({.bodies = false, .pairs = true, .contacts = false}, observation_);
+    world().physics().diagnostics().observe({.bodies = false, .pairs = true, .contacts = false},
+                                            observation_);
     for (const ObservedPair& pair : observation_.pairs) {
       if (pair.level > 0) {
         pairs_.push_back({pair.a, pair.b, static_cast<std::uint8_t>(std::min(pair.level, 255))});
@@ -135,7 +136,7 @@ void Experiment::keepHistory() {
 }
 
 bool Experiment::setBudget(const BudgetDef& budget) {
-  if (!world().physics().setBudget(budget)) {
+  if (!world().physics().switching().setBudget(budget)) {
     return false;
   }
   def_.run.physics.switching.budget = budget;
@@ -144,7 +145,7 @@ bool Experiment::setBudget(const BudgetDef& budget) {
 }
 
 Result<void> Experiment::setPolicies(Policy policy, const std::vector<std::string>& policies) {
-  auto changed = world().physics().setPolicies(policy, policies);
+  auto changed = world().physics().switching().setPolicies(policy, policies);
   if (changed) {
     def_.run.physics.switching.policy = policy;
     def_.run.physics.switching.policies = policies;
@@ -154,7 +155,7 @@ Result<void> Experiment::setPolicies(Policy policy, const std::vector<std::strin
 }
 
 Result<void> Experiment::setSwitching(Switching switching) {
-  auto changed = world().physics().setSwitching(switching);
+  auto changed = world().physics().switching().setSwitching(switching);
   if (changed) {
     def_.run.physics.switching.switching = switching;
     run_->setPhysics(def_.run.physics);

@@ -115,7 +115,7 @@ void FidelityRecorder::skipStep() {
 }
 
 void FidelityRecorder::sample() {
-  const FidelitySample sample = world_.physics().measureFidelity();
+  const FidelitySample sample = world_.physics().diagnostics().measureFidelity();
   const std::uint32_t finest = sample.touchingByLevel.empty() ? 0 : sample.touchingByLevel.front();
   const std::vector<double> gaps(sample.contactGaps.begin(), sample.contactGaps.end());
   data_.set(visible_, sample.visibleOverlapPairs);

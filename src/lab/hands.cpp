@@ -54,7 +54,7 @@ bool Hands::drag(BodyId body, const Vec3& point) {
   }
   letGo();
   drag_ = std::make_unique<lab::Drag>(*object, point);
-  world_.physics().setHeld(body, true);
+  world_.physics().switching().setHeld(body, true);
   record(DragAction{body, point});
   return true;
 }
@@ -199,15 +199,15 @@ std::size_t Hands::thaw(std::span<const BodyId> bodies) {
 }
 
 std::size_t Hands::requestLevel(std::span<const BodyId> bodies, int level, Scope scope) {
-  Physics& physics = world_.physics();
+  LevelSwitching& switching = world_.physics().switching();
   std::size_t taken = 0;
   if (bodies.empty()) {
     for (const auto& object : world_.objects()) {
-      taken += physics.requestLevel(object->body(), level, scope) ? 1 : 0;
+      taken += switching.requestLevel(object->body(), level, scope) ? 1 : 0;
     }
   }
   for (const BodyId body : bodies) {
-    taken += world_.find(body) != nullptr && physics.requestLevel(body, level, scope) ? 1 : 0;
+    taken += world_.find(body) != nullptr && switching.requestLevel(body, level, scope) ? 1 : 0;
   }
   if (taken > 0) {
     record(RequestAction{level, scope, {bodies.begin(), bodies.end()}});
@@ -217,11 +217,11 @@ std::size_t Hands::requestLevel(std::span<const BodyId> bodies, int level, Scope
 
 void Hands::retract(std::span<const BodyId> bodies) {
   if (bodies.empty()) {
-    world_.physics().retractAllRequests();
+    world_.physics().switching().retractAllRequests();
   }
   for (const BodyId body : bodies) {
     if (world_.find(body) != nullptr) {
-      world_.physics().retractRequest(body);
+      world_.physics().switching().retractRequest(body);
     }
   }
   record(RetractAction{{bodies.begin(), bodies.end()}});
@@ -304,7 +304,7 @@ BodyDef Hands::copyOf(const WorldObject& model) const {
 
 void Hands::letGo() {
   if (const auto body = dragged()) {
-    world_.physics().setHeld(*body, false);
+    world_.physics().switching().setHeld(*body, false);
   }
   drag_.reset();
 }

@@ -109,7 +109,7 @@ Result<void> FrameRecorder::step() {
   }
   recordCounters();
   data_.set(measured_[kBudget], budgetMs_);
-  data_.set(measured_[kUnits], physics.budgetUnits());
+  data_.set(measured_[kUnits], physics.switching().budgetUnits());
   data_.set(measured_[kEnergy], physics.kineticEnergy());
   data_.set(measured_[kPenetration], physics.maxPenetration());
   data_.setHash(hash_, physics.stateHash());

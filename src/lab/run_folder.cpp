@@ -38,7 +38,7 @@ Result<void> RunFolder::addFrame(const SceneRun& run) {
     begun_ = true;
   }
   const World& world = run.world();
-  if (auto written = events_.write(world.frame(), world.physics().levelEvents()); !written) {
+  if (auto written = events_.write(world.frame(), world.physics().switching().levelEvents()); !written) {
     return written;
   }
   auto written = frames_.write(run.data());

@@ -97,12 +97,12 @@ void RunHistory::addPoses(const Physics& physics, StoredFrame& frame) {
     const Vec3& p = state.pose.position;
     const Quat& q = state.pose.rotation;
     frame.poses.push_back({p.x, p.y, p.z, q.w, q.x, q.y, q.z});
-    frame.states.push_back(stateByte(physics.level(body), state.asleep));
+    frame.states.push_back(stateByte(physics.switching().level(body), state.asleep));
   }
 }
 
 void RunHistory::addEvents(const Physics& physics, StoredFrame& frame) {
-  const auto events = physics.levelEvents();
+  const auto events = physics.switching().levelEvents();
   frame.events.reserve(events.size());
   for (const LevelEvent& event : events) {
     frame.events.push_back({.body = static_cast<std::uint32_t>(event.body),

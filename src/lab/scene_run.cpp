@@ -76,16 +76,16 @@ void SceneRun::observe() {
   const int childPairs = physics.counters().pairWork.childPairs;
   if (childPairs > mostChildPairs_) {
     mostChildPairs_ = childPairs;
-    run_.summary.collisionMemory = physics.collisionMemory();
+    run_.summary.collisionMemory = physics.diagnostics().collisionMemory();
   }
   if (options().physics.collision.verifyEvery > 0) {
-    run_.summary.contactCheck.follow(world_->frame(), physics.contactReport());
+    run_.summary.contactCheck.follow(world_->frame(), physics.diagnostics().contactReport());
   }
 }
 
 void SceneRun::takeEvents() {
   auto& byPolicy = run_.summary.levelEventsByPolicy;
-  for (const LevelEvent& event : world_->physics().levelEvents()) {
+  for (const LevelEvent& event : world_->physics().switching().levelEvents()) {
     const auto kind = static_cast<std::size_t>(event.kind);
     ++run_.summary.levelEvents[kind];
     const auto known = byPolicy.find(event.policy);

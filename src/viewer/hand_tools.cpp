@@ -124,8 +124,9 @@ void HandTools::request(int level) {
 
 void HandTools::requestBy(int finer) {
   const World& world = panes_.back()->experiment().world();
-  const auto hasLevels = [&world](const WorldObject& object) {
-    return world.physics().levelCount(object.body()) > 1;
+  const LevelSwitching& switching = world.physics().switching();
+  const auto hasLevels = [&switching](const WorldObject& object) {
+    return switching.levelCount(object.body()) > 1;
   };
   const WorldObject* like = pickedObject();
   if (reach == RequestReach::kAll && (like == nullptr || !hasLevels(*like))) {
@@ -137,8 +138,7 @@ void HandTools::requestBy(int finer) {
     message_ = "pick an object with levels first";
     return;
   }
-  const Physics& physics = world.physics();
-  request(std::clamp(physics.level(like->body()) + finer, 1, physics.levelCount(like->body())));
+  request(std::clamp(switching.level(like->body()) + finer, 1, switching.levelCount(like->body())));
 }
 
 void HandTools::reset() {

@@ -17,7 +17,7 @@ void Pane::observe(const ObservationParts& parts) {
   if (!parts.bodies && !parts.pairs && !parts.contacts) {
     observed_.clear();
   } else {
-    experiment_->world().physics().observe(parts, observed_);
+    experiment_->world().physics().diagnostics().observe(parts, observed_);
   }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <scatter/world/physics.h>
+#include <scatter/world/level_switching.h>
 
 #include <string>
 #include <vector>

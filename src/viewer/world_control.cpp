@@ -63,7 +63,7 @@ void WorldControl::setFocus(const ViewFocus& focus) {
   const bool asked = std::any_of(now_.policies.begin(), now_.policies.end(),
                                  [](const std::string& policy) { return policy.rfind("focus", 0) == 0; });
   if (!asked) return;
-  for (const auto& pane : panes_) physicsOf(pane).setFocus(focus);
+  for (const auto& pane : panes_) physicsOf(pane).switching().setFocus(focus);
 }
 
 }  // namespace scatter::viewer

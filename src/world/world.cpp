@@ -74,7 +74,7 @@ void World::applyFields() {
 }
 
 void World::tellHybrids() {
-  for (const LevelEvent& event : physics_->levelEvents()) {
+  for (const LevelEvent& event : physics_->switching().levelEvents()) {
     // An object may have gone since the event, or go in another one's callback.
     auto* hybrid = dynamic_cast<HybridObject*>(find(event.body));
     if (hybrid == nullptr || !hybrid->onLevelEvent) continue;

@@ -9,6 +9,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,6 +27,43 @@ struct FakeBehaviour {
       0;  ///< In this step the first body is moved 0.5 m up, whatever its velocity; 0: never.
   bool countsTouching =
       false;  ///< Counts touching pairs in every step: 10, of which one is coarse in step 7.
+};
+
+/// Reports a budget that follows from the step count alone, and the events that FakePhysics makes up.
+class FakeSwitching final : public LevelSwitching {
+ public:
+  std::uint64_t steps = 0;
+  std::vector<LevelEvent> events;
+
+  double budgetUnits() const override { return static_cast<double>(steps) / 7.0; }
+  std::span<const LevelEvent> levelEvents() const override { return events; }
+};
+
+/// Reports numbers that follow from what FakePhysics counts.
+class FakeDiagnostics final : public PhysicsDiagnostics {
+ public:
+  std::uint32_t step = 0;
+  std::uint64_t childPairs = 0;
+  ContactReport contacts;
+
+  /// In step n: n pairs that touch finely, three that touch one level coarser, 1, 2 and 3 m apart, and n % 4
+  /// visible overlaps.
+  FidelitySample measureFidelity() const override {
+    return {.touchingPairs = step + 3,
+            .touchingByLevel = {step, 3},
+            .visibleOverlapPairs = step % 4,
+            .contactGaps = {1.0F, 2.0F, 3.0F}};
+  }
+  ContactReport contactReport() const override { return contacts; }
+  CollisionMemory collisionMemory() const override {
+    const std::uint64_t pairs = childPairs / 5;
+    return {.pairs = pairs,
+            .childPairs = childPairs,
+            .pairBytes = 900 * pairs,
+            .childPairBytes = 56 * childPairs,
+            .bodyBytes = 7,
+            .partBytes = 8};
+  }
 };
 
 /// Moves bodies in straight lines and reports numbers that follow from the step count alone.
@@ -86,37 +124,12 @@ class FakePhysics final : public Physics {
     count();
   }
 
-  int level(BodyId /*body*/) const override { return 1; }
-  int levelCount(BodyId /*body*/) const override { return 1; }
-  bool requestLevel(BodyId /*body*/, int /*level*/, Scope /*scope*/) override { return false; }
-  void retractRequest(BodyId /*body*/) override {}
-  void retractAllRequests() override {}
-  int pairLevel(BodyId /*a*/, BodyId /*b*/) const override { return 0; }
-  double budgetUnits() const override { return static_cast<double>(steps_) / 7.0; }
-
-  /// In step n: n pairs that touch finely, three that touch one level coarser, 1, 2 and 3 m apart, and n % 4
-  /// visible overlaps.
-  FidelitySample measureFidelity() const override {
-    const auto step = static_cast<std::uint32_t>(steps_);
-    return {.touchingPairs = step + 3,
-            .touchingByLevel = {step, 3},
-            .visibleOverlapPairs = step % 4,
-            .contactGaps = {1.0F, 2.0F, 3.0F}};
-  }
-  std::span<const LevelEvent> levelEvents() const override { return events_; }
+  LevelSwitching& switching() override { return switching_; }
+  const LevelSwitching& switching() const override { return switching_; }
+  const PhysicsDiagnostics& diagnostics() const override { return diagnostics_; }
   const StepCounters& counters() const override { return counters_; }
   const StageTimes& stageTimes() const override { return stageTimes_; }
   void setProfiling(bool on) override { def_.profiling = on; }
-  ContactReport contactReport() const override { return contacts_; }
-  CollisionMemory collisionMemory() const override {
-    const auto childPairs = static_cast<std::uint64_t>(counters_.pairWork.childPairs);
-    return {.pairs = childPairs / 5,
-            .childPairs = childPairs,
-            .pairBytes = 900 * (childPairs / 5),
-            .childPairBytes = 56 * childPairs,
-            .bodyBytes = 7,
-            .partBytes = 8};
-  }
 
   std::uint64_t stateHash() const override {
     const bool flipped = behaviour_.hashFlipStep != 0 && steps_ >= behaviour_.hashFlipStep;
@@ -156,34 +169,38 @@ class FakePhysics final : public Physics {
       counters_.touchingPairs = 10;
       counters_.touchingFinestPairs = step == 7 ? 9 : 10;
     }
-    events_.clear();
+    switching_.steps = steps_;
+    switching_.events.clear();
     if (hybrid && step == 2) {
       counters_.switchesCoarser = 1;
-      events_ = {{.kind = LevelEventKind::kRequested, .policy = "speed"},
-                 {.kind = LevelEventKind::kSwitched,
-                  .scope = Scope::kGlobal,
-                  .body = BodyId{1},
-                  .from = 3,
-                  .to = 2,
-                  .other = BodyId{4},
-                  .onCredit = true,
-                  .policy = "governor"}};
+      switching_.events = {{.kind = LevelEventKind::kRequested, .policy = "speed"},
+                           {.kind = LevelEventKind::kSwitched,
+                            .scope = Scope::kGlobal,
+                            .body = BodyId{1},
+                            .from = 3,
+                            .to = 2,
+                            .other = BodyId{4},
+                            .onCredit = true,
+                            .policy = "governor"}};
     }
+    diagnostics_.step = step;
+    diagnostics_.childPairs = static_cast<std::uint64_t>(counters_.pairWork.childPairs);
     for (std::size_t stage = 0; stage < kStageCount; ++stage) {
       stageTimes_[stage] = def_.profiling ? static_cast<double>(stage + 1) : 0.0;
     }
   }
 
   void verify() {
-    ++contacts_.steps;
-    contacts_.childPairs += 100;
-    contacts_.expected += 10;
-    contacts_.extra += 1;
-    contacts_.doubtful += 2;
-    contacts_.lastMissed.clear();
+    ContactReport& contacts = diagnostics_.contacts;
+    ++contacts.steps;
+    contacts.childPairs += 100;
+    contacts.expected += 10;
+    contacts.extra += 1;
+    contacts.doubtful += 2;
+    contacts.lastMissed.clear();
     if (steps_ == behaviour_.missedStep) {
-      contacts_.missed += 3;
-      contacts_.lastMissed.assign(
+      contacts.missed += 3;
+      contacts.lastMissed.assign(
           3, {.bodyA = "left", .bodyB = "right", .childA = 4, .childB = -1, .distance = -0.5F});
     }
   }
@@ -194,8 +211,8 @@ class FakePhysics final : public Physics {
   std::vector<BodyState> states_;
   StepCounters counters_;
   StageTimes stageTimes_{};
-  ContactReport contacts_;
-  std::vector<LevelEvent> events_;
+  FakeSwitching switching_;
+  FakeDiagnostics diagnostics_;
 };
 
 /// Two bodies; counts its updates if told where.

@@ -106,7 +106,8 @@ TEST(Hands, TellThePhysicsWhatTheyHold) {
   const BodyId crate = object(*experiment, "crate-2").body();
   const auto held = [&] {
     Observation observed;
-    experiment->world().physics().observe({.bodies = true, .pairs = false, .contacts = false}, observed);
+    experiment->world().physics().diagnostics().observe({.bodies = true, .pairs = false, .contacts = false},
+                                                        observed);
     const auto found = std::find_if(observed.bodies.begin(), observed.bodies.end(),
                                     [crate](const ObservedBody& body) { return body.body == crate; });
     return found != observed.bodies.end() && found->held;
@@ -273,11 +274,11 @@ TEST(Hands, RequestsReachTheWorld) {
   const Physics& physics = experiment->world().physics();
   EXPECT_EQ(hands.requestLevel(std::array{crate.body()}, 1, Scope::kLocal), 1U);
   test::run(*experiment, 3);
-  EXPECT_EQ(physics.level(crate.body()), 1);
-  EXPECT_EQ(physics.level(object(*experiment, "crate-1").body()), 2);
+  EXPECT_EQ(physics.switching().level(crate.body()), 1);
+  EXPECT_EQ(physics.switching().level(object(*experiment, "crate-1").body()), 2);
   EXPECT_EQ(hands.requestLevel(objectsOfModel(experiment->world(), crate), 1, Scope::kGroup), 5U);
   test::run(*experiment, 3);
-  EXPECT_EQ(physics.level(object(*experiment, "crate-1").body()), 1);
+  EXPECT_EQ(physics.switching().level(object(*experiment, "crate-1").body()), 1);
   EXPECT_EQ(hands.requestLevel({}, 9, Scope::kGlobal), 0U);
   const auto kind = [&](LevelEventKind k) { return experiment->levelEvents()[static_cast<std::size_t>(k)]; };
   EXPECT_EQ(kind(LevelEventKind::kSwitched), 5U);
@@ -285,7 +286,7 @@ TEST(Hands, RequestsReachTheWorld) {
   hands.retract({});
   test::run(*experiment, 3);
   EXPECT_EQ(kind(LevelEventKind::kRetracted), 5U);
-  EXPECT_EQ(physics.level(crate.body()), 1);
+  EXPECT_EQ(physics.switching().level(crate.body()), 1);
 }
 
 // Uses every hand there is.

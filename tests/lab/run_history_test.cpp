@@ -24,9 +24,9 @@ Seen look(const World& world) {
   for (const auto& item : world.objects()) {
     seen.bodies.push_back(item->body());
     seen.states.push_back(item->state());
-    seen.levels.push_back(world.physics().level(item->body()));
+    seen.levels.push_back(world.physics().switching().level(item->body()));
   }
-  const auto events = world.physics().levelEvents();
+  const auto events = world.physics().switching().levelEvents();
   seen.events.assign(events.begin(), events.end());
   return seen;
 }
@@ -174,7 +174,7 @@ TEST(RunHistory, KeepsPairsIfAsked) {
   const auto frame = experiment->history().frame(5);
   ASSERT_EQ(frame.pairCount(), 5U);
   const PairLevel pair = frame.pair(0);
-  EXPECT_EQ(pair.level, experiment->world().physics().pairLevel(pair.a, pair.b));
+  EXPECT_EQ(pair.level, experiment->world().physics().switching().pairLevel(pair.a, pair.b));
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ MassProperties massOf(const std::vector<ConvexPart>& parts) {
   return mass.value_or(MassProperties{});
 }
 
-std::string errorOf(const std::vector<ConvexPart>& parts) {
+std::string massErrorOf(const std::vector<ConvexPart>& parts) {
   const Result<MassProperties> mass = massProperties(parts);
   return mass ? "no error" : mass.error().message;
 }
@@ -166,25 +166,25 @@ TEST(MassProperties, RandomHullsObeyTheLaws) {
 
 TEST(MassProperties, ErrorsNameThePart) {
   const ConvexPart good = box(Vec3(1.0F));
-  EXPECT_EQ(errorOf({}), "a solid needs at least one part");
-  EXPECT_EQ(errorOf({good, box({1.0F, 0.0F, 2.0F})}),
+  EXPECT_EQ(massErrorOf({}), "a solid needs at least one part");
+  EXPECT_EQ(massErrorOf({good, box({1.0F, 0.0F, 2.0F})}),
             "part 2: box: half extents (1, 0, 2) must be positive and finite");
-  EXPECT_EQ(errorOf({sphere(-1.0F)}), "part 1: sphere: radius -1 must be positive and finite");
-  EXPECT_EQ(errorOf({capsule(0.0F, 1.0F)}), "part 1: capsule: radius 0 must be positive and finite");
-  EXPECT_EQ(errorOf({capsule(1.0F, -1.0F)}),
+  EXPECT_EQ(massErrorOf({sphere(-1.0F)}), "part 1: sphere: radius -1 must be positive and finite");
+  EXPECT_EQ(massErrorOf({capsule(0.0F, 1.0F)}), "part 1: capsule: radius 0 must be positive and finite");
+  EXPECT_EQ(massErrorOf({capsule(1.0F, -1.0F)}),
             "part 1: capsule: half height -1 must be finite and not negative");
-  EXPECT_EQ(errorOf({cylinder(1.0F, kInfinity)}),
+  EXPECT_EQ(massErrorOf({cylinder(1.0F, kInfinity)}),
             "part 1: cylinder: half height inf must be positive and finite");
-  EXPECT_EQ(errorOf({hull({Vec3(0.0F), Vec3(1.0F)})}),
+  EXPECT_EQ(massErrorOf({hull({Vec3(0.0F), Vec3(1.0F)})}),
             "part 1: convex hull: its 2 vertices are fewer than 4");
-  EXPECT_THAT(errorOf({box({kNan, 1.0F, 1.0F})}), HasSubstr("nan"));
-  EXPECT_THAT(errorOf({box(Vec3(1.0F), {kNan, 0.0F, 0.0F})}),
+  EXPECT_THAT(massErrorOf({box({kNan, 1.0F, 1.0F})}), HasSubstr("nan"));
+  EXPECT_THAT(massErrorOf({box(Vec3(1.0F), {kNan, 0.0F, 0.0F})}),
               HasSubstr("position (nan, 0, 0) is not finite"));
-  EXPECT_THAT(errorOf({{Box{}, {Vec3(0.0F), Quat(2.0F, 0.0F, 0.0F, 0.0F)}}}),
+  EXPECT_THAT(massErrorOf({{Box{}, {Vec3(0.0F), Quat(2.0F, 0.0F, 0.0F, 0.0F)}}}),
               HasSubstr("rotation has length 2"));
-  EXPECT_THAT(errorOf({hull({Vec3(0.0F), Vec3(1.0F), {0.0F, kNan, 0.0F}})}), HasSubstr("vertex 3"));
-  EXPECT_THAT(errorOf({box(Vec3(1e30F))}), HasSubstr("too large"));
-  EXPECT_THAT(errorOf({cylinder(1.0F, 1e-7F)}), HasSubstr("differ by more than"));
+  EXPECT_THAT(massErrorOf({hull({Vec3(0.0F), Vec3(1.0F), {0.0F, kNan, 0.0F}})}), HasSubstr("vertex 3"));
+  EXPECT_THAT(massErrorOf({box(Vec3(1e30F))}), HasSubstr("too large"));
+  EXPECT_THAT(massErrorOf({cylinder(1.0F, 1e-7F)}), HasSubstr("differ by more than"));
 }
 
 }  // namespace

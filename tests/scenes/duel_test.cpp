@@ -63,7 +63,8 @@ DuelLog runDuel(WorldKind kind) {
     scene.step();
     log.counters.push_back(scene.counters());
     log.kineticEnergy.push_back(scene.world.physics().kineticEnergy());
-    for (const LevelEvent& event : scene.world.physics().levelEvents()) log.events.push_back({i, event});
+    for (const LevelEvent& event : scene.world.physics().switching().levelEvents())
+      log.events.push_back({i, event});
   }
   return log;
 }

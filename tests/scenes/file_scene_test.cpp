@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <scatter/io/file.h>
 #include <scatter/io/gltf.h>
 
 #include <glm/geometric.hpp>

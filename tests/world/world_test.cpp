@@ -3,17 +3,28 @@
 #include <scatter/world/world.h>
 
 #include <map>
+#include <span>
+#include <utility>
+#include <vector>
 
 namespace scatter {
 
 namespace {
+
+/// Tells the events that it is given.
+class FakeSwitching final : public LevelSwitching {
+ public:
+  std::vector<LevelEvent> events;
+
+  std::span<const LevelEvent> levelEvents() const override { return events; }
+};
 
 /// Remembers what it is told; nothing moves.
 class FakePhysics final : public Physics {
  public:
   std::map<BodyId, BodyState> bodies;
   std::map<BodyId, Vec3> forces;
-  std::vector<LevelEvent> events;
+  FakeSwitching levels;
   std::vector<float> steps;
   std::string refusal;
 
@@ -46,20 +57,11 @@ class FakePhysics final : public Physics {
   void destroyVehicle(VehicleId) override {}
   std::optional<RayHit> castRay(const Vec3&, const Vec3&) const override { return std::nullopt; }
   void step(float seconds) override { steps.push_back(seconds); }
-  int level(BodyId) const override { return 1; }
-  int levelCount(BodyId) const override { return 1; }
-  bool requestLevel(BodyId, int, Scope) override { return false; }
-  void retractRequest(BodyId) override {}
-  void retractAllRequests() override {}
-  int pairLevel(BodyId, BodyId) const override { return 0; }
-  double budgetUnits() const override { return 0.0; }
-  FidelitySample measureFidelity() const override { return {}; }
-  std::span<const LevelEvent> levelEvents() const override { return events; }
+  LevelSwitching& switching() override { return levels; }
+  const LevelSwitching& switching() const override { return levels; }
   const StepCounters& counters() const override { return counters_; }
   const StageTimes& stageTimes() const override { return times_; }
   void setProfiling(bool) override {}
-  ContactReport contactReport() const override { return {}; }
-  CollisionMemory collisionMemory() const override { return {}; }
   std::uint64_t stateHash() const override { return 0; }
   double kineticEnergy() const override { return 0.0; }
   double maxPenetration() const override { return 0.0; }
@@ -178,11 +180,11 @@ TEST_F(WorldTest, HybridsHearOfTheirRequests) {
   WorldObject& box = add("box");
   std::vector<LevelEventKind> heard;
   a.onLevelEvent = [&heard](const LevelEvent& event) { heard.push_back(event.kind); };
-  physics.events = {{LevelEventKind::kRequested, Scope::kLocal, a.body(), 2, 1},
-                    {LevelEventKind::kBlocked, Scope::kLocal, b.body(), 2, 1},
-                    {LevelEventKind::kBlocked, Scope::kLocal, box.body(), 1, 1},
-                    {LevelEventKind::kBlocked, Scope::kLocal, BodyId{99}, 2, 1},
-                    {LevelEventKind::kSwitched, Scope::kLocal, a.body(), 2, 1}};
+  physics.levels.events = {{LevelEventKind::kRequested, Scope::kLocal, a.body(), 2, 1},
+                           {LevelEventKind::kBlocked, Scope::kLocal, b.body(), 2, 1},
+                           {LevelEventKind::kBlocked, Scope::kLocal, box.body(), 1, 1},
+                           {LevelEventKind::kBlocked, Scope::kLocal, BodyId{99}, 2, 1},
+                           {LevelEventKind::kSwitched, Scope::kLocal, a.body(), 2, 1}};
   world.step(0.1F);
   EXPECT_THAT(heard, testing::ElementsAre(LevelEventKind::kRequested, LevelEventKind::kSwitched));
 }
@@ -194,23 +196,41 @@ TEST_F(WorldTest, HybridMayRemoveItselfWhenItHears) {
     ++heard;
     world.remove(a);
   };
-  physics.events = {{LevelEventKind::kRequested, Scope::kLocal, a.body(), 2, 1},
-                    {LevelEventKind::kSwitched, Scope::kLocal, a.body(), 2, 1}};
+  physics.levels.events = {{LevelEventKind::kRequested, Scope::kLocal, a.body(), 2, 1},
+                           {LevelEventKind::kSwitched, Scope::kLocal, a.body(), 2, 1}};
   world.step(0.1F);
   EXPECT_EQ(heard, 1);
   EXPECT_TRUE(world.objects().empty());
 }
 
 TEST_F(WorldTest, AnEngineThatCannotSwitchSaysSo) {
+  EXPECT_FALSE(physics.setFrozen(BodyId{1}, true));
+  LevelSwitching& switching = physics.Physics::switching();
+  EXPECT_EQ(&switching, &std::as_const(physics).Physics::switching());
+  EXPECT_EQ(switching.level(BodyId{1}), 1);
+  EXPECT_EQ(switching.levelCount(BodyId{1}), 1);
+  EXPECT_FALSE(switching.requestLevel(BodyId{1}, 1, Scope::kLocal));
+  switching.retractRequest(BodyId{1});
+  switching.retractAllRequests();
+  EXPECT_EQ(switching.pairLevel(BodyId{1}, BodyId{2}), 0);
+  EXPECT_EQ(switching.budgetUnits(), 0.0);
+  EXPECT_FALSE(switching.setBudget({.units = 5.0}));
+  EXPECT_FALSE(switching.setPolicies(Policy::kNone, {}));
+  EXPECT_FALSE(switching.setSwitching(Switching::kBody));
+  EXPECT_FALSE(switching.setHeld(BodyId{1}, true));
+  switching.setFocus(ViewFocus{});
+  EXPECT_TRUE(switching.levelEvents().empty());
+}
+
+TEST_F(WorldTest, AnEngineThatTellsNothingLeavesItEmpty) {
+  const PhysicsDiagnostics& diagnostics = physics.diagnostics();
   Observation seen;
   seen.bodies.resize(3);
-  physics.observe({}, seen);
+  diagnostics.observe({}, seen);
   EXPECT_TRUE(seen.bodies.empty());
-  EXPECT_FALSE(physics.setBudget({.units = 5.0}));
-  EXPECT_FALSE(physics.setPolicies(Policy::kNone, {}));
-  EXPECT_FALSE(physics.setSwitching(Switching::kBody));
-  EXPECT_FALSE(physics.setFrozen(BodyId{1}, true));
-  EXPECT_FALSE(physics.setHeld(BodyId{1}, true));
+  EXPECT_EQ(diagnostics.measureFidelity().touchingPairs, 0U);
+  EXPECT_EQ(diagnostics.contactReport().steps, 0U);
+  EXPECT_EQ(diagnostics.collisionMemory().pairs, 0U);
 }
 
 }  // namespace

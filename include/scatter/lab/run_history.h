@@ -117,7 +117,7 @@ class RunHistory::Frame {
   [[nodiscard]] std::span<const BodyId> bodies() const;
   [[nodiscard]] std::optional<std::size_t> find(BodyId body) const;
   [[nodiscard]] Transform pose(std::size_t index) const;
-  [[nodiscard]] int level(std::size_t index) const;  ///< As Physics::level(); at most 127.
+  [[nodiscard]] int level(std::size_t index) const;  ///< As LevelSwitching::level(); at most 127.
   [[nodiscard]] bool asleep(std::size_t index) const;
 
   [[nodiscard]] std::size_t eventCount() const;

@@ -11,7 +11,7 @@
 
 namespace scatter {
 
-/// What Physics::observe() is asked for; what is left out costs nothing.
+/// What PhysicsDiagnostics::observe() is asked for; what is left out costs nothing.
 struct ObservationParts {
   bool bodies = true;
   bool pairs = true;

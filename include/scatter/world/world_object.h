@@ -49,14 +49,14 @@ class HybridObject final : public WorldObject {
  public:
   using WorldObject::WorldObject;
 
-  [[nodiscard]] int level() const { return physics().level(body()); }
-  [[nodiscard]] int levelCount() const { return physics().levelCount(body()); }
+  [[nodiscard]] int level() const { return physics().switching().level(body()); }
+  [[nodiscard]] int levelCount() const { return physics().switching().levelCount(body()); }
 
   /// Asks for a level, 1 the coarsest. False in a standard world.
   bool requestLevel(int level, Scope scope = Scope::kLocal) {
-    return physics().requestLevel(body(), level, scope);
+    return physics().switching().requestLevel(body(), level, scope);
   }
-  void retractRequest() { physics().retractRequest(body()); }
+  void retractRequest() { physics().switching().retractRequest(body()); }
 
   /// Called after the step in which something happened to its requests.
   std::function<void(const LevelEvent&)> onLevelEvent;

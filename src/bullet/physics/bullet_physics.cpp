@@ -8,26 +8,27 @@
 
 #include "bullet/physics/collision_report.h"
 #include "bullet/physics/contact_summary.h"
-#include "bullet/physics/fidelity.h"
 #include "bullet/physics/joints.h"
 #include "bullet/physics/ray.h"
 #include "bullet/physics/state_hash.h"
-#include "bullet/physics/switching_report.h"
 #include "bullet/physics/validation.h"
 #include "bullet/shapes/conversions.h"
 
 namespace scatter {
 
-BulletPhysics::BulletPhysics(const PhysicsDef& def) : def_(def), engine_(def) {
+BulletPhysics::BulletPhysics(const PhysicsDef& def)
+    : kind_(def.world),
+      profiling_(def.profiling),
+      engine_(def),
+      switching_(def.switching, engine_, bodies_),
+      diagnostics_(engine_, bodies_) {
   assert(isFinite(def.gravity) && def.solverIterations > 0);
-  if (engine_.switching() != nullptr) engine_.switching()->setListener(&listener_);
 }
 
 BulletPhysics::~BulletPhysics() {
-  if (engine_.switching() != nullptr) engine_.switching()->setListener(nullptr);
   for (const auto& [id, vehicle] : vehicles_) engine_.world().removeAction(&vehicle->action());
   for (const auto& [id, joint] : joints_) engine_.world().removeConstraint(joint.constraint.get());
-  for (const auto& body : bodies_) {
+  for (const auto& body : bodies_.all()) {
     if (body) engine_.world().removeRigidBody(&body->rigid());
   }
 }
@@ -37,37 +38,19 @@ std::string BulletPhysics::engine() const {
   return "bullet " + std::to_string(version / 100) + "." + std::to_string(version % 100);
 }
 
-BulletBody& BulletPhysics::at(BodyId body) {
-  const auto index = static_cast<std::size_t>(body) - 1;
-  assert(index < bodies_.size() && bodies_[index] && "unknown body");
-  return *bodies_[index];
-}
-
-const BulletBody& BulletPhysics::at(BodyId body) const {
-  return const_cast<BulletPhysics*>(this)->at(body);
-}
-
 Result<BodyId> BulletPhysics::createBody(const BodyDef& def) {
   if (auto valid = validateBody(def); !valid) return tl::unexpected(valid.error());
   auto shape = shapes_.build(def.shape);
   if (!shape) return fail("body \"" + def.name + "\": " + shape.error().message);
 
-  LevelStart start;
-  start.switches = def_.world == WorldKind::kHybrid;
-  const bool byBody = def_.switching.switching == Switching::kBody;
-  if (byBody && def_.switching.policy == Policy::kCoarsest) start.level = 1;
-  const BodyId id{static_cast<std::uint32_t>(bodies_.size() + 1)};
-  bodies_.push_back(std::make_unique<BulletBody>(id, def, std::move(*shape), start));
-  BulletBody& body = *bodies_.back();
+  BulletBody& body = bodies_.make(def, std::move(*shape), switching_.levelStart());
   engine_.world().addRigidBody(&body.rigid(), static_cast<int>(def.group),
                                static_cast<int>(def.collidesWith));
-  ++bodyCount_;
-  if (body.isHybrid()) ++hybridCount_;
-  return id;
+  return body.id();
 }
 
 void BulletPhysics::destroyBody(BodyId body) {
-  BulletBody& leaving = at(body);
+  BulletBody& leaving = bodies_.at(body);
   for (auto it = vehicles_.begin(); it != vehicles_.end();) {
     const VehicleId id = (it++)->first;
     if (&vehicles_.at(id)->chassis() == &leaving) destroyVehicle(id);
@@ -78,18 +61,16 @@ void BulletPhysics::destroyBody(BodyId body) {
   }
   engine_.wakeNeighbours(leaving.rigid());
   engine_.world().removeRigidBody(&leaving.rigid());
-  --bodyCount_;
-  if (leaving.isHybrid()) --hybridCount_;
-  bodies_[static_cast<std::size_t>(body) - 1].reset();
+  bodies_.destroy(body);
 }
 
 BodyState BulletPhysics::state(BodyId body) const {
-  return at(body).state();
+  return bodies_.at(body).state();
 }
 
 void BulletPhysics::setPose(BodyId body, const Transform& pose) {
   assert(isFinite(pose));
-  BulletBody& moved = at(body);
+  BulletBody& moved = bodies_.at(body);
   if (moved.isFrozen()) engine_.wakeNeighbours(moved.rigid());
   moved.setPose(pose);
   // So that rays find it where it is now.
@@ -98,7 +79,7 @@ void BulletPhysics::setPose(BodyId body, const Transform& pose) {
 
 void BulletPhysics::setVelocity(BodyId body, const Vec3& linear, const Vec3& angular) {
   assert(isFinite(linear) && isFinite(angular));
-  BulletBody& moved = at(body);
+  BulletBody& moved = bodies_.at(body);
   if (!moved.isDynamic() || moved.isFrozen()) return;
   moved.rigid().setLinearVelocity(toBullet(linear));
   moved.rigid().setAngularVelocity(toBullet(angular));
@@ -106,11 +87,11 @@ void BulletPhysics::setVelocity(BodyId body, const Vec3& linear, const Vec3& ang
 }
 
 void BulletPhysics::activate(BodyId body) {
-  at(body).wake();
+  bodies_.at(body).wake();
 }
 
 void BulletPhysics::applyForce(BodyId body, const Vec3& force, const Vec3& point, bool wake) {
-  BulletBody& pushed = at(body);
+  BulletBody& pushed = bodies_.at(body);
   if (wake) pushed.wake();
   // An asleep body would keep the force for when something wakes it in the middle of the step.
   if (!pushed.rigid().isActive()) return;
@@ -118,20 +99,20 @@ void BulletPhysics::applyForce(BodyId body, const Vec3& force, const Vec3& point
 }
 
 void BulletPhysics::applyCentralForce(BodyId body, const Vec3& force, bool wake) {
-  BulletBody& pushed = at(body);
+  BulletBody& pushed = bodies_.at(body);
   if (wake) pushed.wake();
   if (!pushed.rigid().isActive()) return;
   pushed.rigid().applyCentralForce(toBullet(force));
 }
 
 void BulletPhysics::applyTorque(BodyId body, const Vec3& torque) {
-  BulletBody& turned = at(body);
+  BulletBody& turned = bodies_.at(body);
   turned.wake();
   turned.rigid().applyTorque(toBullet(torque));
 }
 
 void BulletPhysics::applyImpulse(BodyId body, const Vec3& impulse, const Vec3& point) {
-  BulletBody& pushed = at(body);
+  BulletBody& pushed = bodies_.at(body);
   pushed.wake();
   pushed.rigid().applyImpulse(toBullet(impulse), toBullet(point) - pushed.rigid().getCenterOfMassPosition());
 }
@@ -140,7 +121,7 @@ void BulletPhysics::setGravity(const Vec3& gravity) {
   assert(isFinite(gravity));
   engine_.world().setGravity(toBullet(gravity));
   // Bullet's own leaves out the bodies that are asleep.
-  for (const auto& body : bodies_) {
+  for (const auto& body : bodies_.all()) {
     if (!body || !body->isDynamic()) continue;
     body->rigid().setGravity(toBullet(gravity));
     body->wake();
@@ -148,8 +129,8 @@ void BulletPhysics::setGravity(const Vec3& gravity) {
 }
 
 Result<JointId> BulletPhysics::createJoint(const JointDef& def) {
-  BulletBody& a = at(def.bodyA);
-  BulletBody& b = at(def.bodyB);
+  BulletBody& a = bodies_.at(def.bodyA);
+  BulletBody& b = bodies_.at(def.bodyB);
   const std::string joint = "joint between \"" + a.name() + "\" and \"" + b.name() + "\"";
   if (&a == &b) return fail(joint + ": a body cannot be joined to itself");
   if (!a.isDynamic() && !b.isDynamic()) return fail(joint + ": at least one body must be dynamic");
@@ -170,13 +151,13 @@ void BulletPhysics::destroyJoint(JointId joint) {
   const auto found = joints_.find(joint);
   assert(found != joints_.end() && "unknown joint");
   engine_.world().removeConstraint(found->second.constraint.get());
-  at(found->second.a).wake();
-  at(found->second.b).wake();
+  bodies_.at(found->second.a).wake();
+  bodies_.at(found->second.b).wake();
   joints_.erase(found);
 }
 
 Result<VehicleId> BulletPhysics::createVehicle(const VehicleDef& def) {
-  BulletBody& chassis = at(def.chassis);
+  BulletBody& chassis = bodies_.at(def.chassis);
   const std::string vehicle = "vehicle on \"" + chassis.name() + "\"";
   if (!chassis.isDynamic()) return fail(vehicle + ": the chassis must be dynamic");
   if (auto valid = validateVehicle(def, vehicle); !valid) return tl::unexpected(valid.error());
@@ -211,21 +192,18 @@ std::optional<RayHit> BulletPhysics::castRay(const Vec3& from, const Vec3& to) c
 
 void BulletPhysics::step(float seconds) {
   assert(isFinite(seconds) && seconds > 0.0F);
-  if (auto* hybrid = engine_.switching()) {
-    hybrid->setLoadIsFine(counters_.narrowphasePairs < def_.switching.loadFinePairs);
-  }
+  switching_.beginStep(counters_);
   engine_.dispatcher().resetCounts();
   {
     const NewContactCounter newContacts;
     runStep(seconds);
   }
-  listener_.endSpan();
   countStep(NewContactCounter::count());
 }
 
 void BulletPhysics::runStep(float seconds) {
   // No sub-steps: exactly one, of the length asked for.
-  if (!def_.profiling) {
+  if (!profiling_) {
     engine_.world().stepSimulation(seconds, 0);
     return;
   }
@@ -240,8 +218,8 @@ void BulletPhysics::countStep(std::uint32_t newContacts) {
   const PairCounts& pairs = engine_.dispatcher().counts();
   const ContactSummary contacts = summarizeContacts(engine_.dispatcher());
   counters_ = {};
-  counters_.objects = bodyCount_;
-  counters_.hybrids = hybridCount_;
+  counters_.objects = bodies_.count();
+  counters_.hybrids = bodies_.hybridCount();
   counters_.overlappingPairs =
       static_cast<std::uint32_t>(engine_.world().getPairCache()->getNumOverlappingPairs());
   counters_.narrowphasePairs = pairs.all;
@@ -252,67 +230,36 @@ void BulletPhysics::countStep(std::uint32_t newContacts) {
   counters_.contacts = contacts.contacts;
   counters_.newContacts = newContacts;
   maxPenetration_ = static_cast<double>(contacts.deepest);
-  if (auto* hybrid = engine_.switching()) {
-    addBodyCounts(hybrid->getStepInfo(), counters_);
-    if (switchesByPair()) {
-      const btHybridPairStepInfo info = hybrid->getPairStepInfo();
-      addPairCounts(info, counters_);
-      budgetUnits_ = info.m_budgetUnits;
-    }
+  switching_.endStep(counters_);
+  if (const auto* hybrid = engine_.switching()) {
     counters_.pairWork = hybrid->getCollisionCounts();
   }
 }
 
-int BulletPhysics::level(BodyId body) const {
-  return at(body).level();
-}
-
-int BulletPhysics::levelCount(BodyId body) const {
-  return at(body).levelCount();
-}
-
-int BulletPhysics::pairLevel(BodyId a, BodyId b) const {
-  const btHybridDynamicsWorld* hybrid = engine_.switching();
-  return hybrid != nullptr ? hybrid->getPairLevel(&at(a).rigid(), &at(b).rigid()) : 0;
-}
-
-FidelitySample BulletPhysics::measureFidelity() const {
-  return measureBulletFidelity(engine_.world());
-}
-
-bool BulletPhysics::requestLevel(BodyId body, int level, Scope scope) {
-  BulletBody& asked = at(body);
-  if (asked.switching() == nullptr) return false;
-  return engine_.switching()->requestLevel(asked.switching(), level, scope);
-}
-
-void BulletPhysics::retractRequest(BodyId body) {
-  BulletBody& asked = at(body);
-  if (asked.switching() != nullptr) engine_.switching()->retractRequest(asked.switching());
-}
-
-void BulletPhysics::retractAllRequests() {
-  if (engine_.switching() != nullptr) engine_.switching()->retractAllRequests();
+bool BulletPhysics::setFrozen(BodyId body, bool frozen) {
+  BulletBody& target = bodies_.at(body);
+  if (!target.isDynamic()) return false;
+  if (target.isFrozen() == frozen) return true;
+  if (frozen) {
+    target.freeze();
+    engine_.forgetStillContacts(target.rigid());
+  } else {
+    engine_.wakeNeighbours(target.rigid());
+    target.thaw();
+    // While it was frozen it had no pairs with what it came to lie on.
+    engine_.world().refreshBroadphaseProxy(&target.rigid());
+  }
+  return true;
 }
 
 void BulletPhysics::setProfiling(bool on) {
-  def_.profiling = on;
+  profiling_ = on;
   if (!on) stageTimes_ = {};
-}
-
-ContactReport BulletPhysics::contactReport() const {
-  const btHybridDynamicsWorld* hybrid = engine_.switching();
-  return hybrid != nullptr ? fromBullet(hybrid->getContactReport()) : ContactReport{};
-}
-
-CollisionMemory BulletPhysics::collisionMemory() const {
-  const btHybridDynamicsWorld* hybrid = engine_.switching();
-  return hybrid != nullptr ? fromBullet(hybrid->getCollisionMemory()) : CollisionMemory{};
 }
 
 std::uint64_t BulletPhysics::stateHash() const {
   StateHash hash;
-  for (const auto& body : bodies_) {
+  for (const auto& body : bodies_.all()) {
     if (body) hash.add(*body);
   }
   return hash.value();
@@ -320,16 +267,17 @@ std::uint64_t BulletPhysics::stateHash() const {
 
 double BulletPhysics::kineticEnergy() const {
   double energy = 0.0;
-  for (const auto& body : bodies_) {
+  for (const auto& body : bodies_.all()) {
     if (body) energy += body->kineticEnergy();
   }
   return energy;
 }
 
 std::optional<BodyId> BulletPhysics::findInvalidState() const {
-  const auto found = std::find_if(bodies_.begin(), bodies_.end(),
+  const auto bodies = bodies_.all();
+  const auto found = std::find_if(bodies.begin(), bodies.end(),
                                   [](const auto& body) { return body && !body->isFiniteNow(); });
-  if (found == bodies_.end()) return std::nullopt;
+  if (found == bodies.end()) return std::nullopt;
   return (*found)->id();
 }
 

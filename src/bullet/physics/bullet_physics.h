@@ -3,11 +3,12 @@
 #include <scatter/bullet/bullet_physics.h>
 
 #include <map>
-#include <vector>
+#include <memory>
 
-#include "bullet/physics/body.h"
+#include "bullet/physics/bodies.h"
+#include "bullet/physics/bullet_diagnostics.h"
+#include "bullet/physics/bullet_switching.h"
 #include "bullet/physics/engine.h"
-#include "bullet/physics/level_listener.h"
 #include "bullet/physics/shapes.h"
 #include "bullet/physics/vehicle.h"
 
@@ -19,7 +20,7 @@ class BulletPhysics final : public Physics {
   ~BulletPhysics() override;
 
   [[nodiscard]] std::string engine() const override;
-  [[nodiscard]] WorldKind kind() const override { return def_.world; }
+  [[nodiscard]] WorldKind kind() const override { return kind_; }
 
   [[nodiscard]] Result<BodyId> createBody(const BodyDef& def) override;
   void destroyBody(BodyId body) override;
@@ -43,28 +44,15 @@ class BulletPhysics final : public Physics {
 
   void step(float seconds) override;
 
-  [[nodiscard]] int level(BodyId body) const override;
-  [[nodiscard]] int levelCount(BodyId body) const override;
-  [[nodiscard]] int pairLevel(BodyId a, BodyId b) const override;
-  [[nodiscard]] double budgetUnits() const override { return budgetUnits_; }
-  bool setBudget(const BudgetDef& budget) override;
-  [[nodiscard]] Result<void> setPolicies(Policy policy, const std::vector<std::string>& policies) override;
-  [[nodiscard]] Result<void> setSwitching(Switching switching) override;
   bool setFrozen(BodyId body, bool frozen) override;
-  bool setHeld(BodyId body, bool held) override;
-  void setFocus(const std::optional<ViewFocus>& focus) override;
-  void observe(const ObservationParts& parts, Observation& out) const override;
-  [[nodiscard]] FidelitySample measureFidelity() const override;
-  bool requestLevel(BodyId body, int level, Scope scope) override;
-  void retractRequest(BodyId body) override;
-  void retractAllRequests() override;
-  [[nodiscard]] std::span<const LevelEvent> levelEvents() const override { return listener_.events(); }
+
+  [[nodiscard]] BulletSwitching& switching() override { return switching_; }
+  [[nodiscard]] const BulletSwitching& switching() const override { return switching_; }
+  [[nodiscard]] const BulletDiagnostics& diagnostics() const override { return diagnostics_; }
 
   [[nodiscard]] const StepCounters& counters() const override { return counters_; }
   [[nodiscard]] const StageTimes& stageTimes() const override { return stageTimes_; }
   void setProfiling(bool on) override;
-  [[nodiscard]] ContactReport contactReport() const override;
-  [[nodiscard]] CollisionMemory collisionMemory() const override;
 
   [[nodiscard]] std::uint64_t stateHash() const override;
   [[nodiscard]] double kineticEnergy() const override;
@@ -78,31 +66,22 @@ class BulletPhysics final : public Physics {
     BodyId b{};
   };
 
-  [[nodiscard]] BulletBody& at(BodyId body);
-  [[nodiscard]] const BulletBody& at(BodyId body) const;
-  [[nodiscard]] bool switchesByPair() const;
-  void askAllBodies();
-  void applyFocus();
   void runStep(float seconds);
   void countStep(std::uint32_t newContacts);
 
-  PhysicsDef def_;
+  WorldKind kind_;
+  bool profiling_;
   BulletShapeBuilder shapes_;
-  LevelListener listener_;
   BulletEngine engine_;
-
-  /// By id, which is one more than the index; null once destroyed.
-  std::vector<std::unique_ptr<BulletBody>> bodies_;
-  std::uint32_t bodyCount_ = 0;
-  std::uint32_t hybridCount_ = 0;
+  BulletBodies bodies_;
+  BulletSwitching switching_;
+  BulletDiagnostics diagnostics_;
 
   std::map<JointId, Joint> joints_;
   std::map<VehicleId, std::unique_ptr<BulletVehicle>> vehicles_;
   std::uint32_t lastJoint_ = 0;
   std::uint32_t lastVehicle_ = 0;
 
-  std::optional<ViewFocus> focus_;
-  double budgetUnits_ = 0.0;
   StepCounters counters_;
   StageTimes stageTimes_{};
   double maxPenetration_ = 0.0;

@@ -88,7 +88,7 @@ void showWorld(const Pane& pane, BodyId body) {
   const Observation& observed = pane.observed();
   for (const ObservedBody& one : observed.bodies) {
     if (one.body != body) continue;
-    const int levels = world.physics().levelCount(body);
+    const int levels = world.physics().switching().levelCount(body);
     if (levels > 1) ImGui::Text("levels in use %d to %d of %d", one.coarsestLevel, one.finestLevel, levels);
     if (one.frozen) ImGui::TextUnformatted("frozen");
     if (one.request) showRequest(world, *one.request);

@@ -212,14 +212,14 @@ TEST(BulletWorld, PolicyDecidesWhereBodiesBegin) {
   def.switching.policy = Policy::kCoarsest;
   auto coarsest = makeBulletPhysics(def);
   const BodyId body = createIn(*coarsest, bodyAt({}, cubeLevels()));
-  EXPECT_EQ(coarsest->level(body), 1);
+  EXPECT_EQ(coarsest->switching().level(body), 1);
   for (int i = 0; i < 100; ++i) coarsest->step(kStep);
-  EXPECT_EQ(coarsest->level(body), 1);
+  EXPECT_EQ(coarsest->switching().level(body), 1);
   EXPECT_EQ(coarsest->counters().switchesFiner, 0U);
 
   def.world = WorldKind::kStandard;
   auto standard = makeBulletPhysics(def);
-  EXPECT_EQ(standard->level(createIn(*standard, bodyAt({}, cubeLevels()))), 2);
+  EXPECT_EQ(standard->switching().level(createIn(*standard, bodyAt({}, cubeLevels()))), 2);
 }
 
 namespace {
@@ -240,7 +240,7 @@ std::uint32_t requestsOnApproach(std::uint32_t loadFinePairs) {
   std::uint32_t requests = 0;
   for (int i = 0; i < 70; ++i) {
     physics->step(kStep);
-    for (const LevelEvent& event : physics->levelEvents()) {
+    for (const LevelEvent& event : physics->switching().levelEvents()) {
       requests += event.kind == LevelEventKind::kRequested && event.to == 1 ? 1U : 0U;
     }
   }
@@ -261,30 +261,30 @@ TEST(BulletWorld, EventsOfCallsBetweenStepsBelongToTheNextStep) {
   auto physics = makeBulletPhysics(def);
   const BodyId body = createIn(*physics, bodyAt({}, cubeLevels()));
   physics->step(kStep);
-  EXPECT_TRUE(physics->requestLevel(body, 1, Scope::kGlobal));
-  physics->retractRequest(body);
-  EXPECT_TRUE(physics->levelEvents().empty());
+  EXPECT_TRUE(physics->switching().requestLevel(body, 1, Scope::kGlobal));
+  physics->switching().retractRequest(body);
+  EXPECT_TRUE(physics->switching().levelEvents().empty());
   physics->step(kStep);
-  ASSERT_EQ(physics->levelEvents().size(), 2U);
-  EXPECT_EQ(physics->levelEvents()[0].kind, LevelEventKind::kRequested);
-  EXPECT_EQ(physics->levelEvents()[0].scope, Scope::kGlobal);
-  EXPECT_EQ(physics->levelEvents()[1].kind, LevelEventKind::kRetracted);
+  ASSERT_EQ(physics->switching().levelEvents().size(), 2U);
+  EXPECT_EQ(physics->switching().levelEvents()[0].kind, LevelEventKind::kRequested);
+  EXPECT_EQ(physics->switching().levelEvents()[0].scope, Scope::kGlobal);
+  EXPECT_EQ(physics->switching().levelEvents()[1].kind, LevelEventKind::kRetracted);
   EXPECT_EQ(physics->counters().retractions, 1U);
   EXPECT_EQ(physics->counters().requests, 0U);
-  EXPECT_EQ(physics->level(body), 2);
+  EXPECT_EQ(physics->switching().level(body), 2);
   physics->step(kStep);
-  EXPECT_TRUE(physics->levelEvents().empty());
+  EXPECT_TRUE(physics->switching().levelEvents().empty());
 }
 
 TEST(BulletWorld, RequestOfADestroyedBodyIsRetracted) {
   auto physics = makeWorld(WorldKind::kHybrid);
   const BodyId body = createIn(*physics, bodyAt({}, cubeLevels()));
-  EXPECT_TRUE(physics->requestLevel(body, 1, Scope::kLocal));
+  EXPECT_TRUE(physics->switching().requestLevel(body, 1, Scope::kLocal));
   physics->destroyBody(body);
   physics->step(kStep);
-  ASSERT_EQ(physics->levelEvents().size(), 2U);
-  EXPECT_EQ(physics->levelEvents()[1].kind, LevelEventKind::kRetracted);
-  EXPECT_EQ(physics->levelEvents()[1].body, body);
+  ASSERT_EQ(physics->switching().levelEvents().size(), 2U);
+  EXPECT_EQ(physics->switching().levelEvents()[1].kind, LevelEventKind::kRetracted);
+  EXPECT_EQ(physics->switching().levelEvents()[1].body, body);
 }
 
 TEST(BulletShapes, BodiesOfALevelSetShareOneShape) {

@@ -38,11 +38,11 @@ TEST(CollisionReport, ThePairAlgorithmCountsItsWorkAndMemory) {
   for (int i = 0; i < 120; ++i) {
     physics->step(kStep);
     childPairs += physics->counters().pairWork.childPairs;
-    mostPairs = std::max(mostPairs, physics->collisionMemory().pairs);
+    mostPairs = std::max(mostPairs, physics->diagnostics().collisionMemory().pairs);
   }
   EXPECT_GT(childPairs, 0);
   EXPECT_GT(mostPairs, 0U);
-  EXPECT_GT(physics->collisionMemory().partBytes, 0U);
+  EXPECT_GT(physics->diagnostics().collisionMemory().partBytes, 0U);
 }
 
 TEST(CollisionReport, TheEnginesOwnCollisionAndTheStandardWorldCountNothing) {
@@ -52,15 +52,15 @@ TEST(CollisionReport, TheEnginesOwnCollisionAndTheStandardWorldCountNothing) {
     run(*physics, 60);
     EXPECT_EQ(physics->counters().pairWork.childPairs, 0);
     EXPECT_EQ(physics->counters().pairWork.gjkRuns, 0);
-    EXPECT_EQ(physics->collisionMemory().childPairs, 0U);
+    EXPECT_EQ(physics->diagnostics().collisionMemory().childPairs, 0U);
   }
 }
 
 TEST(CollisionReport, VerifiesEveryNthStepAndMissesNothing) {
   const auto physics = makeStack(WorldKind::kHybrid, {.verifyEvery = 10});
-  EXPECT_EQ(physics->contactReport().steps, 0U);
+  EXPECT_EQ(physics->diagnostics().contactReport().steps, 0U);
   run(*physics, 100);
-  const ContactReport report = physics->contactReport();
+  const ContactReport report = physics->diagnostics().contactReport();
   EXPECT_EQ(report.steps, 10U);
   EXPECT_GT(report.expected, 0U);
   EXPECT_EQ(report.missed, 0U);
@@ -72,7 +72,7 @@ TEST(CollisionReport, NothingIsVerifiedUnlessAskedFor) {
   const auto standard = makeStack(WorldKind::kStandard, {.verifyEvery = 1});
   for (Physics* physics : {never.get(), standard.get()}) {
     run(*physics, 30);
-    EXPECT_EQ(physics->contactReport().steps, 0U);
+    EXPECT_EQ(physics->diagnostics().contactReport().steps, 0U);
   }
 }
 

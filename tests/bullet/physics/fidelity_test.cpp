@@ -34,13 +34,13 @@ std::unique_ptr<Physics> makeHeap(const PhysicsDef& def) {
 
 std::uint32_t touchingAfter(Physics& physics, int steps) {
   for (int i = 0; i < steps; ++i) physics.step(kStep);
-  return physics.measureFidelity().touchingPairs;
+  return physics.diagnostics().measureFidelity().touchingPairs;
 }
 
 TEST(BulletFidelity, MeasuresAStandardWorldAtItsFinestLevel) {
   const auto physics = makeHeap(worldOf(WorldKind::kStandard));
   EXPECT_GT(touchingAfter(*physics, 240), 3U);
-  const FidelitySample sample = physics->measureFidelity();
+  const FidelitySample sample = physics->diagnostics().measureFidelity();
   ASSERT_EQ(sample.touchingByLevel.size(), 1U);
   EXPECT_EQ(sample.touchingByLevel[0], sample.touchingPairs);
   EXPECT_TRUE(sample.contactGaps.empty());
@@ -49,7 +49,7 @@ TEST(BulletFidelity, MeasuresAStandardWorldAtItsFinestLevel) {
 TEST(BulletFidelity, EveryBodyAtLevelOneTouchesCoarselyWithAGap) {
   const auto physics = makeHeap(worldOf(WorldKind::kHybrid, Switching::kBody, Policy::kCoarsest));
   EXPECT_GT(touchingAfter(*physics, 240), 3U);
-  const FidelitySample sample = physics->measureFidelity();
+  const FidelitySample sample = physics->diagnostics().measureFidelity();
   EXPECT_EQ(sample.touchingByLevel.at(0), 0U);
   EXPECT_EQ(sample.contactGaps.size(), sample.touchingPairs);
   for (const float gap : sample.contactGaps) EXPECT_GE(gap, 0.0F);
@@ -65,7 +65,7 @@ TEST(BulletFidelity, MeasuringChangesNoWorld) {
     for (int i = 0; i < 200; ++i) {
       measured->step(kStep);
       left->step(kStep);
-      if (i % 3 == 0) static_cast<void>(measured->measureFidelity());
+      if (i % 3 == 0) static_cast<void>(measured->diagnostics().measureFidelity());
       ASSERT_EQ(measured->stateHash(), left->stateHash()) << i;
     }
   }
@@ -74,8 +74,8 @@ TEST(BulletFidelity, MeasuringChangesNoWorld) {
 TEST(BulletFidelity, IsTheSameWhenMeasuredTwice) {
   const auto physics = makeHeap(worldOf(WorldKind::kHybrid, Switching::kBody, Policy::kCoarsest));
   EXPECT_GT(touchingAfter(*physics, 100), 0U);
-  const FidelitySample first = physics->measureFidelity();
-  const FidelitySample second = physics->measureFidelity();
+  const FidelitySample first = physics->diagnostics().measureFidelity();
+  const FidelitySample second = physics->diagnostics().measureFidelity();
   EXPECT_EQ(first.touchingByLevel, second.touchingByLevel);
   EXPECT_EQ(first.visibleOverlapPairs, second.visibleOverlapPairs);
   EXPECT_EQ(first.contactGaps, second.contactGaps);

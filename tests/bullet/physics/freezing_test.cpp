@@ -40,7 +40,7 @@ TEST(Freezing, KeepsABodyInPlaceAndOthersCollideWithIt) {
         << "it lies on the frozen one";
     EXPECT_LT(glm::length(physics->state(falling).linearVelocity), 0.05F);
     Observation seen;
-    physics->observe({}, seen);
+    physics->diagnostics().observe({}, seen);
     EXPECT_TRUE(seen.bodies[0].frozen);
     EXPECT_EQ(seen.bodies[0].island, -1);
     EXPECT_FALSE(seen.bodies[1].frozen);

@@ -14,7 +14,7 @@ namespace {
 
 Observation observe(const Physics& physics, const ObservationParts& parts = {}) {
   Observation seen;
-  physics.observe(parts, seen);
+  physics.diagnostics().observe(parts, seen);
   return seen;
 }
 
@@ -156,7 +156,7 @@ TEST(Observation, PairsOfAStandardWorldHaveNoLevels) {
 TEST(Observation, LevelsInUseAreThoseOfTheBodysPairs) {
   TwoCubes w(worldOf(WorldKind::kHybrid), 0.09F);
   const BodyId c = create(*w.physics, bodyAt({0.0F, 1.12F, 0.0F}, cubeLevels()));
-  ASSERT_TRUE(w.physics->requestLevel(c, 1, Scope::kLocal));
+  ASSERT_TRUE(w.physics->switching().requestLevel(c, 1, Scope::kLocal));
   w.step();
   EXPECT_EQ(pairIn(*w.physics, w.a, w.b).level, 2);
   EXPECT_EQ(pairIn(*w.physics, w.a, c).level, 1);
@@ -168,7 +168,7 @@ TEST(Observation, LevelsInUseAreThoseOfTheBodysPairs) {
 TEST(Observation, BodyRequestIsBlockedByTheBodyInItsWay) {
   TwoCubes w(worldOf(WorldKind::kHybrid, Switching::kBody), 0.02F);
   w.step();
-  ASSERT_TRUE(w.physics->requestLevel(w.a, 1, Scope::kGroup));
+  ASSERT_TRUE(w.physics->switching().requestLevel(w.a, 1, Scope::kGroup));
   ObservedRequest request = bodyIn(*w.physics, w.a).request.value();
   EXPECT_EQ(request.target, 1);
   EXPECT_EQ(request.scope, Scope::kGroup);
@@ -203,7 +203,7 @@ TEST(Observation, RequestOfASleepingBodyWaitsForItToWake) {
   const BodyId body = create(*physics, box);
   stepBy(*physics, 300);
   ASSERT_TRUE(bodyIn(*physics, body).asleep);
-  ASSERT_TRUE(physics->requestLevel(body, 1, Scope::kLocal));
+  ASSERT_TRUE(physics->switching().requestLevel(body, 1, Scope::kLocal));
   stepBy(*physics, 5);
   EXPECT_EQ(bodyIn(*physics, body).request.value().state, RequestState::kAsleep);
   EXPECT_EQ(bodyIn(*physics, body).request.value().waitingSteps, 5U);
@@ -214,7 +214,7 @@ TEST(Observation, PairRequestIsBlockedWithoutCredit) {
   def.switching.credit = false;
   TwoCubes w(def, 0.0F);
   w.step();
-  ASSERT_TRUE(w.physics->requestLevel(w.a, 1, Scope::kLocal));
+  ASSERT_TRUE(w.physics->switching().requestLevel(w.a, 1, Scope::kLocal));
   EXPECT_EQ(bodyIn(*w.physics, w.a).request.value().state, RequestState::kUntried);
   w.step();
   const ObservedRequest ofPair = pairIn(*w.physics, w.a, w.b).request.value();
@@ -239,7 +239,7 @@ TEST(Observation, PairOnCreditShowsWhatItKeeps) {
   TwoCubes w(def, 0.0F);
   w.step();
   EXPECT_FALSE(pairIn(*w.physics, w.a, w.b).credited);
-  ASSERT_TRUE(w.physics->requestLevel(w.a, 1, Scope::kLocal));
+  ASSERT_TRUE(w.physics->switching().requestLevel(w.a, 1, Scope::kLocal));
   w.step();
   const ObservedPair pair = pairIn(*w.physics, w.a, w.b);
   EXPECT_TRUE(pair.credited);
@@ -261,11 +261,11 @@ TEST(Observation, IsEmptyWhereNothingIsAskedFor) {
   EXPECT_EQ(seen.bodies.size(), 2U);
   EXPECT_EQ(seen.pairs.size(), 1U);
   EXPECT_FALSE(seen.contacts.empty());
-  w.physics->observe({.bodies = false, .pairs = false, .contacts = true}, seen);
+  w.physics->diagnostics().observe({.bodies = false, .pairs = false, .contacts = true}, seen);
   EXPECT_TRUE(seen.bodies.empty());
   EXPECT_TRUE(seen.pairs.empty());
   EXPECT_FALSE(seen.contacts.empty());
-  w.physics->observe({.bodies = false, .pairs = false, .contacts = false}, seen);
+  w.physics->diagnostics().observe({.bodies = false, .pairs = false, .contacts = false}, seen);
   EXPECT_TRUE(seen.contacts.empty());
 }
 
@@ -302,7 +302,7 @@ TEST(Observation, ChangesNoWorld) {
       }
       observed.step();
       left.step();
-      observed.physics().observe({}, seen);
+      observed.physics().diagnostics().observe({}, seen);
       contacts += seen.contacts.size();
       ASSERT_EQ(observed.physics().stateHash(), left.physics().stateHash()) << "step " << i;
     }
@@ -333,7 +333,7 @@ TEST(Observation, AgreesWithTheCounters) {
       const Observation seen = observe(swarm.physics());
       expectCounted(seen, swarm.physics().counters());
       for (const ObservedPair& pair : seen.pairs) {
-        ASSERT_EQ(pair.level, swarm.physics().pairLevel(pair.a, pair.b));
+        ASSERT_EQ(pair.level, swarm.physics().switching().pairLevel(pair.a, pair.b));
       }
     }
   }

@@ -23,7 +23,7 @@ struct LevelCount {
 
 LevelCount countLevels(const Physics& physics) {
   Observation seen;
-  physics.observe({.bodies = false, .pairs = true, .contacts = false}, seen);
+  physics.diagnostics().observe({.bodies = false, .pairs = true, .contacts = false}, seen);
   LevelCount count;
   for (const ObservedPair& pair : seen.pairs) {
     if (pair.levelCount == 0) continue;
@@ -38,12 +38,12 @@ TEST(BudgetAtRunTime, TakesDetailAwayAndGivesItBack) {
   EXPECT_EQ(countLevels(swarm.physics()).coarse, 0);
   ASSERT_TRUE(swarm.squeeze());
   swarm.step(60);
-  EXPECT_EQ(swarm.physics().budgetUnits(), 80.0);
+  EXPECT_EQ(swarm.physics().switching().budgetUnits(), 80.0);
   EXPECT_GT(countLevels(swarm.physics()).coarse, 20);
   const int coarse = countLevels(swarm.physics()).coarse;
-  ASSERT_TRUE(swarm.physics().setBudget({}));
+  ASSERT_TRUE(swarm.physics().switching().setBudget({}));
   swarm.step(240);
-  EXPECT_EQ(swarm.physics().budgetUnits(), 0.0);
+  EXPECT_EQ(swarm.physics().switching().budgetUnits(), 0.0);
   EXPECT_LT(countLevels(swarm.physics()).coarse, coarse);
 }
 
@@ -54,16 +54,16 @@ TEST(BudgetAtRunTime, IsTheSameEveryTime) {
     for (Swarm* swarm : {&first, &second}) {
       Physics& physics = swarm->physics();
       if (i == 130) {
-        EXPECT_TRUE(physics.setBudget({.units = 150.0}));
+        EXPECT_TRUE(physics.switching().setBudget({.units = 150.0}));
       }
       if (i == 180) {
-        EXPECT_TRUE(physics.setPolicies(Policy::kNone, {"speed", "contact-time"}));
+        EXPECT_TRUE(physics.switching().setPolicies(Policy::kNone, {"speed", "contact-time"}));
       }
       if (i == 220) {
         EXPECT_TRUE(swarm->squeeze());
       }
       if (i == 260) {
-        EXPECT_TRUE(physics.setPolicies(Policy::kProximity, {}));
+        EXPECT_TRUE(physics.switching().setPolicies(Policy::kProximity, {}));
       }
       swarm->step();
     }
@@ -72,24 +72,26 @@ TEST(BudgetAtRunTime, IsTheSameEveryTime) {
 }
 
 TEST(BudgetAtRunTime, NeedsPairSwitching) {
-  EXPECT_FALSE(makeBulletPhysics(worldOf(WorldKind::kStandard))->setBudget({.units = 80.0}));
-  EXPECT_FALSE(makeBulletPhysics(worldOf(WorldKind::kHybrid, Switching::kBody))->setBudget({.units = 80.0}));
+  EXPECT_FALSE(makeBulletPhysics(worldOf(WorldKind::kStandard))->switching().setBudget({.units = 80.0}));
+  EXPECT_FALSE(makeBulletPhysics(worldOf(WorldKind::kHybrid, Switching::kBody))
+                   ->switching()
+                   .setBudget({.units = 80.0}));
 }
 
 TEST(PoliciesAtRunTime, ReplaceThoseBefore) {
   Swarm swarm(worldOf(WorldKind::kHybrid));
   swarm.step(160);
-  ASSERT_TRUE(swarm.physics().setPolicies(Policy::kCoarsest, {}));
+  ASSERT_TRUE(swarm.physics().switching().setPolicies(Policy::kCoarsest, {}));
   swarm.step();
   EXPECT_EQ(countLevels(swarm.physics()).finest, 0) << "on credit where they touch";
-  ASSERT_TRUE(swarm.physics().setPolicies(Policy::kNone, {}));
+  ASSERT_TRUE(swarm.physics().switching().setPolicies(Policy::kNone, {}));
   swarm.step(240);
   EXPECT_GT(countLevels(swarm.physics()).finest, 20);
 }
 
 TEST(PoliciesAtRunTime, RefuseWhatIsNotKnownAndStay) {
   Swarm swarm(worldOf(WorldKind::kHybrid, Switching::kPair, Policy::kCoarsest));
-  const auto set = swarm.physics().setPolicies(Policy::kNone, {"speed", "sped"});
+  const auto set = swarm.physics().switching().setPolicies(Policy::kNone, {"speed", "sped"});
   ASSERT_FALSE(set);
   EXPECT_THAT(set.error().message, HasSubstr("\"sped\""));
   EXPECT_THAT(set.error().message, HasSubstr("speed"));
@@ -101,35 +103,36 @@ TEST(PoliciesAtRunTime, OfBodiesAskThemAll) {
   const auto physics = makeBulletPhysics(worldOf(WorldKind::kHybrid, Switching::kBody));
   const BodyId a = create(*physics, bodyAt({}, cubeLevels()));
   const BodyId b = create(*physics, bodyAt({9.0F, 0.0F, 0.0F}, cubeLevels()));
-  ASSERT_TRUE(physics->setPolicies(Policy::kCoarsest, {}));
+  ASSERT_TRUE(physics->switching().setPolicies(Policy::kCoarsest, {}));
   physics->step(kStep);
-  EXPECT_EQ(physics->level(a), 1);
-  EXPECT_EQ(physics->level(b), 1);
-  EXPECT_EQ(physics->level(create(*physics, bodyAt({20.0F, 0.0F, 0.0F}, cubeLevels()))), 1);
-  ASSERT_TRUE(physics->setPolicies(Policy::kFinest, {}));
+  EXPECT_EQ(physics->switching().level(a), 1);
+  EXPECT_EQ(physics->switching().level(b), 1);
+  EXPECT_EQ(physics->switching().level(create(*physics, bodyAt({20.0F, 0.0F, 0.0F}, cubeLevels()))), 1);
+  ASSERT_TRUE(physics->switching().setPolicies(Policy::kFinest, {}));
   physics->step(kStep);
-  EXPECT_EQ(physics->level(a), 2);
-  const auto named = physics->setPolicies(Policy::kNone, {"speed"});
+  EXPECT_EQ(physics->switching().level(a), 2);
+  const auto named = physics->switching().setPolicies(Policy::kNone, {"speed"});
   ASSERT_FALSE(named);
   EXPECT_THAT(named.error().message, HasSubstr("needs pair switching"));
-  EXPECT_FALSE(makeBulletPhysics(PhysicsDef{})->setPolicies(Policy::kNone, {}));
+  EXPECT_FALSE(makeBulletPhysics(PhysicsDef{})->switching().setPolicies(Policy::kNone, {}));
 }
 
 TEST(SwitchingAtRunTime, GoesFromPairsToBodiesAndBack) {
   Swarm swarm(worldOf(WorldKind::kHybrid, Switching::kPair, Policy::kProximity));
-  Physics& physics = swarm.physics();
+  const Physics& physics = swarm.physics();
+  LevelSwitching& switching = swarm.physics().switching();
   swarm.step(60);
   const double before = physics.kineticEnergy();
-  ASSERT_TRUE(physics.setSwitching(Switching::kBody));
+  ASSERT_TRUE(switching.setSwitching(Switching::kBody));
   EXPECT_EQ(physics.kineticEnergy(), before);
-  for (const BodyId body : swarm.bodies()) EXPECT_EQ(physics.level(body), physics.levelCount(body));
+  for (const BodyId body : swarm.bodies()) EXPECT_EQ(switching.level(body), switching.levelCount(body));
   swarm.step(120);
   EXPECT_TRUE(std::any_of(swarm.bodies().begin(), swarm.bodies().end(), [&](BodyId body) {
-    return physics.level(body) < physics.levelCount(body);
+    return switching.level(body) < switching.levelCount(body);
   })) << "bodies switch now";
-  EXPECT_FALSE(physics.setBudget({.units = 80.0}));
-  ASSERT_TRUE(physics.setSwitching(Switching::kPair));
-  for (const BodyId body : swarm.bodies()) EXPECT_EQ(physics.level(body), physics.levelCount(body));
+  EXPECT_FALSE(switching.setBudget({.units = 80.0}));
+  ASSERT_TRUE(switching.setSwitching(Switching::kPair));
+  for (const BodyId body : swarm.bodies()) EXPECT_EQ(switching.level(body), switching.levelCount(body));
   ASSERT_TRUE(swarm.squeeze());
   swarm.step(120);
   EXPECT_GT(countLevels(physics).coarse, 20);
@@ -142,10 +145,10 @@ TEST(SwitchingAtRunTime, IsTheSameEveryTime) {
   for (int i = 0; i < 240; ++i) {
     for (Swarm* swarm : {&first, &second}) {
       if (i == 100) {
-        EXPECT_TRUE(swarm->physics().setSwitching(Switching::kBody));
+        EXPECT_TRUE(swarm->physics().switching().setSwitching(Switching::kBody));
       }
       if (i == 160) {
-        EXPECT_TRUE(swarm->physics().setSwitching(Switching::kPair));
+        EXPECT_TRUE(swarm->physics().switching().setSwitching(Switching::kPair));
       }
       swarm->step();
     }
@@ -158,20 +161,21 @@ TEST(SwitchingAtRunTime, IsRefusedWhereItWouldPush) {
   const BodyId a = create(*physics, bodyAt({}, cubeLevels()));
   const BodyId b = create(*physics, bodyAt({0.8F, 0.0F, 0.0F}, cubeLevels()));
   physics->step(kStep);
-  ASSERT_TRUE(physics->requestLevel(a, 1, Scope::kLocal));
+  ASSERT_TRUE(physics->switching().requestLevel(a, 1, Scope::kLocal));
   physics->step(kStep);
-  ASSERT_EQ(physics->pairLevel(a, b), 1) << "on credit, with the finest shapes deep in each other";
-  const auto set = physics->setSwitching(Switching::kBody);
+  ASSERT_EQ(physics->switching().pairLevel(a, b), 1)
+      << "on credit, with the finest shapes deep in each other";
+  const auto set = physics->switching().setSwitching(Switching::kBody);
   ASSERT_FALSE(set);
   EXPECT_THAT(set.error().message, HasSubstr("1 pair(s)"));
-  EXPECT_EQ(physics->pairLevel(a, b), 1) << "nothing has happened";
-  EXPECT_FALSE(makeBulletPhysics(PhysicsDef{})->setSwitching(Switching::kPair));
+  EXPECT_EQ(physics->switching().pairLevel(a, b), 1) << "nothing has happened";
+  EXPECT_FALSE(makeBulletPhysics(PhysicsDef{})->switching().setSwitching(Switching::kPair));
 }
 
 /// Whether all pairs of a body are at their finest level, and there are some.
 bool isFinelyMet(const Physics& physics, BodyId body) {
   Observation seen;
-  physics.observe({.bodies = false, .pairs = true, .contacts = false}, seen);
+  physics.diagnostics().observe({.bodies = false, .pairs = true, .contacts = false}, seen);
   int fine = 0;
   for (const ObservedPair& pair : seen.pairs) {
     if (pair.levelCount == 0 || (pair.a != body && pair.b != body)) continue;
@@ -188,15 +192,15 @@ TEST(Holding, KeepsAllPairsOfABodyFine) {
     Physics& physics = swarm.physics();
     const BodyId body = swarm.bodies()[index];
     swarm.step(20);
-    ASSERT_TRUE(physics.setHeld(body, true));
+    ASSERT_TRUE(physics.switching().setHeld(body, true));
     ASSERT_TRUE(swarm.squeeze());
     swarm.step(120);
     EXPECT_TRUE(isFinelyMet(physics, body)) << index;
     EXPECT_GT(countLevels(physics).coarse, 20);
     Observation seen;
-    physics.observe({}, seen);
+    physics.diagnostics().observe({}, seen);
     EXPECT_TRUE(seen.bodies[index].held);
-    ASSERT_TRUE(physics.setHeld(body, false));
+    ASSERT_TRUE(physics.switching().setHeld(body, false));
     swarm.step(60);
     EXPECT_FALSE(isFinelyMet(physics, body)) << index;
   }
@@ -207,28 +211,28 @@ TEST(Holding, AsksABodyToBeFinest) {
     const auto physics = makeBulletPhysics(worldOf(WorldKind::kHybrid, Switching::kBody, policy));
     const BodyId body = create(*physics, bodyAt({}, cubeLevels()));
     create(*physics, bodyAt({1.12F, 0.0F, 0.0F}, cubeLevels()));
-    physics->requestLevel(body, 1, Scope::kLocal);
+    physics->switching().requestLevel(body, 1, Scope::kLocal);
     stepBy(*physics, 30);
-    ASSERT_EQ(physics->level(body), 1);
-    ASSERT_TRUE(physics->setHeld(body, true));
+    ASSERT_EQ(physics->switching().level(body), 1);
+    ASSERT_TRUE(physics->switching().setHeld(body, true));
     stepBy(*physics, 15);
-    EXPECT_EQ(physics->level(body), 2);
-    physics->requestLevel(body, 1, Scope::kLocal);
+    EXPECT_EQ(physics->switching().level(body), 2);
+    physics->switching().requestLevel(body, 1, Scope::kLocal);
     stepBy(*physics, 15);
-    EXPECT_EQ(physics->level(body), 2) << "whatever is asked for";
-    ASSERT_TRUE(physics->setHeld(body, false));
+    EXPECT_EQ(physics->switching().level(body), 2) << "whatever is asked for";
+    ASSERT_TRUE(physics->switching().setHeld(body, false));
     stepBy(*physics, 60);
-    EXPECT_EQ(physics->level(body), policy == Policy::kNone ? 2 : 1);
+    EXPECT_EQ(physics->switching().level(body), policy == Policy::kNone ? 2 : 1);
   }
 }
 
 TEST(Holding, EndsWithTheBodyAndNeedsAHybridWorld) {
   Swarm swarm(worldOf(WorldKind::kHybrid));
-  ASSERT_TRUE(swarm.physics().setHeld(swarm.bodies()[0], true));
+  ASSERT_TRUE(swarm.physics().switching().setHeld(swarm.bodies()[0], true));
   swarm.physics().destroyBody(swarm.bodies()[0]);
   swarm.physics().step(kStep);
   const auto standard = makeBulletPhysics(PhysicsDef{});
-  EXPECT_FALSE(standard->setHeld(create(*standard, bodyAt({})), true));
+  EXPECT_FALSE(standard->switching().setHeld(create(*standard, bodyAt({})), true));
 }
 
 /// The levels of all pairs, for a viewer who looks at one side of the swarm.
@@ -236,12 +240,12 @@ std::vector<int> levelsSeenFrom(const char* policy, const std::optional<ViewFocu
   PhysicsDef def = worldOf(WorldKind::kHybrid);
   def.switching.policies = {policy};
   Swarm swarm(def);
-  swarm.physics().setFocus(focus);
+  swarm.physics().switching().setFocus(focus);
   swarm.step(130);
-  EXPECT_TRUE(swarm.physics().setBudget({.units = 150.0}));
+  EXPECT_TRUE(swarm.physics().switching().setBudget({.units = 150.0}));
   swarm.step(120);
   Observation seen;
-  swarm.physics().observe({.bodies = false, .pairs = true, .contacts = false}, seen);
+  swarm.physics().diagnostics().observe({.bodies = false, .pairs = true, .contacts = false}, seen);
   std::vector<int> levels;
   for (const ObservedPair& pair : seen.pairs) levels.push_back(pair.level);
   return levels;

@@ -44,7 +44,7 @@ class Swarm {
   [[nodiscard]] const std::vector<BodyId>& bodies() const { return bodies_; }
 
   /// A budget of cost units that takes detail away from bodies that touch. False where there are no budgets.
-  bool squeeze() { return physics_->setBudget({.units = 80.0}); }
+  bool squeeze() { return physics_->switching().setBudget({.units = 80.0}); }
 
   void step(int count = 1) {
     for (int i = 0; i < count; ++i) {

@@ -166,9 +166,9 @@ TEST_P(PhysicsConformance, LevelsSwitchOnlyInAHybridWorld) {
   EXPECT_EQ(dynamic_cast<HybridObject*>(*plain), nullptr);
   EXPECT_EQ(hybrid->levelCount(), 2);
   EXPECT_EQ(hybrid->level(), 2);
-  EXPECT_EQ(world.physics().levelCount((*plain)->body()), 1);
-  EXPECT_EQ(world.physics().level((*plain)->body()), 1);
-  EXPECT_FALSE(world.physics().requestLevel((*plain)->body(), 1, Scope::kLocal));
+  EXPECT_EQ(world.physics().switching().levelCount((*plain)->body()), 1);
+  EXPECT_EQ(world.physics().switching().level((*plain)->body()), 1);
+  EXPECT_FALSE(world.physics().switching().requestLevel((*plain)->body(), 1, Scope::kLocal));
   EXPECT_FALSE(hybrid->requestLevel(3));
   EXPECT_FALSE(hybrid->requestLevel(0));
 
