@@ -1,6 +1,6 @@
 option(SCATTER_UNITY_BUILD
   "Compile sources in batches and with precompiled headers; OFF compiles each alone, as editors and checks of includes want it" ON)
-set(SCATTER_BATCH 10 CACHE STRING "How many sources a batch has at most")
+set(SCATTER_BATCH 14 CACHE STRING "How many sources a batch has at most")
 
 # Compile options that every target of this project shares.
 add_library(scatter_options INTERFACE)
@@ -56,8 +56,8 @@ endfunction()
 
 set(SCATTER_INCLUDE_DIR ${PROJECT_SOURCE_DIR}/include)
 
-# scatter_compile_in_batches(TARGET [MOST number] [HEADERS target]): sources of one folder are compiled together, so many at
-# most (1: each alone), and with the headers that the other target has precompiled.
+# scatter_compile_in_batches(TARGET [MOST number] [HEADERS target]): its sources are compiled together, so many at most (1: each
+# alone), and with the headers that the other target has precompiled.
 function(scatter_compile_in_batches target)
   cmake_parse_arguments(ARG "" "MOST;HEADERS" "" ${ARGN})
   if(NOT SCATTER_UNITY_BUILD)
@@ -76,23 +76,13 @@ function(scatter_compile_in_batches target)
     UNITY_BUILD_CODE_BEFORE_INCLUDE "// NOLINTNEXTLINE(bugprone-suspicious-include)")
   get_target_property(sources ${target} SOURCES)
   list(FILTER sources INCLUDE REGEX "\\.cpp$")
-  set(folders)
+  list(LENGTH sources count)
+  math(EXPR batches "(${count} + ${ARG_MOST} - 1) / ${ARG_MOST}")
+  set(index 0)
   foreach(source IN LISTS sources)
-    cmake_path(GET source PARENT_PATH folder)
-    string(MAKE_C_IDENTIFIER "in_${folder}" folder)
-    list(APPEND folders ${folder})
-    list(APPEND ${folder} ${source})
-  endforeach()
-  list(REMOVE_DUPLICATES folders)
-  foreach(folder IN LISTS folders)
-    list(LENGTH ${folder} count)
-    math(EXPR batches "(${count} + ${ARG_MOST} - 1) / ${ARG_MOST}")
-    set(index 0)
-    foreach(source IN LISTS ${folder})
-      math(EXPR batch "${index} * ${batches} / ${count}")
-      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder}_${batch})
-      math(EXPR index "${index} + 1")
-    endforeach()
+    math(EXPR batch "${index} * ${batches} / ${count}")
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP batch_${batch})
+    math(EXPR index "${index} + 1")
   endforeach()
 endfunction()
 

@@ -17,7 +17,7 @@ namespace {
 constexpr float kMaxLength = 1e5F;
 constexpr float kMaxTurn = 1e6F;  // radians per second
 constexpr float kMinMass = 1e-9F;
-constexpr float kMaxMass = 1e12F;
+constexpr float kMostMass = 1e12F;
 
 /// What is wrong; thrown within this file only.
 struct Defect {
@@ -183,7 +183,7 @@ void Check::materialIndex(const std::optional<std::size_t>& material) const {
 }
 
 void Check::mass(const std::optional<float>& mass) const {
-  if (mass && !isWithin(*mass, kMinMass, kMaxMass)) {
+  if (mass && !isWithin(*mass, kMinMass, kMostMass)) {
     throw Defect{"its mass of " + formatNumber(*mass) + " kg is not positive and finite"};
   }
 }

@@ -6,19 +6,13 @@
 #include <utility>
 
 #include "io/document_mass.h"
+#include "io/extension.h"
 
 namespace scatter {
 namespace io {
 namespace {
 
 constexpr std::size_t kMostNamesShown = 8;
-
-std::string lowerExtension(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return extension;
-}
 
 /// Of the scene; where nothing is placed in it, of the models themselves.
 std::vector<DocumentBody> bodiesOf(const PhysicsDocument& document) {

@@ -191,10 +191,6 @@ Result<std::vector<Polytope>> coresOf(const Level& level, const std::string& whi
   return cores;
 }
 
-double marginOf(const ConvexPart& part, double hullMargin) {
-  return std::holds_alternative<ConvexHull>(part.shape) ? hullMargin : 0.0;
-}
-
 double largestCoordinate(const Level& level) {
   double largest = 0.0;
   for (const ConvexPart& part : level.parts) {

@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
+#include <variant>
 #include <vector>
 
 #include "levels/polytope.h"
@@ -57,5 +58,10 @@ struct RoundedHull {
 
 /// A hull without its margin, in the model's frame. Fails if it has no volume.
 [[nodiscard]] Result<Polytope> placedHull(const ConvexHull& hull, const Transform& pose);
+
+/// By which engines widen a part, metres: hulls alone have a margin.
+[[nodiscard]] inline double marginOf(const ConvexPart& part, double hullMargin) {
+  return std::holds_alternative<ConvexHull>(part.shape) ? hullMargin : 0.0;
+}
 
 }  // namespace scatter::levels

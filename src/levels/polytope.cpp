@@ -10,7 +10,7 @@
 namespace scatter::levels {
 namespace {
 
-constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t kUnusedVertex = std::numeric_limits<std::uint32_t>::max();
 
 enum class Side { kInside, kOn, kOutside };
 
@@ -183,10 +183,10 @@ void Polytope::addFace(const HalfSpace& plane, std::vector<std::uint32_t> member
 }
 
 void Polytope::dropUnusedVertices() {
-  std::vector<std::uint32_t> newIndex(vertices_.size(), kUnused);
+  std::vector<std::uint32_t> newIndex(vertices_.size(), kUnusedVertex);
   std::vector<glm::dvec3> kept;
   for (std::uint32_t& index : loops_) {
-    if (newIndex[index] == kUnused) {
+    if (newIndex[index] == kUnusedVertex) {
       newIndex[index] = static_cast<std::uint32_t>(kept.size());
       kept.push_back(vertices_[index]);
     }

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "io/extension.h"
 #include "scenes/document_scene.h"
 #include "scenes/file_scene.h"
 
@@ -15,13 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kDocumentFrames = 600;
-
-std::string extensionOf(const std::string& name) {
-  std::string extension = fs::path(name).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return extension;
-}
 
 Result<SceneInfo> readScene(const fs::path& path) {
   auto read = readSceneFile(path);
@@ -61,14 +55,14 @@ class FileSource final : public SceneSource {
   [[nodiscard]] std::vector<std::string> names() const override { return sceneFileNames(); }
 
   [[nodiscard]] bool claims(const std::string& name) const override {
-    const std::string extension = extensionOf(name);
+    const std::string extension = io::lowerExtension(name);
     return name.find('/') != std::string::npos || extension == ".toml" || extension == ".dae" ||
            isGltf(extension);
   }
 
   [[nodiscard]] Result<SceneInfo> find(const std::string& name) const override {
     if (!claims(name)) return findSceneFile(name).and_then(readScene);
-    const std::string extension = extensionOf(name);
+    const std::string extension = io::lowerExtension(name);
     if (extension == ".toml") return readScene(name);
     if (extension == ".dae" || isGltf(extension)) return readDocumentScene(name);
     return fail("the scene \"" + name +

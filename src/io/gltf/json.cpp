@@ -12,7 +12,7 @@ namespace {
 using nlohmann::json;
 
 // glTF needs about 10; "extras" of other programs may need a few more.
-constexpr std::size_t kMaxDepth = 100;
+constexpr std::size_t kMaxJsonDepth = 100;
 constexpr std::size_t kMaxValues = 5'000'000;
 constexpr std::size_t kMaxText = std::size_t{256} << 20U;
 
@@ -53,8 +53,8 @@ class Inspector : public nlohmann::json_sax<json> {
     return problem.empty();
   }
   bool enter() {
-    if (++depth_ > kMaxDepth) {
-      problem = "its JSON is nested deeper than " + std::to_string(kMaxDepth) + " levels";
+    if (++depth_ > kMaxJsonDepth) {
+      problem = "its JSON is nested deeper than " + std::to_string(kMaxJsonDepth) + " levels";
     }
     return addValue();
   }

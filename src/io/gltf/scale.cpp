@@ -15,7 +15,7 @@
 namespace scatter::io {
 namespace {
 
-constexpr int kSides = 24;
+constexpr int kScaledSides = 24;
 constexpr double kNear = 1e-6;
 
 /// What the scale of a shape's node does.
@@ -53,8 +53,8 @@ Scale analyse(const glm::dmat3& m) {
 
 /// Points of a circle at height `y`; a single one if the radius is zero.
 void addCircle(std::vector<glm::dvec3>& points, double y, double radius) {
-  for (int i = 0; i < (radius > 0.0 ? kSides : 1); ++i) {
-    const double angle = 2.0 * glm::pi<double>() * i / kSides;
+  for (int i = 0; i < (radius > 0.0 ? kScaledSides : 1); ++i) {
+    const double angle = 2.0 * glm::pi<double>() * i / kScaledSides;
     points.emplace_back(radius * std::cos(angle), y, radius * std::sin(angle));
   }
 }

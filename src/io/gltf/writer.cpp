@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "io/extension.h"
 #include "io/gltf/build.h"
 #include "io/gltf/check.h"
 #include "io/gltf/models.h"
@@ -223,13 +224,6 @@ void Writer::writeJoint(const DocumentJoint& joint) {
   } else {
     build_.node(node)["extras"] = {{"scatter_disabled_joint", std::move(value)}};
   }
-}
-
-std::string lowerExtension(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  return extension;
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kStartFactor = 6;
 
 /// Shares of the hull's diagonal.
-constexpr double kEpsilon = 1e-10;
+constexpr double kPlaneEpsilon = 1e-10;
 constexpr double kLeastCut = 1e-5;
 
 /// The box around the hull along the directions that most of it faces.
@@ -56,7 +56,7 @@ Polytope cutToFit(const TriangleHull& hull, std::size_t limit, double diagonal) 
     isUsed[best] = true;
     // Facets of a nearly flat patch are only flat to within rounding: hold all vertices.
     const glm::dvec3& normal = hull.planes[best].normal;
-    Polytope cut = result.clipped({normal, reach(hull.vertices, normal)}, kEpsilon * diagonal);
+    Polytope cut = result.clipped({normal, reach(hull.vertices, normal)}, kPlaneEpsilon * diagonal);
     if (cut.isEmpty()) continue;
     if (cut.vertices().size() > limit) break;
     result = std::move(cut);

@@ -24,10 +24,6 @@ constexpr double kResolution = 1e-4;
 
 using Solids = std::vector<SolidPart>;
 
-double marginOf(const ConvexPart& part, double hullMargin) {
-  return std::holds_alternative<ConvexHull>(part.shape) ? hullMargin : 0.0;
-}
-
 /// How far the coarse part would have to grow to hold the fine one, margins counted; negative if it does.
 double excess(const SolidPart& coarse, double coarseMargin, const RoundedHull& fine) {
   // A margin at most the coarse part's own cancels against it; what is left of it rounds the fine part.

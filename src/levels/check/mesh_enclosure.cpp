@@ -13,7 +13,7 @@
 namespace scatter::levels {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 class MeshEnclosure {
  public:
@@ -25,7 +25,7 @@ class MeshEnclosure {
     EnclosureCheck result;
     double area = 0.0;
     double areaOutside = 0.0;
-    double clearance = kInfinity;
+    double clearance = kUnbounded;
     for (std::size_t i = 0; i < mesh_.triangles.size(); ++i) {
       const Piece triangle = triangleAt(i);
       area += areaOf(triangle);
@@ -44,7 +44,7 @@ class MeshEnclosure {
       note(i, left, result);
     }
     result.count = mesh_.triangles.size();
-    result.clearance = clearance < kInfinity ? clearance : 0.0;
+    result.clearance = clearance < kUnbounded ? clearance : 0.0;
     result.areaOutside = area > 0.0 ? std::min(1.0, areaOutside / area) : 0.0;
     return result;
   }
@@ -61,7 +61,7 @@ class MeshEnclosure {
     DoubleBounds bounds;
     for (const glm::dvec3& corner : triangle) bounds.add(corner);
     near_.clear();
-    double least = kInfinity;
+    double least = kUnbounded;
     for (const SolidPart& part : parts_) {
       if (!part.bounds().overlaps(bounds, tolerance_)) continue;
       near_.push_back(&part);
