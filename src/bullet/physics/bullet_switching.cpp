@@ -8,8 +8,8 @@
 
 namespace scatter {
 
-BulletSwitching::BulletSwitching(const SwitchingDef& def, BulletEngine& engine, BulletBodies& bodies)
-    : def_(def), engine_(engine), bodies_(bodies) {
+BulletSwitching::BulletSwitching(SwitchingDef def, BulletEngine& engine, BulletBodies& bodies)
+    : def_(std::move(def)), engine_(engine), bodies_(bodies) {
   if (engine_.switching() != nullptr) engine_.switching()->setListener(&listener_);
 }
 

@@ -18,7 +18,7 @@ namespace scatter {
 class BulletSwitching final : public LevelSwitching {
  public:
   /// `engine` was made with the same `def`; it and `bodies` outlive this.
-  BulletSwitching(const SwitchingDef& def, BulletEngine& engine, BulletBodies& bodies);
+  BulletSwitching(SwitchingDef def, BulletEngine& engine, BulletBodies& bodies);
   ~BulletSwitching() override;
 
   [[nodiscard]] int level(BodyId body) const override;
