@@ -33,7 +33,7 @@ endif()
 # the time, or in five sixths in a sanitized build.
 function(scatter_optimise_lightly)
   foreach(target IN LISTS ARGN)
-    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1> $<$<CONFIG:RelWithDebInfo>:-Og>)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1> $<$<BOOL:${SCATTER_SANITIZE}>:-Og>)
   endforeach()
 endfunction()
 

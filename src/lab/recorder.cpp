@@ -40,22 +40,22 @@ constexpr std::array kCounters{
     CounterColumn{"floor_units", &StepCounters::floorUnits},
 };
 
-struct WorkColumn {
+struct PairWorkColumn {
   std::string_view name;
   int PairWork::*member;
 };
 
 constexpr std::array kWork{
-    WorkColumn{"pairs_skipped", &PairWork::pairsSkipped},
-    WorkColumn{"list_rebuilds", &PairWork::rebuilds},
-    WorkColumn{"child_pairs", &PairWork::childPairs},
-    WorkColumn{"child_pairs_asleep", &PairWork::childPairsAsleep},
-    WorkColumn{"bounds_rejected", &PairWork::boundsRejected},
-    WorkColumn{"axis_rejected", &PairWork::axisRejected},
-    WorkColumn{"gjk_runs", &PairWork::gjkRuns},
-    WorkColumn{"gjk_iterations", &PairWork::gjkIterations},
-    WorkColumn{"detector_runs", &PairWork::detectorRuns},
-    WorkColumn{"ground_pieces", &PairWork::pieces},
+    PairWorkColumn{"pairs_skipped", &PairWork::pairsSkipped},
+    PairWorkColumn{"list_rebuilds", &PairWork::rebuilds},
+    PairWorkColumn{"child_pairs", &PairWork::childPairs},
+    PairWorkColumn{"child_pairs_asleep", &PairWork::childPairsAsleep},
+    PairWorkColumn{"bounds_rejected", &PairWork::boundsRejected},
+    PairWorkColumn{"axis_rejected", &PairWork::axisRejected},
+    PairWorkColumn{"gjk_runs", &PairWork::gjkRuns},
+    PairWorkColumn{"gjk_iterations", &PairWork::gjkIterations},
+    PairWorkColumn{"detector_runs", &PairWork::detectorRuns},
+    PairWorkColumn{"ground_pieces", &PairWork::pieces},
 };
 
 }  // namespace
@@ -80,7 +80,7 @@ void FrameRecorder::addChannels() {
   for (const CounterColumn& counter : kCounters) {
     counters_.push_back(data_.addChannel({std::string(counter.name), "", ChannelKind::kInteger}));
   }
-  for (const WorkColumn& count : kWork) {
+  for (const PairWorkColumn& count : kWork) {
     counters_.push_back(data_.addChannel({std::string(count.name), "", ChannelKind::kInteger}));
   }
   awake_ = data_.addChannel({"awake_bodies", "", ChannelKind::kInteger});

@@ -216,9 +216,9 @@ TEST(BuildLevels, TakesSheetsAsSurfaces) {
 }
 
 TEST(BuildLevels, GroupsWhatIsTooMuch) {
-  const SurfaceMesh mesh = test::kSanitized ? torusMesh(60, 30) : torusMesh(100, 50);
+  const SurfaceMesh mesh = test::kSanitized ? torusMesh(40, 20) : torusMesh(100, 50);
   LevelBuildDef definition = withCounts({1, 8, 32});
-  definition.maxTriangles = 2000;
+  definition.maxTriangles = test::kSanitized ? 1000 : 2000;
   const auto built = buildLevels(mesh, definition);
   ASSERT_TRUE(built.has_value()) << built.error().message;
   EXPECT_TRUE(hasNote(*built, "grouped"));

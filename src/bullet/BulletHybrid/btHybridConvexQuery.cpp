@@ -24,12 +24,6 @@ btScalar reach(const btConvexShape* shape, const btTransform& transform, const b
 	return direction.dot(transform(corner)) + (sharp ? btScalar(0) : shape->getMarginNonVirtual());
 }
 
-// The same of a shape as it bounds itself: a program's own may do what it likes with its margin.
-btScalar ownReach(const btConvexShape* shape, const btTransform& transform, const btVector3& direction)
-{
-	return direction.dot(transform(shape->localGetSupportingVertex(direction * transform.getBasis())));
-}
-
 // Two convex shapes and the directions in which they were tried to be moved apart.
 class Parting
 {
@@ -108,18 +102,6 @@ btScalar btHybridConvexDistance(const btConvexShape* shapeA, const btTransform& 
 			return btMax(btScalar(0), claimed);
 	}
 	return proven;
-}
-
-btScalar btHybridProvenGap(const btConvexShape* shapeA, const btTransform& a, const btConvexShape* shapeB, const btTransform& b)
-{
-	btGjkEpaSolver2::sResults result;
-	if (!btGjkEpaSolver2::Distance(shapeA, a, shapeB, b, between(a, b), result))
-		return -BT_LARGE_FLOAT;
-	const btVector3 normal = result.witnesses[1] - result.witnesses[0];
-	const btScalar length = normal.length();
-	if (!(length > SIMD_EPSILON))
-		return -BT_LARGE_FLOAT;
-	return -ownReach(shapeB, b, -normal / length) - ownReach(shapeA, a, normal / length);
 }
 
 btScalar btHybridConvexDepth(const btConvexShape* shapeA, const btTransform& a, const btConvexShape* shapeB, const btTransform& b)

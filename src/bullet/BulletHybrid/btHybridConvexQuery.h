@@ -8,10 +8,6 @@
 /// shapes' supports confirm it; where they do not, it is what they prove.
 btScalar btHybridConvexDistance(const btConvexShape* shapeA, const btTransform& a, const btConvexShape* shapeB, const btTransform& b);
 
-/// How far a plane proves two convex shapes to be apart, margins included; -BT_LARGE_FLOAT if none was found. Bullet's GJK only proposes the
-/// plane, so that what is inexact cannot call an overlap separated. Metres.
-btScalar btHybridProvenGap(const btConvexShape* shapeA, const btTransform& a, const btConvexShape* shapeB, const btTransform& b);
-
 /// How far two convex shapes must be moved apart, margins included; 0 or less if they do not overlap by more than
 /// their margins. Bullet's EPA proposes the direction and both shapes' supports measure it, so that it is never
 /// too little. Two boxes have sharp edges. Metres.

@@ -3,25 +3,6 @@
 #include <BulletCollision/CollisionShapes/btCompoundShape.h>
 #include <BulletCollision/CollisionShapes/btConcaveShape.h>
 
-namespace
-{
-// Shapes of these types hand out triangles; a distance field and its like do not, and of a program's own nobody knows.
-bool isTriangleMesh(const btCollisionShape* shape)
-{
-	switch (shape->getShapeType())
-	{
-		case TRIANGLE_MESH_SHAPE_PROXYTYPE:
-		case SCALED_TRIANGLE_MESH_SHAPE_PROXYTYPE:
-		case MULTIMATERIAL_TRIANGLE_MESH_PROXYTYPE:
-		case TERRAIN_SHAPE_PROXYTYPE:
-		case GIMPACT_SHAPE_PROXYTYPE:
-			return true;
-		default:
-			return false;
-	}
-}
-}  // namespace
-
 void btHybridPlacedShape::getAabb(btScalar wider, btVector3& aabbMin, btVector3& aabbMax) const
 {
 	m_shape->getAabb(m_transform, aabbMin, aabbMax);
@@ -51,7 +32,6 @@ void btHybridPieces::collect(const btHybridPlacedShape& placed, const btVector3&
 		return add(placed);
 	if (shape->isCompound())
 		return collectChildren(placed, aabbMin, aabbMax);
-	m_isWhole = m_isWhole && isTriangleMesh(shape);
 	if (shape->isConcave())
 		collectTriangles(placed, aabbMin, aabbMax);
 }

@@ -43,7 +43,6 @@ class btHybridPieces : public btTriangleCallback
 	std::vector<std::unique_ptr<btTriangleShape>> m_triangles;
 	btTransform m_mesh;
 	btScalar m_meshMargin;
-	bool m_isWhole;
 
 	void add(const btHybridPlacedShape& placed);
 	void collectChildren(const btHybridPlacedShape& placed, const btVector3& aabbMin, const btVector3& aabbMax);
@@ -51,7 +50,7 @@ class btHybridPieces : public btTriangleCallback
 
 public:
 	btHybridPieces()
-	    : m_meshMargin(0), m_isWhole(true)
+	    : m_meshMargin(0)
 	{
 	}
 
@@ -60,22 +59,16 @@ public:
 		return m_pieces;
 	}
 
-	/// False if a shape was met that hands out neither children nor triangles, as a distance field, or may not hand out all.
-	bool isWhole() const
-	{
-		return m_isWhole;
-	}
-
-	/// Adds what lies in the box.
+	/// Adds what lies in the box. Shapes that hand out neither children nor triangles have no pieces.
 	void collect(const btHybridPlacedShape& placed, const btVector3& aabbMin, const btVector3& aabbMax);
 
 	virtual void processTriangle(btVector3* triangle, int part, int index);
 };
 
 /// Calls `visit` with every two pieces of two shapes that are not further apart, by their bounds, than `reach` metres, until it returns
-/// false. False if it did, or if not all pieces are known.
+/// false.
 template <class Visit>
-bool btHybridVisitPieces(const btHybridPlacedShape& a, const btHybridPlacedShape& b, btScalar reach, const Visit& visit)
+void btHybridVisitPieces(const btHybridPlacedShape& a, const btHybridPlacedShape& b, btScalar reach, const Visit& visit)
 {
 	btVector3 aabbMin, aabbMax;
 	btHybridPieces piecesA, piecesB;
@@ -87,8 +80,7 @@ bool btHybridVisitPieces(const btHybridPlacedShape& a, const btHybridPlacedShape
 	for (const btHybridPiece& pieceA : piecesA.get())
 		for (const btHybridPiece& pieceB : piecesB.get())
 			if (TestAabbAgainstAabb2(pieceA.m_min - wide, pieceA.m_max + wide, pieceB.m_min, pieceB.m_max) && !visit(pieceA, pieceB))
-				return false;
-	return piecesA.isWhole() && piecesB.isWhole();
+				return;
 }
 
 #endif  // BT_HYBRID_PIECES_H

@@ -1,32 +1,202 @@
 #include "BulletHybrid/btHybridSeparation.h"
 
+#include <BulletCollision/BroadphaseCollision/btDbvt.h>
+#include <BulletCollision/CollisionShapes/btCompoundShape.h>
+#include <BulletCollision/CollisionShapes/btConcaveShape.h>
+#include <BulletCollision/CollisionShapes/btConvexShape.h>
+#include <BulletCollision/CollisionShapes/btStaticPlaneShape.h>
+#include <BulletCollision/CollisionShapes/btTriangleShape.h>
+#include <BulletCollision/NarrowPhaseCollision/btGjkEpa2.h>
+#include <LinearMath/btAabbUtil2.h>
+
 #include <cmath>
 
-#include "btHybridConvexQuery.h"
 #include "btHybridFinite.h"
-#include "btHybridPieces.h"
 
-static bool isSeparated(const btHybridPiece& a, const btHybridPiece& b, btScalar gap)
+namespace
 {
-	const btHybridPlacedShape& placedA = a.m_placed;
-	const btHybridPlacedShape& placedB = b.m_placed;
-	if (a.isPlane() && b.isPlane())
-		return false;
-	if (a.isPlane())
-		return -btHybridPlaneDepth(placedA.m_shape, placedA.m_transform, b.asConvex(), placedB.m_transform) > gap;
-	if (b.isPlane())
-		return -btHybridPlaneDepth(placedB.m_shape, placedB.m_transform, a.asConvex(), placedA.m_transform) > gap;
-	return btHybridProvenGap(a.asConvex(), placedA.m_transform, b.asConvex(), placedB.m_transform) > gap;
+struct Placed
+{
+	const btCollisionShape* m_shape;
+	btTransform m_transform;
+};
+
+bool isSeparated(const Placed& a, const Placed& b, btScalar gap);
+
+bool boundsAreSeparated(const Placed& a, const Placed& b, btScalar gap)
+{
+	btVector3 minA, maxA, minB, maxB;
+	a.m_shape->getAabb(a.m_transform, minA, maxA);
+	b.m_shape->getAabb(b.m_transform, minB, maxB);
+	const btVector3 wide(gap, gap, gap);
+	return !TestAabbAgainstAabb2(minA - wide, maxA + wide, minB, maxB);
 }
+
+// How far a convex shape, margin included, reaches along a world direction.
+btScalar reach(const btConvexShape* shape, const btTransform& transform, const btVector3& direction)
+{
+	const btVector3 local = shape->localGetSupportingVertex(direction * transform.getBasis());
+	return direction.dot(transform(local));
+}
+
+// GJK only proposes the plane; the supports prove it, so an inexact GJK can not call an overlap separated.
+bool convexIsSeparated(const Placed& a, const Placed& b, btScalar gap)
+{
+	const btConvexShape* convexA = static_cast<const btConvexShape*>(a.m_shape);
+	const btConvexShape* convexB = static_cast<const btConvexShape*>(b.m_shape);
+	btVector3 guess = b.m_transform.getOrigin() - a.m_transform.getOrigin();
+	if (guess.fuzzyZero())
+		guess.setValue(1, 0, 0);
+	btGjkEpaSolver2::sResults result;
+	if (!btGjkEpaSolver2::Distance(convexA, a.m_transform, convexB, b.m_transform, guess, result))
+		return false;
+	btVector3 normal = result.witnesses[1] - result.witnesses[0];
+	const btScalar length = normal.length();
+	if (!(length > SIMD_EPSILON))
+		return false;
+	normal /= length;
+	const btScalar distance = -reach(convexB, b.m_transform, -normal) - reach(convexA, a.m_transform, normal);
+	return distance > gap;
+}
+
+bool planeIsSeparated(const Placed& plane, const Placed& convex, btScalar gap)
+{
+	const btStaticPlaneShape* shape = static_cast<const btStaticPlaneShape*>(plane.m_shape);
+	const btVector3 normal = plane.m_transform.getBasis() * shape->getPlaneNormal();
+	const btScalar height = shape->getPlaneConstant() + normal.dot(plane.m_transform.getOrigin());
+	return -reach(static_cast<const btConvexShape*>(convex.m_shape), convex.m_transform, -normal) - height > gap;
+}
+
+struct TriangleQuery : public btTriangleCallback
+{
+	const Placed& m_mesh;
+	const Placed& m_convex;
+	btScalar m_gap;
+	bool m_separated;
+
+	TriangleQuery(const Placed& mesh, const Placed& convex, btScalar gap)
+	    : m_mesh(mesh), m_convex(convex), m_gap(gap), m_separated(true)
+	{
+	}
+
+	virtual void processTriangle(btVector3* triangle, int, int)
+	{
+		if (!m_separated)
+			return;
+		btTriangleShape shape(triangle[0], triangle[1], triangle[2]);
+		shape.setMargin(m_mesh.m_shape->getMargin());
+		const Placed placed = {&shape, m_mesh.m_transform};
+		m_separated = isSeparated(placed, m_convex, m_gap);
+	}
+};
+
+bool meshIsSeparated(const Placed& mesh, const Placed& convex, btScalar gap)
+{
+	btVector3 aabbMin, aabbMax;
+	convex.m_shape->getAabb(mesh.m_transform.inverseTimes(convex.m_transform), aabbMin, aabbMax);
+	const btScalar reachOut = gap + mesh.m_shape->getMargin();
+	const btVector3 wide(reachOut, reachOut, reachOut);
+	TriangleQuery query(mesh, convex, gap);
+	static_cast<const btConcaveShape*>(mesh.m_shape)->processAllTriangles(&query, aabbMin - wide, aabbMax + wide);
+	return query.m_separated;
+}
+
+struct ChildQuery : public btDbvt::ICollide
+{
+	const Placed& m_compound;
+	const Placed& m_other;
+	btScalar m_gap;
+	bool m_separated;
+
+	ChildQuery(const Placed& compound, const Placed& other, btScalar gap)
+	    : m_compound(compound), m_other(other), m_gap(gap), m_separated(true)
+	{
+	}
+
+	void processChild(int index)
+	{
+		if (!m_separated)
+			return;
+		const btCompoundShape* shape = static_cast<const btCompoundShape*>(m_compound.m_shape);
+		const Placed child = {shape->getChildShape(index), m_compound.m_transform * shape->getChildTransform(index)};
+		m_separated = isSeparated(child, m_other, m_gap);
+	}
+
+	virtual void Process(const btDbvtNode* leaf)
+	{
+		processChild(leaf->dataAsInt);
+	}
+};
+
+// By the compound's tree: bounds in its frame prove gaps that bounds in the world, and GJK's plane, do not.
+bool compoundIsSeparated(const Placed& compound, const Placed& other, btScalar gap)
+{
+	const btCompoundShape* shape = static_cast<const btCompoundShape*>(compound.m_shape);
+	ChildQuery query(compound, other, gap);
+	const btDbvt* tree = shape->getDynamicAabbTree();
+	if (!tree || !tree->m_root)
+	{
+		for (int i = 0; i < shape->getNumChildShapes(); i++)
+			query.processChild(i);
+		return query.m_separated;
+	}
+	btVector3 aabbMin, aabbMax;
+	other.m_shape->getAabb(compound.m_transform.inverseTimes(other.m_transform), aabbMin, aabbMax);
+	const btVector3 wide(gap, gap, gap);
+	tree->collideTV(tree->m_root, btDbvtVolume::FromMM(aabbMin - wide, aabbMax + wide), query);
+	return query.m_separated;
+}
+
+// Shapes of these types hand out triangles; a distance field and its like do not.
+bool isTriangleMesh(const btCollisionShape* shape)
+{
+	switch (shape->getShapeType())
+	{
+		case TRIANGLE_MESH_SHAPE_PROXYTYPE:
+		case SCALED_TRIANGLE_MESH_SHAPE_PROXYTYPE:
+		case MULTIMATERIAL_TRIANGLE_MESH_PROXYTYPE:
+		case TERRAIN_SHAPE_PROXYTYPE:
+		case GIMPACT_SHAPE_PROXYTYPE:
+			return true;
+		default:
+			return false;
+	}
+}
+
+bool isSeparated(const Placed& a, const Placed& b, btScalar gap)
+{
+	if (a.m_shape->getShapeType() == EMPTY_SHAPE_PROXYTYPE || b.m_shape->getShapeType() == EMPTY_SHAPE_PROXYTYPE)
+		return true;
+	const bool planeA = a.m_shape->getShapeType() == STATIC_PLANE_PROXYTYPE;
+	const bool planeB = b.m_shape->getShapeType() == STATIC_PLANE_PROXYTYPE;
+	if (!planeA && !planeB && boundsAreSeparated(a, b, gap))
+		return true;
+	if (a.m_shape->isCompound())
+		return compoundIsSeparated(a, b, gap);
+	if (b.m_shape->isCompound())
+		return compoundIsSeparated(b, a, gap);
+	if (a.m_shape->isConvex() && b.m_shape->isConvex())
+		return convexIsSeparated(a, b, gap);
+	if (planeA && b.m_shape->isConvex())
+		return planeIsSeparated(a, b, gap);
+	if (planeB && a.m_shape->isConvex())
+		return planeIsSeparated(b, a, gap);
+	if (isTriangleMesh(a.m_shape) && b.m_shape->isConvex())
+		return meshIsSeparated(a, b, gap);
+	if (isTriangleMesh(b.m_shape) && a.m_shape->isConvex())
+		return meshIsSeparated(b, a, gap);
+	return false;
+}
+
+}  // namespace
 
 bool btHybridIsSeparated(const btCollisionShape* shapeA, const btTransform& transformA,
                          const btCollisionShape* shapeB, const btTransform& transformB, btScalar gap)
 {
-	// Bounds of what is nowhere are near nothing.
+	// A tree of bounds finds nothing near what is nowhere.
 	if (!shapeA || !shapeB || !btHybridIsFinite(transformA) || !btHybridIsFinite(transformB) || !std::isfinite(gap))
 		return false;
-	const btHybridPlacedShape a = {shapeA, transformA};
-	const btHybridPlacedShape b = {shapeB, transformB};
-	return btHybridVisitPieces(a, b, gap, [gap](const btHybridPiece& pieceA, const btHybridPiece& pieceB)
-	                           { return isSeparated(pieceA, pieceB, gap); });
+	const Placed a = {shapeA, transformA};
+	const Placed b = {shapeB, transformB};
+	return isSeparated(a, b, gap);
 }

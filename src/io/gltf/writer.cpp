@@ -242,8 +242,8 @@ Result<void> writeGltfDocument(const PhysicsDocument& document, const std::files
   io::Writer writer(document);
   const io::GltfBuild& build = writer.write();
   const std::string bytes = extension == ".glb" ? build.binary() : build.text();
-  constexpr std::size_t kMaxFileSize = std::size_t{1} << 30U;
-  if (bytes.size() > kMaxFileSize) {
+  constexpr std::size_t kMaxGltfSize = std::size_t{1} << 30U;
+  if (bytes.size() > kMaxGltfSize) {
     return fail("cannot write " + path.string() + ": it would be larger than 1 GiB");
   }
   return writeFile(path, bytes);
