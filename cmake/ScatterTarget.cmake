@@ -32,8 +32,12 @@ endif()
 # scatter_optimise_lightly(TARGET...): for code that does not run in every step, or waits for a disk: it is compiled in two thirds of
 # the time, or in five sixths in a sanitized build.
 function(scatter_optimise_lightly)
+  set(option $<$<CONFIG:Release>:-O1>)
+  if(SCATTER_SANITIZE)
+    set(option -Og)
+  endif()
   foreach(target IN LISTS ARGN)
-    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1> $<$<BOOL:${SCATTER_SANITIZE}>:-Og>)
+    target_compile_options(${target} PRIVATE ${option})
   endforeach()
 endfunction()
 
