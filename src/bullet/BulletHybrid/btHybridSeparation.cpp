@@ -12,18 +12,13 @@
 #include <cmath>
 
 #include "btHybridFinite.h"
+#include "btHybridPieces.h"
 
 namespace
 {
-struct Placed
-{
-	const btCollisionShape* m_shape;
-	btTransform m_transform;
-};
+bool isSeparated(const btHybridPlacedShape& a, const btHybridPlacedShape& b, btScalar gap);
 
-bool isSeparated(const Placed& a, const Placed& b, btScalar gap);
-
-bool boundsAreSeparated(const Placed& a, const Placed& b, btScalar gap)
+bool boundsAreSeparated(const btHybridPlacedShape& a, const btHybridPlacedShape& b, btScalar gap)
 {
 	btVector3 minA, maxA, minB, maxB;
 	a.m_shape->getAabb(a.m_transform, minA, maxA);
@@ -40,7 +35,7 @@ btScalar reach(const btConvexShape* shape, const btTransform& transform, const b
 }
 
 // GJK only proposes the plane; the supports prove it, so an inexact GJK can not call an overlap separated.
-bool convexIsSeparated(const Placed& a, const Placed& b, btScalar gap)
+bool convexIsSeparated(const btHybridPlacedShape& a, const btHybridPlacedShape& b, btScalar gap)
 {
 	const btConvexShape* convexA = static_cast<const btConvexShape*>(a.m_shape);
 	const btConvexShape* convexB = static_cast<const btConvexShape*>(b.m_shape);
@@ -59,7 +54,7 @@ bool convexIsSeparated(const Placed& a, const Placed& b, btScalar gap)
 	return distance > gap;
 }
 
-bool planeIsSeparated(const Placed& plane, const Placed& convex, btScalar gap)
+bool planeIsSeparated(const btHybridPlacedShape& plane, const btHybridPlacedShape& convex, btScalar gap)
 {
 	const btStaticPlaneShape* shape = static_cast<const btStaticPlaneShape*>(plane.m_shape);
 	const btVector3 normal = plane.m_transform.getBasis() * shape->getPlaneNormal();
@@ -69,12 +64,12 @@ bool planeIsSeparated(const Placed& plane, const Placed& convex, btScalar gap)
 
 struct TriangleQuery : public btTriangleCallback
 {
-	const Placed& m_mesh;
-	const Placed& m_convex;
+	const btHybridPlacedShape& m_mesh;
+	const btHybridPlacedShape& m_convex;
 	btScalar m_gap;
 	bool m_separated;
 
-	TriangleQuery(const Placed& mesh, const Placed& convex, btScalar gap)
+	TriangleQuery(const btHybridPlacedShape& mesh, const btHybridPlacedShape& convex, btScalar gap)
 	    : m_mesh(mesh), m_convex(convex), m_gap(gap), m_separated(true)
 	{
 	}
@@ -85,12 +80,12 @@ struct TriangleQuery : public btTriangleCallback
 			return;
 		btTriangleShape shape(triangle[0], triangle[1], triangle[2]);
 		shape.setMargin(m_mesh.m_shape->getMargin());
-		const Placed placed = {&shape, m_mesh.m_transform};
+		const btHybridPlacedShape placed = {&shape, m_mesh.m_transform};
 		m_separated = isSeparated(placed, m_convex, m_gap);
 	}
 };
 
-bool meshIsSeparated(const Placed& mesh, const Placed& convex, btScalar gap)
+bool meshIsSeparated(const btHybridPlacedShape& mesh, const btHybridPlacedShape& convex, btScalar gap)
 {
 	btVector3 aabbMin, aabbMax;
 	convex.m_shape->getAabb(mesh.m_transform.inverseTimes(convex.m_transform), aabbMin, aabbMax);
@@ -103,12 +98,12 @@ bool meshIsSeparated(const Placed& mesh, const Placed& convex, btScalar gap)
 
 struct ChildQuery : public btDbvt::ICollide
 {
-	const Placed& m_compound;
-	const Placed& m_other;
+	const btHybridPlacedShape& m_compound;
+	const btHybridPlacedShape& m_other;
 	btScalar m_gap;
 	bool m_separated;
 
-	ChildQuery(const Placed& compound, const Placed& other, btScalar gap)
+	ChildQuery(const btHybridPlacedShape& compound, const btHybridPlacedShape& other, btScalar gap)
 	    : m_compound(compound), m_other(other), m_gap(gap), m_separated(true)
 	{
 	}
@@ -118,7 +113,7 @@ struct ChildQuery : public btDbvt::ICollide
 		if (!m_separated)
 			return;
 		const btCompoundShape* shape = static_cast<const btCompoundShape*>(m_compound.m_shape);
-		const Placed child = {shape->getChildShape(index), m_compound.m_transform * shape->getChildTransform(index)};
+		const btHybridPlacedShape child = {shape->getChildShape(index), m_compound.m_transform * shape->getChildTransform(index)};
 		m_separated = isSeparated(child, m_other, m_gap);
 	}
 
@@ -129,7 +124,7 @@ struct ChildQuery : public btDbvt::ICollide
 };
 
 // By the compound's tree: bounds in its frame prove gaps that bounds in the world, and GJK's plane, do not.
-bool compoundIsSeparated(const Placed& compound, const Placed& other, btScalar gap)
+bool compoundIsSeparated(const btHybridPlacedShape& compound, const btHybridPlacedShape& other, btScalar gap)
 {
 	const btCompoundShape* shape = static_cast<const btCompoundShape*>(compound.m_shape);
 	ChildQuery query(compound, other, gap);
@@ -163,7 +158,7 @@ bool isTriangleMesh(const btCollisionShape* shape)
 	}
 }
 
-bool isSeparated(const Placed& a, const Placed& b, btScalar gap)
+bool isSeparated(const btHybridPlacedShape& a, const btHybridPlacedShape& b, btScalar gap)
 {
 	if (a.m_shape->getShapeType() == EMPTY_SHAPE_PROXYTYPE || b.m_shape->getShapeType() == EMPTY_SHAPE_PROXYTYPE)
 		return true;
@@ -196,7 +191,7 @@ bool btHybridIsSeparated(const btCollisionShape* shapeA, const btTransform& tran
 	// A tree of bounds finds nothing near what is nowhere.
 	if (!shapeA || !shapeB || !btHybridIsFinite(transformA) || !btHybridIsFinite(transformB) || !std::isfinite(gap))
 		return false;
-	const Placed a = {shapeA, transformA};
-	const Placed b = {shapeB, transformB};
+	const btHybridPlacedShape a = {shapeA, transformA};
+	const btHybridPlacedShape b = {shapeB, transformB};
 	return isSeparated(a, b, gap);
 }

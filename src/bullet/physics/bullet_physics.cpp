@@ -6,7 +6,6 @@
 #include <cassert>
 #include <cmath>
 
-#include "bullet/physics/collision_report.h"
 #include "bullet/physics/contact_summary.h"
 #include "bullet/physics/joints.h"
 #include "bullet/physics/ray.h"
