@@ -12,7 +12,8 @@
 
 namespace scatter::app {
 
-/// What the command line calls a world. A world may bring its switching mode, policy and narrowphase with it.
+/// What the command line calls a world. A world may bring its switching mode, policy and narrowphase with it,
+/// and how far contacts are recycled.
 struct WorldChoice {
   std::string name;
   std::string summary;
@@ -20,6 +21,7 @@ struct WorldChoice {
   std::optional<Switching> switching{};
   std::optional<Policy> policy{};
   std::optional<Narrowphase> narrowphase{};
+  float recycling = 0.0F;  ///< PairSteps::recycling, unless another one is asked for.
 };
 
 /// A policy that every switching mode has; pair switching has more, see lod::knownPolicies().

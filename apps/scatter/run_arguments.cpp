@@ -13,12 +13,22 @@ namespace scatter::app {
 
 namespace {
 
+/// Half of the distance at which the engine drops contacts, millimetres.
+constexpr double kMostRecycling = 10.0;
+
 void addCollisionArguments(CLI::App& command, RunArguments& arguments) {
   command
       .add_option("--collision", arguments.collision,
                   fmt::format("How hybrid bodies meet in a hybrid world: {} [{}]",
                               namesOf(collisionChoices()), collisionChoices().front().name))
       ->type_name("NAME");
+  command
+      .add_option(
+          "--recycle", arguments.recycling,
+          "Contacts of hybrid bodies move along with them until they have slid MM millimetres, and are "
+          "found anew only then; 0: they are found anew in every step [0]")
+      ->check(CLI::Range(0.0, kMostRecycling))
+      ->type_name("MM");
   command
       .add_option("--verify-contacts", arguments.verifyEvery,
                   "Compare the contacts of hybrid bodies with the engine's every N frames; slow, and part of "
@@ -38,6 +48,7 @@ std::string hybridArgumentOf(const RunArguments& arguments) {
       {"--credit-level", switching.creditLevel.has_value()},
       {"--no-credit", switching.noCredit},
       {"--collision", arguments.collision.has_value()},
+      {"--recycle", arguments.recycling.has_value()},
       {"--verify-contacts", arguments.verifyEvery.has_value()},
       {"--proximity-steps", switching.proximitySteps.has_value()},
       {"--retry-interval", switching.retryInterval.has_value()},
@@ -84,6 +95,7 @@ Result<CollisionDef> makeCollision(const RunArguments& arguments, const WorldCho
     collision.narrowphase = choice->narrowphase;
   }
   collision.narrowphase = world.narrowphase.value_or(collision.narrowphase);
+  collision.pairAlgorithm.recycling = arguments.recycling ? *arguments.recycling / 1000.0F : world.recycling;
   collision.verifyEvery = arguments.verifyEvery.value_or(0);
   return collision;
 }

@@ -23,6 +23,7 @@ struct RunArguments {
   std::string engine = engineChoices().front().name;
   SwitchingArguments switching;
   std::optional<std::string> collision;
+  std::optional<float> recycling;  ///< Millimetres.
   std::optional<int> verifyEvery;
   std::optional<int> fidelityEvery;
   std::optional<int> frames;

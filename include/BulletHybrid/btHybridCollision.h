@@ -20,6 +20,7 @@ struct btHybridCollisionInfo
 	/// is convex, a plane, a triangle mesh or a height field. Off, so that a world without hybrids gives the same bits as btDiscreteDynamicsWorld.
 	bool m_plainBodies;
 
+	/// recycling: at most half of gContactBreakingThreshold; less than 0, or no number, is 0.
 	scatter::PairSteps m_steps;
 
 	btHybridCollisionInfo()

@@ -13,7 +13,7 @@ Frame relativeFrame(const Frame& a, const Frame& b) {
   return relative;
 }
 
-float displacementBound(const Frame& before, const Frame& after, const Vec3& center, float radius) {
+Displacement displacementBound(const Frame& before, const Frame& after, const Vec3& center, float radius) {
   constexpr float kRounding = 4e-7F;
   float squares = 0.0F;
   Vec3 moved = after.origin - before.origin;
@@ -24,7 +24,15 @@ float displacementBound(const Frame& before, const Frame& after, const Vec3& cen
   }
   const float turned = std::sqrt(0.5F * squares) * 1.0001F + kRounding;
   const float reach = radius + glm::length(center) + glm::length(before.origin) + glm::length(after.origin);
-  return glm::length(moved) + turned * radius + kRounding * reach;
+  return {glm::length(moved) + turned * radius + kRounding * reach, turned};
+}
+
+Frame rotationBetween(const Frame& before, const Frame& after) {
+  Frame turn;
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) turn.row[i][k] = glm::dot(after.row[i], before.row[k]);
+  }
+  return turn;
 }
 
 }  // namespace scatter

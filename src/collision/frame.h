@@ -25,10 +25,19 @@ struct Frame {
 /// `b` in the frame of `a`, both given in the same frame.
 [[nodiscard]] Frame relativeFrame(const Frame& a, const Frame& b);
 
-/// An upper bound for how far any point of a ball, fixed to the moving frame, is from where it was:
-/// |change of the centre| + |change of the rotation| · radius, rounding included. The operator norm of a
-/// difference of two rotations is its Frobenius norm over the square root of two.
-[[nodiscard]] float displacementBound(const Frame& before, const Frame& after, const Vec3& center,
-                                      float radius);
+/// How far something has moved: upper bounds.
+struct Displacement {
+  float length = 0.0F;  ///< Of any of its points, metres.
+  float turn = 0.0F;    ///< Twice the sine of half the angle.
+};
+
+/// Of a ball that is fixed to the moving frame: |change of the centre| + |change of the rotation| · radius,
+/// rounding included. The operator norm of a difference of two rotations is its Frobenius norm over the
+/// square root of two.
+[[nodiscard]] Displacement displacementBound(const Frame& before, const Frame& after, const Vec3& center,
+                                             float radius);
+
+/// The rotation from one frame to another, both given in the same frame; the origin is 0.
+[[nodiscard]] Frame rotationBetween(const Frame& before, const Frame& after);
 
 }  // namespace scatter

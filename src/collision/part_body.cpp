@@ -10,7 +10,7 @@ void PartBody::setParts(const PartList& parts) {
 void PartBody::moveTo(const Frame& frame) {
   if (placed_ && frame == frame_) return;
   if (placed_) {
-    const float moved = displacementBound(frame_, frame, parts_->center(), parts_->radius());
+    const float moved = displacementBound(frame_, frame, parts_->center(), parts_->radius()).length;
     // Further, and the sum would lose the millimetres; this is also true of what is no number.
     constexpr float kFar = 1e6F;
     if (moved < kFar) {

@@ -46,16 +46,14 @@ class PartBody {
   std::vector<float> bounds_;
 };
 
-/// Tells whether the world bounds of parts of two bodies overlap, where the bodies are now.
+/// Tells whether the world bounds of parts of two bodies overlap, where the bodies are now. They are computed
+/// when they are first asked for.
 class BoundsTest {
  public:
-  BoundsTest(PartBody& a, PartBody& b)
-      : a_(a.worldBounds().data()),
-        b_(b.worldBounds().data()),
-        roomA_(a.parts().paddedCount()),
-        roomB_(b.parts().paddedCount()) {}
+  BoundsTest(PartBody& a, PartBody& b) : bodyA_(a), bodyB_(b) {}
 
-  [[nodiscard]] bool overlap(int i, int j) const {
+  [[nodiscard]] bool overlap(int i, int j) {
+    if (a_ == nullptr) compute();
     const float* const a = a_ + i;
     const float* const b = b_ + j;
     return a[0] <= b[3 * roomB_] && a[3 * roomA_] >= b[0] && a[roomA_] <= b[4 * roomB_] &&
@@ -63,10 +61,19 @@ class BoundsTest {
   }
 
  private:
-  const float* a_;
-  const float* b_;
-  std::ptrdiff_t roomA_;
-  std::ptrdiff_t roomB_;
+  void compute() {
+    a_ = bodyA_.worldBounds().data();
+    b_ = bodyB_.worldBounds().data();
+    roomA_ = bodyA_.parts().paddedCount();
+    roomB_ = bodyB_.parts().paddedCount();
+  }
+
+  PartBody& bodyA_;
+  PartBody& bodyB_;
+  const float* a_ = nullptr;
+  const float* b_ = nullptr;
+  std::ptrdiff_t roomA_ = 0;
+  std::ptrdiff_t roomB_ = 0;
 };
 
 }  // namespace scatter

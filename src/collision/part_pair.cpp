@@ -70,17 +70,11 @@ Vec3 towards(const Vec3& from, const Vec3& to) {
 
 namespace {
 
-constexpr int PairWork::*kCounts[]{&PairWork::pairs,
-                                   &PairWork::pairsSkipped,
-                                   &PairWork::rebuilds,
-                                   &PairWork::childPairs,
-                                   &PairWork::childPairsAsleep,
-                                   &PairWork::boundsRejected,
-                                   &PairWork::axisRejected,
-                                   &PairWork::gjkRuns,
-                                   &PairWork::gjkIterations,
-                                   &PairWork::detectorRuns,
-                                   &PairWork::pieces};
+constexpr int PairWork::*kCounts[]{
+    &PairWork::pairs,          &PairWork::pairsSkipped,     &PairWork::rebuilds,
+    &PairWork::childPairs,     &PairWork::childPairsAsleep, &PairWork::recycled,
+    &PairWork::boundsRejected, &PairWork::axisRejected,     &PairWork::gjkRuns,
+    &PairWork::gjkIterations,  &PairWork::detectorRuns,     &PairWork::pieces};
 static_assert(sizeof(kCounts) / sizeof(kCounts[0]) == sizeof(PairWork) / sizeof(int));
 
 }  // namespace
@@ -102,13 +96,18 @@ void PartPair::reset(float threshold) {
   lastMotion_ = 0.0F;
   listed_ = false;
   motion_ = 0.0;
+  listedMotion_ = 0.0;
   quietUntil_ = kAwake;
+  listSlack_ = -1.0;
+  touches_ = false;
 }
 
 void PartPair::remapA(std::span<const int> to) {
   listed_ = false;
   motion_ = 0.0;
+  listedMotion_ = 0.0;
   quietUntil_ = kAwake;
+  listSlack_ = -1.0;
   std::size_t kept = 0;
   for (const ChildPair& child : children_) {
     if (to[child.a] < 0) continue;
@@ -116,6 +115,7 @@ void PartPair::remapA(std::span<const int> to) {
     moved = child;
     moved.a = static_cast<std::uint16_t>(to[child.a]);
     moved.wake = kAwake;
+    moved.settled = false;
     moved.reachA = kUnknown;
   }
   children_.resize(kept);
@@ -129,7 +129,7 @@ bool PartPair::advance(PartBody& a, PartBody& b, const PairSteps& steps, PairScr
   const int jumps = a.jumps() + b.jumps();
   if (jumps != jumps_) forgetProofs();
   jumps_ = jumps;
-  if (a.travel() + b.travel() < quietUntil_) {
+  if (a.travel() + b.travel() < quietUntil_ || staysQuiet(a, b)) {
     ++work.pairsSkipped;
     return false;
   }
@@ -150,8 +150,12 @@ bool PartPair::advance(PartBody& a, PartBody& b, const PairSteps& steps, PairScr
 void PartPair::forgetProofs() {
   listed_ = false;
   motion_ = 0.0;
+  listedMotion_ = 0.0;
   quietUntil_ = kAwake;
+  listSlack_ = -1.0;
+  turn_ = 0.0F;
   for (ChildPair& child : children_) {
+    child.settled = false;
     child.wake = kAwake;
     child.hasAxis = false;
     child.simplex.count = 0;
@@ -160,14 +164,21 @@ void PartPair::forgetProofs() {
 
 // Where B is in A's frame, and how far that is from where it was.
 void PartPair::follow(const PartBody& a, const PartBody& b) {
-  // So long a sum would lose the millimetres.
+  // So long a sum would lose the millimetres, and so many turns the minutes.
   constexpr double kLongest = 1e6;
-  if (!(motion_ < kLongest)) forgetProofs();
+  constexpr float kMostTurned = 1e3F;
+  if (!(motion_ < kLongest) || !(turn_ < kMostTurned)) forgetProofs();
   const Frame now = relativeFrame(a.frame(), b.frame());
   const PartList& parts = b.parts();
-  lastMotion_ = listed_ ? displacementBound(frameB_, now, parts.center(), parts.radius()) : 0.0F;
-  motion_ += static_cast<double>(lastMotion_);
+  const Displacement moved =
+      listed_ ? displacementBound(frameB_, now, parts.center(), parts.radius()) : Displacement();
+  lastMotion_ = moved.length;
+  motion_ += static_cast<double>(moved.length);
+  if (listed_) listedMotion_ += static_cast<double>(std::min(listedDisplacement(now), moved.length));
+  turn_ += moved.turn;
+  turnSince_ = 0.0F;
   frameB_ = now;
+  frameA_ = a.frame();
   constexpr float kRounding = 2e-6F;
   rounding_ = 1e-3F * threshold_ +
               kRounding * (a.parts().radius() + glm::length(a.parts().center()) + parts.radius() +
@@ -186,6 +197,7 @@ void PartPair::rebuild(PartBody& a, PartBody& b, const PairSteps& steps, PairScr
   if (steps.midphase == PairMidphase::kWorldBoxes || a.parts().hasOpaque() || b.parts().hasOpaque()) {
     search.byWorldBounds(a, b);
     merge(a, b, search.found(), scratch);
+    enclose(b.parts(), steps.midphase);
     listed_ = true;
     listEnd_ = kAwake;
     return;
@@ -200,8 +212,27 @@ void PartPair::rebuild(PartBody& a, PartBody& b, const PairSteps& steps, PairScr
     search.byPartBoxes(a.parts(), b.parts(), frameB_, limit);
     merge(a, b, search.found(), scratch);
   }
+  enclose(b.parts(), steps.midphase);
   listed_ = true;
   listEnd_ = motion_ + static_cast<double>(apart > limit ? apart - threshold_ - rounding_ : wide);
+}
+
+// A list that is made anew in every step is not worth it.
+void PartPair::enclose(const PartList& parts, PairMidphase midphase) {
+  listedCenter_ = parts.center();
+  listedRadius_ = parts.radius();
+  if (midphase != PairMidphase::kNeighbourList || children_.empty()) return;
+  const PartList::Boxes& boxes = parts.boxes();
+  Vec3 low(std::numeric_limits<float>::max());
+  Vec3 high(std::numeric_limits<float>::lowest());
+  for (const ChildPair& child : children_) {
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], boxes.center[axis][child.b] - boxes.half[axis][child.b]);
+      high[axis] = std::max(high[axis], boxes.center[axis][child.b] + boxes.half[axis][child.b]);
+    }
+  }
+  listedCenter_ = 0.5F * (low + high);
+  listedRadius_ = 0.5F * glm::length(high - low) * 1.0001F;
 }
 
 // Both lists are in ascending order of (a, b). What touches stays as long as its contacts may, which is as
@@ -241,7 +272,7 @@ void PartPair::merge(PartBody& a, PartBody& b, std::span<const Neighbours> found
 void PartPair::takeSeparation(ChildPair& child, const Neighbours& near) const {
   if (near.separation == std::numeric_limits<float>::lowest()) return;
   const double wake =
-      motion_ + static_cast<double>(near.separation) - static_cast<double>(threshold_ + rounding_);
+      listedMotion_ + static_cast<double>(near.separation) - static_cast<double>(threshold_ + rounding_);
   if (child.hasAxis && wake <= child.wake) return;
   child.hasAxis = true;
   child.axis = near.axis;
@@ -251,25 +282,37 @@ void PartPair::takeSeparation(ChildPair& child, const Neighbours& near) const {
 
 void PartPair::wakeAfter(ChildPair& child, float separation, float threshold) const {
   if (!motionBound_) return;
-  child.wake = motion_ + static_cast<double>(separation) - static_cast<double>(threshold + rounding_);
+  child.wake = listedMotion_ + static_cast<double>(separation) - static_cast<double>(threshold + rounding_);
 }
 
 ChildVerdict PartPair::judge(ChildPair& child, const PartBody& a, const PartBody& b, const PairSteps& steps,
                              PartContact& contact, PairWork& work) {
+  if (isToldApart(child, a, b, steps, work)) return ChildVerdict::kApart;
+  return measure(child, a, b, steps, contact, work);
+}
+
+bool PartPair::isToldApart(ChildPair& child, const PartBody& a, const PartBody& b, const PairSteps& steps,
+                           PairWork& work) {
+  if (child.touching || !steps.cachedAxis || !child.hasAxis) return false;
+  const PartList::Part& partA = a.parts().part(child.a);
+  const PartList::Part& partB = b.parts().part(child.b);
+  if (isOpaque(partA, partB)) return false;
+  const ChildRule rule = ruleOf(partA, partB, threshold_, rounding_);
+  const float separation = separationAlong(child, rule, frameB_);
+  if (!(separation > rule.threshold + rounding_)) return false;
+  ++work.axisRejected;
+  wakeAfter(child, separation, rule.threshold);
+  return true;
+}
+
+ChildVerdict PartPair::measure(ChildPair& child, const PartBody& a, const PartBody& b, const PairSteps& steps,
+                               PartContact& contact, PairWork& work) {
   const PartList::Part& partA = a.parts().part(child.a);
   const PartList::Part& partB = b.parts().part(child.b);
   const ChildRule rule = ruleOf(partA, partB, threshold_, rounding_);
   if (isOpaque(partA, partB)) {
     child.wake = kAwake;
     return ChildVerdict::kAskEngine;
-  }
-  if (!child.touching && steps.cachedAxis && child.hasAxis) {
-    const float separation = separationAlong(child, rule, frameB_);
-    if (separation > rule.threshold + rounding_) {
-      ++work.axisRejected;
-      wakeAfter(child, separation, rule.threshold);
-      return ChildVerdict::kApart;
-    }
   }
   child.wake = kAwake;
   if (!steps.ownGjk || (child.touching && !rule.exact)) return ChildVerdict::kAskEngine;
@@ -311,13 +354,58 @@ void PartPair::learnAxis(ChildPair& child, const PartBody& a, const PartBody& b,
   wakeAfter(child, separationAlong(child, rule, frameB_), rule.threshold);
 }
 
-void PartPair::settle(const PartBody& a, const PartBody& b, const PairSteps& steps) {
-  double quiet = steps.midphase == PairMidphase::kNeighbourList ? listEnd_ - motion_ : -1.0;
-  for (const ChildPair& child : children_) {
-    quiet = child.touching ? -1.0 : std::min(quiet, child.wake - motion_);
-    if (quiet <= 0.0) break;
+// Where contacts are recycled, what is apart is left alone for a moment, too.
+void PartPair::rest(float recycling) {
+  const auto moment = static_cast<double>(std::min(recycling, 0.25F * threshold_));
+  listEnd_ = std::max(listEnd_, motion_ + moment);
+  for (ChildPair& child : children_) {
+    if (!child.touching) child.wake = std::max(child.wake, listedMotion_ + moment);
   }
-  quietUntil_ = quiet > 0.0 ? a.travel() + b.travel() + quiet : kAwake;
+}
+
+void PartPair::settle(const PartBody& a, const PartBody& b, const PairSteps& steps) {
+  if (steps.recycling > 0.0F) rest(steps.recycling);
+  touches_ = false;
+  listSlack_ = steps.midphase == PairMidphase::kNeighbourList ? listEnd_ - motion_ : -1.0;
+  listedSlack_ = std::numeric_limits<double>::max();
+  for (const ChildPair& child : children_) {
+    if (!child.touching) listedSlack_ = std::min(listedSlack_, child.wake - listedMotion_);
+    touches_ = touches_ || child.touching;
+  }
+  const double slack = std::min(listSlack_, listedSlack_);
+  quietUntil_ = slack > 0.0 && !touches_ ? a.travel() + b.travel() + slack : kAwake;
+}
+
+bool PartPair::staysQuiet(const PartBody& a, const PartBody& b) {
+  if (touches_ || !(std::min(listSlack_, listedSlack_) > 0.0)) return false;
+  const double left = slackLeft(a, b);
+  // Once it is used up a look is due: that is not found out twice.
+  if (!(left > 0.0)) listSlack_ = -1.0;
+  if (left > 0.0) quietUntil_ = a.travel() + b.travel() + left;
+  return left > 0.0;
+}
+
+bool PartPair::hasNoNewcomers(const PartBody& a, const PartBody& b) {
+  return a.jumps() + b.jumps() == jumps_ && slackLeft(a, b) > 0.0;
+}
+
+double PartPair::slackLeft(const PartBody& a, const PartBody& b) {
+  const Frame now = relativeFrame(a.frame(), b.frame());
+  const Displacement moved = displacementBound(frameB_, now, b.parts().center(), b.parts().radius());
+  turnSince_ = moved.turn;
+  return std::min(listSlack_ - static_cast<double>(moved.length),
+                  listedSlack_ - static_cast<double>(std::min(listedDisplacement(now), moved.length)));
+}
+
+float PartPair::listedDisplacement(const Frame& now) const {
+  if (followsWhole_) return std::numeric_limits<float>::infinity();
+  return displacementBound(frameB_, now, listedCenter_, listedRadius_).length;
+}
+
+Frame PartPair::takeRotation(const PartBody& a) {
+  const Frame before = frameA_;
+  frameA_ = a.frame();
+  return rotationBetween(before, frameA_);
 }
 
 }  // namespace scatter

@@ -22,13 +22,16 @@ struct ChildPair {
   std::uint16_t a = 0;
   std::uint16_t b = 0;
   WarmSimplex simplex{};
-  bool hasAxis = false;
-  bool touching = false;    ///< Kept by the adapter: `contact` holds contact points.
-  Vec3 axis{0.0F};          ///< From A to B, in A's frame, of length 1: the last that told them apart.
-  float reachA = 0.0F;      ///< Of A's part along `axis`; infinite if not known.
-  void* contact = nullptr;  ///< The adapter's: its record of contacts. Not owned.
+  bool hasAxis : 1 = false;
+  bool touching : 1 = false;  ///< Kept by the adapter: `contact` holds contact points.
+  bool settled : 1 = false;   ///< Kept by the adapter: its last look found no contact that it had not had.
+  bool stale : 1 = false;     ///< Kept by the adapter: its contacts must be found anew.
+  Vec3 axis{0.0F};            ///< From A to B, in A's frame, of length 1: the last that told them apart.
+  float reachA = 0.0F;        ///< Of A's part along `axis`; infinite if not known.
+  float turnAt = 0.0F;        ///< PartPair::turn() at its last look.
+  void* contact = nullptr;    ///< The adapter's: its record of contacts. Not owned.
 
-  /// They cannot be in contact while the pair's motion is less than this.
+  /// They cannot be in contact while the motion of the pair's listed parts is less than this.
   double wake = std::numeric_limits<double>::lowest();
 };
 
@@ -75,7 +78,8 @@ struct PairScratch {
 ///
 /// The motion bound: between two looks at the pair, no point of B, seen from A, moves further than
 /// displacementBound(). What was proven to be d apart stays apart until the sum of these, the motion, has
-/// grown by d. A distance counts as proven only when it was just computed and a plane shows it.
+/// grown by d. A distance counts as proven only when it was just computed and a plane shows it. The same
+/// bound tells when a look is needed at all: bodies that move together do not move against each other.
 class PartPair {
  public:
   /// Forgets everything, but keeps its memory. `threshold`: parts closer than this are in contact, metres.
@@ -94,12 +98,16 @@ class PartPair {
   [[nodiscard]] std::span<const ChildPair> children() const { return children_; }
 
   [[nodiscard]] bool isAsleep(const ChildPair& child) const {
-    return !child.touching && child.wake > motion_;
+    return !child.touching && child.wake > listedMotion_;
   }
 
-  /// Cached axis, then GJK.
+  /// Cached axis, then GJK: isToldApart(), then measure().
   [[nodiscard]] ChildVerdict judge(ChildPair& child, const PartBody& a, const PartBody& b,
                                    const PairSteps& steps, PartContact& contact, PairWork& work);
+  [[nodiscard]] bool isToldApart(ChildPair& child, const PartBody& a, const PartBody& b,
+                                 const PairSteps& steps, PairWork& work);
+  [[nodiscard]] ChildVerdict measure(ChildPair& child, const PartBody& a, const PartBody& b,
+                                     const PairSteps& steps, PartContact& contact, PairWork& work);
 
   /// Takes in an axis (from A to B, in A's frame, of length 1) that the engine's detector found.
   void learnAxis(ChildPair& child, const PartBody& a, const PartBody& b, const Vec3& axis);
@@ -111,8 +119,32 @@ class PartPair {
   /// or a move without a length.
   [[nodiscard]] double motion() const { return motion_; }
 
+  /// From now on the motion of the listed parts is that of the bodies: for wakeAt().
+  void followWholeBodies(bool whole) { followsWhole_ = whole; }
+
+  /// ChildPair::wake of a child pair that is to be looked at when the pair's motion() is `motion`.
+  [[nodiscard]] double wakeAt(double motion) const { return listedMotion_ + (motion - motion_); }
+
   /// Nothing can be in contact while the bodies' travels add up to less, and neither has jumped.
   [[nodiscard]] double quietUntil() const { return quietUntil_; }
+
+  /// Whether nothing can be in contact where the bodies are now, by how far they have moved against each
+  /// other since the last look. Of bodies that have jumped since then it must not be asked. Moves
+  /// quietUntil().
+  [[nodiscard]] bool staysQuiet(const PartBody& a, const PartBody& b);
+
+  /// The same of all child pairs that are not touching: whether no others have to be looked at than those
+  /// that are. Takes in how far the bodies have turned against each other.
+  [[nodiscard]] bool hasNoNewcomers(const PartBody& a, const PartBody& b);
+
+  /// Whether parts were touching after the last look.
+  [[nodiscard]] bool touches() const { return touches_; }
+
+  /// How far the bodies have turned against each other in all, radians: an upper bound.
+  [[nodiscard]] float turn() const { return turn_ + turnSince_; }
+
+  /// The rotation of A since it was asked for, or the pair was looked at, last.
+  [[nodiscard]] Frame takeRotation(const PartBody& a);
   [[nodiscard]] int jumps() const { return jumps_; }  ///< Of both bodies, at the last advance().
 
   [[nodiscard]] float threshold() const { return threshold_; }
@@ -125,6 +157,10 @@ class PartPair {
 
  private:
   void follow(const PartBody& a, const PartBody& b);
+  void enclose(const PartList& parts, PairMidphase midphase);
+  void rest(float recycling);
+  [[nodiscard]] float listedDisplacement(const Frame& now) const;
+  [[nodiscard]] double slackLeft(const PartBody& a, const PartBody& b);
   void forgetProofs();
   void rebuild(PartBody& a, PartBody& b, const PairSteps& steps, PairScratch& scratch);
   void merge(PartBody& a, PartBody& b, std::span<const Neighbours> found, PairScratch& scratch);
@@ -141,8 +177,19 @@ class PartPair {
   bool listed_ = false;
   bool motionBound_ = true;
   double motion_ = 0.0;
-  double listEnd_ = 0.0;     ///< The list is complete while the motion is less.
-  double quietUntil_ = 0.0;  ///< Nothing can be in contact while the bodies' travels add up to less.
+  double listedMotion_ = 0.0;  ///< Of the parts in the list alone: they are near each other, and all of the
+                               ///< body may move far more where it turns.
+  Vec3 listedCenter_{0.0F};    ///< Of a ball around those of B, in its frame.
+  float listedRadius_ = 0.0F;
+  bool followsWhole_ = false;
+  double listEnd_ = 0.0;       ///< The list is complete while the motion is less.
+  double quietUntil_ = 0.0;    ///< Nothing can be in contact while the bodies' travels add up to less.
+  double listSlack_ = -1.0;    ///< Nor, of parts that were apart, while the bodies have moved less against
+  double listedSlack_ = -1.0;  ///< each other since the last look, and the parts in the list less than this.
+  bool touches_ = false;       ///< There were others at the last look.
+  float turn_ = 0.0F;          ///< At the last look.
+  float turnSince_ = 0.0F;
+  Frame frameA_;  ///< A's, when its rotation was taken last.
 };
 
 }  // namespace scatter

@@ -43,6 +43,8 @@ std::vector<CollisionStep> makeSteps() {
   list.warmSimplex = false;
   PairSteps gjk;
   gjk.warmSimplex = false;
+  PairSteps recycled;
+  recycled.recycling = 0.001F;
   return {{.label = "standard", .what = "plain engine", .physics = {}},
           hybridStep("world_boxes", "world bounds of the parts", kNoSteps),
           hybridStep("part_boxes", "part boxes in the bodies' frames", boxes),
@@ -52,6 +54,7 @@ std::vector<CollisionStep> makeSteps() {
           hybridStep("neighbour_list", "all three and a neighbour list", list),
           hybridStep("own_gjk", "the same + own GJK", gjk),
           hybridStep("warm_simplex", "the same + warm simplex: the default", {}),
+          hybridStep("recycled", "the default + contacts recycled within 1 mm", recycled),
           hybridStep("level_1", "the default with everything at level 1", {}, Policy::kCoarsest)};
 }
 

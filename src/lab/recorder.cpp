@@ -50,6 +50,7 @@ constexpr std::array kWork{
     PairWorkColumn{"list_rebuilds", &PairWork::rebuilds},
     PairWorkColumn{"child_pairs", &PairWork::childPairs},
     PairWorkColumn{"child_pairs_asleep", &PairWork::childPairsAsleep},
+    PairWorkColumn{"recycled", &PairWork::recycled},
     PairWorkColumn{"bounds_rejected", &PairWork::boundsRejected},
     PairWorkColumn{"axis_rejected", &PairWork::axisRejected},
     PairWorkColumn{"gjk_runs", &PairWork::gjkRuns},

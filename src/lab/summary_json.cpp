@@ -29,7 +29,8 @@ Json collisionJson(const CollisionDef& collision) {
                               {"cached_axis", steps.cachedAxis},
                               {"lazy_manifolds", steps.lazyManifolds},
                               {"own_gjk", steps.ownGjk},
-                              {"warm_simplex", steps.warmSimplex}};
+                              {"warm_simplex", steps.warmSimplex},
+                              {"recycling", steps.recycling}};
   }
   return json;
 }

@@ -16,35 +16,49 @@ void ChildPass::run(std::vector<int>& awake) {
 }
 
 void ChildPass::collide(ChildPair& child) {
+  if (recycles_ && child.touching && !child.stale) {
+    ++work_.recycled;
+    return;
+  }
   if (isExcused(child)) {
     drop(child);
     return;
   }
+  // Before the bounds, as it tells for how long they stay apart.
+  if (parts_.isToldApart(child, *bodies_.a, *bodies_.b, steps_, work_)) return;
   if (!bounds_.overlap(child.a, child.b) || !engine_.letsThrough(child)) {
     ++work_.boundsRejected;
     keepOrDrop(child);
     return;
   }
-  if (child.touching) child.touching = engine_.outlasts(child.contact);
+  if (child.touching) child.touching = stillTouches(child);
+  const int before = child.contact != nullptr ? engine_.countPoints(child.contact) : 0;
   if (!steps_.lazyManifolds && child.contact == nullptr) child.contact = engine_.newManifold();
   find(child);
   if (child.contact == nullptr) return;
   engine_.looked(child);
-  child.touching = engine_.countPoints(child.contact) > 0;
+  const int points = engine_.countPoints(child.contact);
+  child.touching = points > 0;
+  child.settled = points <= before;
+  child.turnAt = parts_.turn();
   if (!child.touching && steps_.lazyManifolds) drop(child);
 }
 
 void ChildPass::keepOrDrop(ChildPair& child) {
   if (child.touching && engine_.overlooks(child)) {
-    child.touching = engine_.outlasts(child.contact);
+    child.touching = stillTouches(child);
   } else {
     drop(child);
   }
 }
 
+bool ChildPass::stillTouches(const ChildPair& child) const {
+  return recycles_ ? engine_.countPoints(child.contact) > 0 : engine_.outlasts(child.contact);
+}
+
 void ChildPass::find(ChildPair& child) {
   PartContact contact;
-  const ChildVerdict verdict = parts_.judge(child, *bodies_.a, *bodies_.b, steps_, contact, work_);
+  const ChildVerdict verdict = parts_.measure(child, *bodies_.a, *bodies_.b, steps_, contact, work_);
   if (verdict == ChildVerdict::kApart) return;
   if ((!child.touching || areSpheres(child)) && !engine_.mayBegin(child)) return;
   if (verdict == ChildVerdict::kContact) {
@@ -65,7 +79,7 @@ bool ChildPass::isExcused(ChildPair& child) const {
   if (credit_ == nullptr || credit_->account.of(child.a, child.b) <= 0.0F) return false;
   const double late = parts_.motion() - credit_->freshUntil;
   if (late >= credit_->latest && !mayAudit_) return false;
-  child.wake = credit_->freshUntil;
+  child.wake = parts_.wakeAt(credit_->freshUntil);
   return true;
 }
 

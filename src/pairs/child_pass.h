@@ -10,10 +10,11 @@ namespace scatter::pairs {
 class ChildPass {
  public:
   /// `credit`: child pairs on credit have no contacts of their own while those that are held are good; null
-  /// at other levels. An audit that is due but cannot be afforded may be late, but not for long. All must
-  /// outlive it.
+  /// at other levels. An audit that is due but cannot be afforded may be late, but not for long. `recycles`:
+  /// contacts have been moved along by ContactRecycling, and only those that are stale are found anew. All
+  /// must outlive it.
   ChildPass(PartPair& parts, const PlacedBodies& bodies, const PairSteps& steps, PairEngine& engine,
-            PairWork& work, const CreditState* credit, bool mayAudit)
+            PairWork& work, const CreditState* credit, bool mayAudit, bool recycles)
       : parts_(parts),
         bodies_(bodies),
         steps_(steps),
@@ -21,6 +22,7 @@ class ChildPass {
         work_(work),
         credit_(credit),
         mayAudit_(mayAudit),
+        recycles_(recycles),
         bounds_(*bodies.a, *bodies.b) {}
 
   /// `awake`: the child pairs that it has looked at.
@@ -30,6 +32,7 @@ class ChildPass {
   void collide(ChildPair& child);
   void keepOrDrop(ChildPair& child);
   void find(ChildPair& child);
+  [[nodiscard]] bool stillTouches(const ChildPair& child) const;
   void drop(ChildPair& child);
   [[nodiscard]] bool isExcused(ChildPair& child) const;
   [[nodiscard]] bool areSpheres(const ChildPair& child) const;
@@ -41,6 +44,7 @@ class ChildPass {
   PairWork& work_;
   const CreditState* credit_;
   bool mayAudit_;
+  bool recycles_;
   BoundsTest bounds_;
 };
 

@@ -1,6 +1,7 @@
 #include "pairs/level_look.h"
 
 #include "pairs/child_pass.h"
+#include "pairs/contact_recycling.h"
 
 namespace scatter::pairs {
 
@@ -22,6 +23,12 @@ bool LevelLook::place(int level, PlacedBodies& bodies) {
   return false;
 }
 
+// What is on credit is settled by contacts that have just been found.
+bool LevelLook::mayRecycle() const {
+  return steps_.recycling > 0.0F && pair_.parts.touches() && pair_.credit.kind == CreditKind::kNone &&
+         pair_.held.empty();
+}
+
 bool LevelLook::advance(PartPair& parts, const PlacedBodies& bodies) {
   scratch_.parts.keeper = &engine_;
   const bool isAwake = parts.advance(*bodies.a, *bodies.b, steps_, scratch_.parts, work_);
@@ -39,11 +46,20 @@ void LevelLook::atLevel(int level, bool returns, bool mayAudit) {
     restart(pair_.parts);
     for (int i = 0; i < 2; ++i) pair_.versions[i] = bodies.versions[i];
   }
+  pair_.parts.followWholeBodies(pair_.credit.kind == CreditKind::kCoarser);
+  const bool recycles = !returns && mayRecycle();
+  if (recycles) pair_.origin = ContactOrigin::kRecycled;
+  if (recycles && ContactRecycling(pair_.parts, bodies, engine_, steps_.recycling).run(scratch_.looked)) {
+    ++work_.pairs;
+    work_.recycled += static_cast<int>(scratch_.looked.size());
+    return;
+  }
+  scratch_.looked.clear();
   const bool isAwake = advance(pair_.parts, bodies);
   if (returns) pair_.held.giveBack(pair_.parts.children(), engine_);
   if (!isAwake) return;
   const CreditState* const credit = pair_.credit.kind == CreditKind::kCoarser ? &pair_.credit : nullptr;
-  ChildPass(pair_.parts, bodies, steps_, engine_, work_, credit, mayAudit).run(scratch_.looked);
+  ChildPass(pair_.parts, bodies, steps_, engine_, work_, credit, mayAudit, recycles).run(scratch_.looked);
   pair_.parts.settle(*bodies.a, *bodies.b, steps_);
 }
 
@@ -53,7 +69,7 @@ void LevelLook::atFinest(int level) {
   PartPair& parts = scratch_.audit;
   restart(parts);
   if (advance(parts, bodies)) {
-    ChildPass(parts, bodies, steps_, engine_, work_, nullptr, false).run(scratch_.looked);
+    ChildPass(parts, bodies, steps_, engine_, work_, nullptr, false, false).run(scratch_.looked);
     parts.settle(*bodies.a, *bodies.b, steps_);
   }
   pair_.held.gather(parts.children(), engine_.pointDistance(), engine_, scratch_.held);

@@ -24,6 +24,7 @@ class LevelLook {
   bool place(int level, PlacedBodies& bodies);
   void restart(PartPair& parts) const;
   bool advance(PartPair& parts, const PlacedBodies& bodies);
+  [[nodiscard]] bool mayRecycle() const;
 
   Pair& pair_;
   const PairSteps& steps_;

@@ -44,6 +44,7 @@ struct CreditState {
 enum class ContactOrigin : std::uint8_t {
   kFound,
   kKept,       ///< Those of the step before, where the bodies are now.
+  kRecycled,   ///< Moved along with the bodies, all of them or some.
   kGivenBack,  ///< Those of the finest level that were held, with others that were found.
 };
 

@@ -318,8 +318,19 @@ class PairStep {
 
 }  // namespace
 
+bool staysQuiet(Pair& pair, const PlacedBodies& bodies) {
+  const bool isSame = bodies.a->jumps() + bodies.b->jumps() == pair.jumps &&
+                      bodies.versions[0] == pair.versions[0] && bodies.versions[1] == pair.versions[1];
+  if (!isSame || !(pair.quietUntil > Pair::kAwake)) return false;
+  if (bodies.a->travel() + bodies.b->travel() < pair.quietUntil) return true;
+  if (!pair.parts.staysQuiet(*bodies.a, *bodies.b)) return false;
+  pair.quietUntil = pair.parts.quietUntil();
+  return true;
+}
+
 void collidePair(Pair& pair, int level, const PairSteps& steps, PairEngine& engine, StepScratch& scratch,
                  PairWork& work) {
+  pair.origin = ContactOrigin::kFound;
   LevelLook(pair, steps, engine, scratch, work).atLevel(level, false, false);
 }
 

@@ -7,12 +7,8 @@
 namespace scatter::pairs {
 
 /// Whether two bodies at the places where they are placed cannot be in contact, by what the pair's last look
-/// has proven.
-[[nodiscard]] inline bool staysQuiet(const Pair& pair, const PlacedBodies& bodies) {
-  return bodies.a->travel() + bodies.b->travel() < pair.quietUntil &&
-         bodies.a->jumps() + bodies.b->jumps() == pair.jumps && bodies.versions[0] == pair.versions[0] &&
-         bodies.versions[1] == pair.versions[1];
-}
+/// has proven: neither has come far, or both together.
+[[nodiscard]] bool staysQuiet(Pair& pair, const PlacedBodies& bodies);
 
 /// Finds the contacts of a pair whose level is somebody else's business, with the bodies' shapes of that
 /// level. Adds to `work`.

@@ -39,11 +39,11 @@ TEST_F(BenchTest, EveryBenchCommandHasHelp) {
 TEST_F(BenchTest, CollisionShowsEveryStep) {
   const std::string output =
       bench({"collision", "--scene", "duel", "--frames", "20", "--repeat", "2", "--csv", "new/steps.csv"});
-  for (const char* step : {"plain engine", "part boxes in", "warm simplex", "level 1"}) {
+  for (const char* step : {"plain engine", "part boxes in", "warm simplex", "recycled", "level 1"}) {
     EXPECT_THAT(output, HasSubstr(step));
   }
   EXPECT_THAT(output, HasSubstr("new/steps.csv"));
-  EXPECT_EQ(linesOfCsv("new/steps.csv"), 11U);
+  EXPECT_EQ(linesOfCsv("new/steps.csv"), 12U);
   EXPECT_EQ(columnOf(folder / "new/steps.csv", "total_ratio").front(), "1");
 }
 

@@ -22,7 +22,8 @@ constexpr const char* kHeader =
     "new_contacts,requests,switches_coarser,switches_finer,retractions,credited_pairs,finest_pairs,"
     "touching_pairs,touching_finest_pairs,reused_pairs,blocked_tries,separation_queries,cost_units,planned_"
     "units,floor_units,"
-    "pairs_skipped,list_rebuilds,child_pairs,child_pairs_asleep,bounds_rejected,axis_rejected,gjk_runs,"
+    "pairs_skipped,list_rebuilds,child_pairs,child_pairs_asleep,recycled,bounds_rejected,axis_rejected,gjk_"
+    "runs,"
     "gjk_iterations,detector_runs,ground_pieces,awake_bodies,budget_ms,budget_units,"
     "kinetic_energy,max_penetration,state_hash";
 

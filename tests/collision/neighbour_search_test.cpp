@@ -125,7 +125,7 @@ TEST(NeighbourSearch, ByWorldBoundsFindsWhatALoopFinds) {
     a.moveTo(randomFrame(random, random.uniform(0.0F, 1.5F)));
     b.moveTo(randomFrame(random, random.uniform(0.0F, 1.5F)));
     search.byWorldBounds(a, b);
-    const BoundsTest test(a, b);
+    BoundsTest test(a, b);
     std::vector<IndexPair> expected;
     for (int i = 0; i < listA.count(); ++i) {
       for (int j = 0; j < listB.count(); ++j) {

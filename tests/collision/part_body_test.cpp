@@ -131,7 +131,7 @@ TEST(BoundsTest, ToldFromTheWorldBounds) {
   PartBody b(listB);
   a.moveTo(randomFrame(random, 1.0F));
   b.moveTo(randomFrame(random, 1.0F));
-  const BoundsTest test(a, b);
+  BoundsTest test(a, b);
   int overlapping = 0;
   for (int i = 0; i < listA.count(); ++i) {
     for (int j = 0; j < listB.count(); ++j) {

@@ -34,7 +34,7 @@ TEST(FrameRecorder, HasExactlyTheAgreedColumnsInOrder) {
       "tries,"
       "separation_queries,cost_units,planned_units,floor_units,pairs_skipped,list_rebuilds,child_pairs,child_"
       "pairs_"
-      "asleep,"
+      "asleep,recycled,"
       "bounds_rejected,axis_rejected,gjk_runs,gjk_iterations,detector_runs,ground_pieces,awake_bodies,budget_"
       "ms,budget_"
       "units,kinetic_"
@@ -73,18 +73,19 @@ TEST(FrameRecorder, EveryCountOfThePairAlgorithmHasItsColumn) {
                                                  .rebuilds = 3,
                                                  .childPairs = 4,
                                                  .childPairsAsleep = 5,
-                                                 .boundsRejected = 6,
-                                                 .axisRejected = 7,
-                                                 .gjkRuns = 8,
-                                                 .gjkIterations = 9,
-                                                 .detectorRuns = 10,
-                                                 .pieces = 11}});
+                                                 .recycled = 6,
+                                                 .boundsRejected = 7,
+                                                 .axisRejected = 8,
+                                                 .gjkRuns = 9,
+                                                 .gjkIterations = 10,
+                                                 .detectorRuns = 11,
+                                                 .pieces = 12}});
   FrameData data(2);
   FrameRecorder recorder(*world, data);
   ASSERT_TRUE(recorder.step());
   double expected = 2.0;
   for (const char* column :
-       {"pairs_skipped", "list_rebuilds", "child_pairs", "child_pairs_asleep", "bounds_rejected",
+       {"pairs_skipped", "list_rebuilds", "child_pairs", "child_pairs_asleep", "recycled", "bounds_rejected",
         "axis_rejected", "gjk_runs", "gjk_iterations", "detector_runs", "ground_pieces"}) {
     EXPECT_EQ(data.value(*data.find(column)), expected++) << column;
   }

@@ -23,7 +23,8 @@ class FakeEngine : public FakeManifolds<pairs::PairEngine> {
     }
   }
 
-  float x = 0.0F;        ///< Of the second body; the first one is at 0.
+  float x = 0.0F;        ///< Of the second body, from the first one.
+  float y = 0.0F;        ///< Of both.
   bool refuses = false;  ///< The shapes are no lists of parts.
   int version = 0;       ///< Of both bodies' parts.
   int fallbacks = 0;
@@ -40,7 +41,7 @@ class FakeEngine : public FakeManifolds<pairs::PairEngine> {
   }
   [[nodiscard]] Frame frameOf(int body) const override {
     Frame frame;
-    frame.origin.x = body == 0 ? 0.0F : x;
+    frame.origin = Vec3(body == 0 ? 0.0F : x, y, 0.0F);
     return frame;
   }
   [[nodiscard]] float pointDistance() const override { return 0.02F; }

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <set>
 #include <vector>
 
@@ -42,6 +44,10 @@ class FakeManifolds : public Engine {
     pointAt(manifold, i).distance = point.distance;
     pointAt(manifold, i).eased = point.eased;
     pointAt(manifold, i).presses = !point.eased;
+  }
+  float carry(void* manifold, const Frame& /*rotation*/) override {
+    if (!outlasts(manifold)) return std::numeric_limits<float>::infinity();
+    return std::abs(along() - at(manifold)->front().foundAt);
   }
   float distanceNow(const void* manifold, int i) const override { return distanceOf(pointAt(manifold, i)); }
   void move(void* from, int i, void* to) override { at(to)->push_back(pointAt(from, i)); }

@@ -127,6 +127,54 @@ TEST(PairStep, LivesFromTheFirstLookToTheLast) {
   EXPECT_TRUE(living.isQuiet());
 }
 
+TEST(PairStep, IsQuietWhileBothBodiesMoveTogether) {
+  LivingPair living;
+  living.step(2.0F);
+  for (int i = 0; i < 5; ++i) {
+    living.engine.y += 10.0F;
+    EXPECT_TRUE(living.isQuiet());
+  }
+  living.engine.x = 1.61F;
+  EXPECT_FALSE(living.isQuiet());
+  EXPECT_FALSE(living.isQuiet()) << "until it has been looked at";
+}
+
+TEST(PairStep, MovesContactsAlongWithinTheTolerance) {
+  LivingPair living;
+  living.steps.recycling = 0.001F;
+  living.step(3.0F);
+  EXPECT_GT(living.step(1.59F).work.counts.detectorRuns, 0);
+  EXPECT_GT(living.step(1.59F).work.counts.detectorRuns, 0) << "until no more are found";
+
+  PairOutcome outcome = living.step(1.5895F);
+  EXPECT_EQ(outcome.work.counts.detectorRuns, 0);
+  EXPECT_EQ(outcome.work.counts.recycled, outcome.work.manifolds);
+  EXPECT_TRUE(outcome.touching);
+  EXPECT_NEAR(living.press(), 0.0105F, 1e-4F);
+  EXPECT_EQ(living.pair.origin, ContactOrigin::kRecycled);
+
+  outcome = living.step(1.588F);
+  EXPECT_GT(outcome.work.counts.detectorRuns, 0) << "too far from where they were found";
+  EXPECT_NEAR(living.press(), 0.012F, 1e-4F);
+
+  outcome = living.step(1.65F);
+  EXPECT_FALSE(outcome.touching);
+  EXPECT_EQ(living.engine.manifolds(), 0);
+}
+
+TEST(PairStep, RecyclesNothingOnCredit) {
+  LivingPair living;
+  living.steps.recycling = 0.001F;
+  living.step(3.0F);
+  living.step(1.59F);
+  living.plan.target = 1;
+  EXPECT_TRUE(living.step(1.59F).credited);
+  for (int i = 0; i < 5; ++i) {
+    living.plan.target = 2;
+    EXPECT_EQ(living.step(1.59F - 0.0001F * static_cast<float>(i)).work.counts.recycled, 0);
+  }
+}
+
 TEST(PairStep, StaysWhereASwitchIsNotSafe) {
   LivingPair living;
   living.step(3.0F);
@@ -197,6 +245,7 @@ TEST(PairStep, NeverPressesByASwitch) {
   testing::Random random(7);
   for (int trial = 0; trial < 200; ++trial) {
     LivingPair living;
+    living.steps.recycling = trial % 2 == 0 ? 0.0F : 0.001F;
     float x = random.uniform(1.7F, 2.5F);
     for (int step = 0; step < 120; ++step) {
       // Solvers keep bodies from sinking into each other.

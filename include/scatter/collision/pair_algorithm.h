@@ -11,8 +11,8 @@ enum class PairMidphase : std::uint8_t {
   kNeighbourList,  ///< The same with a skin, and only when the skin is used up.
 };
 
-/// The steps of the pair algorithm, to be left out one by one when measuring what each is worth. None of
-/// them changes which child pairs are in contact.
+/// The steps of the pair algorithm, to be left out one by one when measuring what each is worth. None but
+/// `recycling` changes which child pairs are in contact.
 struct PairSteps {
   PairMidphase midphase = PairMidphase::kNeighbourList;
   bool motionBound = true;    ///< Skip child pairs that cannot have met since their distance was measured.
@@ -20,6 +20,12 @@ struct PairSteps {
   bool lazyManifolds = true;  ///< A child pair has a manifold only while it has contacts.
   bool ownGjk = true;         ///< Off: the engine's.
   bool warmSimplex = true;    ///< GJK starts from the simplex it ended with.
+
+  /// Contacts of parts that have moved less than this along each other since they were found, metres, and
+  /// have turned by less than a degree, are not found anew: they move along with the bodies, normals turned.
+  /// Parts that are apart are looked at when they have moved so far, or a quarter of the distance at which
+  /// contacts begin. 0: all contacts are found anew in every step.
+  float recycling = 0.0F;
 };
 
 /// The pair algorithm's work in one step. Exact counts: the same run after run.
@@ -29,6 +35,7 @@ struct PairWork {
   int rebuilds = 0;          ///< Neighbour lists made anew.
   int childPairs = 0;        ///< Pairs of parts looked at.
   int childPairsAsleep = 0;  ///< Of those, skipped by the motion bound.
+  int recycled = 0;          ///< Of those, whose contacts moved along with the bodies.
   int boundsRejected = 0;    ///< Of those, by their world bounds.
   int axisRejected = 0;      ///< Of those, by the cached axis.
   int gjkRuns = 0;

@@ -2,6 +2,8 @@
 
 #include <BulletCollision/CollisionShapes/btCollisionShape.h>
 
+#include <limits>
+
 using scatter::pairs::ContactPoint;
 
 ContactPoint btHybridContacts::read(const btManifoldPoint& point)
@@ -48,6 +50,26 @@ void btHybridContacts::addImpulses(const btManifoldPoint& from, btManifoldPoint&
 	to.m_appliedImpulse += from.m_appliedImpulse;
 	to.m_appliedImpulseLateral1 += from.m_appliedImpulseLateral1;
 	to.m_appliedImpulseLateral2 += from.m_appliedImpulseLateral2;
+}
+
+// Bullet leaves normals as they were found. One step of Newton's method keeps their length.
+float btHybridContacts::carry(btPersistentManifold* manifold, const scatter::Frame& rotation, const btCollisionObject* a, const btCollisionObject* b)
+{
+	for (int i = 0; i < manifold->getNumContacts(); i++)
+	{
+		const scatter::Vec3 turned = rotation.rotate(btHybridVec3(manifold->getContactPoint(i).m_normalWorldOnB));
+		const btVector3 normal(turned.x, turned.y, turned.z);
+		manifold->getContactPoint(i).m_normalWorldOnB = normal * (btScalar(1.5) - btScalar(0.5) * normal.length2());
+	}
+	manifold->refreshContactPoints(a->getWorldTransform(), b->getWorldTransform());
+	btScalar least = BT_LARGE_FLOAT;
+	for (int i = 0; i < manifold->getNumContacts(); i++)
+	{
+		const btManifoldPoint& point = manifold->getContactPoint(i);
+		const btVector3 between = point.m_positionWorldOnA - point.m_positionWorldOnB;
+		btSetMin(least, (between - point.m_normalWorldOnB * point.getDistance()).length2());
+	}
+	return manifold->getNumContacts() > 0 ? float(btSqrt(least)) : std::numeric_limits<float>::infinity();
 }
 
 // The manifolds of a pile do not fit into a cache: of one with a single point, what is looked at.

@@ -29,6 +29,7 @@ public:
 	static void write(const scatter::pairs::ContactPoint& plain, btManifoldPoint& point);
 	static void move(btManifoldPoint& point, btPersistentManifold* to);
 	static void addImpulses(const btManifoldPoint& from, btManifoldPoint& to);
+	static float carry(btPersistentManifold* manifold, const scatter::Frame& rotation, const btCollisionObject* a, const btCollisionObject* b);
 	static void prefetch(const void* manifold);
 	static btScalar getThreshold(const btCollisionDispatcher* dispatcher, const btCollisionObject* a, const btCollisionObject* b);
 };
@@ -75,6 +76,10 @@ public:
 	virtual void write(void* manifold, int index, const scatter::pairs::ContactPoint& plain)
 	{
 		btHybridContacts::write(plain, btHybridContacts::at(manifold)->getContactPoint(index));
+	}
+	virtual float carry(void* manifold, const scatter::Frame& rotation)
+	{
+		return btHybridContacts::carry(btHybridContacts::at(manifold), rotation, m_wraps[0]->getCollisionObject(), m_wraps[1]->getCollisionObject());
 	}
 	virtual float distanceNow(const void* manifold, int index) const
 	{

@@ -7,6 +7,7 @@
 #include "BulletHybrid/btHybridCollision.h"
 #include "btHybridGroundEngine.h"
 #include "btHybridObjects.h"
+#include "btHybridSettings.h"
 #include "pairs/pair_step.h"
 #include "pairs/pair_table.h"
 
@@ -66,7 +67,7 @@ public:
 	}
 	void setInfo(const btHybridCollisionInfo& info)
 	{
-		m_info = info;
+		m_info = btHybridEffective(info);
 	}
 
 	void beginStep();

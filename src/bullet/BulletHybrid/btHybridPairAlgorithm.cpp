@@ -62,7 +62,7 @@ bool btHybridPairAlgorithm::hasRestarted() const
 // Most pairs of a pile are apart and hardly move: they are left without a look at anything but what all pairs share.
 bool btHybridPairAlgorithm::staysQuiet(btHybridPairEngine& engine) const
 {
-	const Pair& pair = getPair();
+	Pair& pair = getPair();
 	scatter::pairs::PlacedBodies bodies;
 	return pair.quietUntil >= 0 && m_narrowphase->getPlanner()->isSettled(m_planIndex) && engine.follow(bodies) && scatter::pairs::staysQuiet(pair, bodies);
 }

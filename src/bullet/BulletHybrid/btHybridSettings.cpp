@@ -1,5 +1,7 @@
 #include "btHybridSettings.h"
 
+#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
+
 #include <cmath>
 
 #include "btHybridFinite.h"
@@ -32,6 +34,14 @@ btHybridPairSwitchingInfo btHybridEffective(const btHybridPairSwitchingInfo& inf
 	effective.m_creditLevel = btMax(info.m_creditLevel, 1);
 	effective.m_retryInterval = btMin(btMax(info.m_retryInterval, 1), 255);
 	effective.m_auditDistance = within(info.m_auditDistance, 0, 1000);
+	return effective;
+}
+
+btHybridCollisionInfo btHybridEffective(const btHybridCollisionInfo& info)
+{
+	btHybridCollisionInfo effective = info;
+	// Points that have come further apart are no contacts any more.
+	effective.m_steps.recycling = within(info.m_steps.recycling, 0, gContactBreakingThreshold / 2);
 	return effective;
 }
 

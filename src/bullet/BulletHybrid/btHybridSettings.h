@@ -3,11 +3,13 @@
 
 #include <LinearMath/btVector3.h>
 
+#include "BulletHybrid/btHybridCollision.h"
 #include "BulletHybrid/btHybridSwitching.h"
 
 /// What the program's settings act as: their documentation says what is done with values that make no sense.
 btHybridSwitchingInfo btHybridEffective(const btHybridSwitchingInfo& info);
 btHybridPairSwitchingInfo btHybridEffective(const btHybridPairSwitchingInfo& info);
+btHybridCollisionInfo btHybridEffective(const btHybridCollisionInfo& info);
 
 /// 0, or what is wrong with it and how to mend it.
 const char* btHybridCheckBudget(double milliseconds);

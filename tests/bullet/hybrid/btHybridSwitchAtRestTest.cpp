@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "PairTestWorld.h"
+#include "trials.h"
 
 // Bodies at rest that all change their levels at once: nobody may notice.
 
@@ -17,14 +18,21 @@ constexpr float kMass = 100;   // kilograms
 constexpr int kSettle = 600;   // steps
 constexpr int kWatched = 150;  // steps
 
+/// Of a body of 100 kg whose height is off by a ten-thousandth of a millimetre, in every step, joules.
+constexpr double kNoise = kWatched * 27 * kMass * kPull * 1e-7;
+
+/// A clump never quite comes to rest: it creeps, its error reduction lifts it a little, and on credit it
+/// creeps in other ways, some joules more or less. Of what a bad switch adds, that is next to nothing.
+constexpr double kCreep = 1e-3;
+
 enum class How { kNotAtAll, kOnCredit, kNaively };
 
 /// A pile that settles, in one way of pulling it together.
 class Pile : public PairTestWorld {
  public:
-  using Build = std::function<void(Pile&)>;
+  using Build = std::function<void(Pile&, unsigned seed)>;
 
-  explicit Pile(const Build& build) { build(*this); }
+  Pile(const Build& build, unsigned seed) { build(*this, seed); }
 
   void pullStep() {
     for (auto& body : bodies) {
@@ -67,8 +75,8 @@ struct Outcome {
   float finest = 1;  ///< Of the touching pairs, the share at the finest level in the step after the switch.
 };
 
-Outcome watch(const Pile::Build& build, How how, int level) {
-  Pile w(build);
+Outcome watch(const Pile::Build& build, unsigned seed, How how, int level) {
+  Pile w(build, seed);
   for (int i = 0; i < kSettle; ++i) w.pullStep();
   w.world.getPairSwitchingInfo().m_safetyConditions = how != How::kNaively;
   w.world.getPairSwitchingInfo().m_creditLevel = level;
@@ -94,9 +102,9 @@ Outcome watch(const Pile::Build& build, How how, int level) {
   return outcome;
 }
 
-void clumpOf(Pile& w, const btHybridLevelSet& levels, float spacing) {
+void clumpOf(Pile& w, const btHybridLevelSet& levels, float spacing, unsigned seed) {
   w.useCentralField();
-  Random random(21);
+  Random random(seed);
   for (int i = 0; i < 27; ++i) {
     const btVector3 cell(static_cast<float>(i % 3) - 1, static_cast<float>(i / 3 % 3) - 1,
                          static_cast<float>(i / 9) - 1);
@@ -107,16 +115,16 @@ void clumpOf(Pile& w, const btHybridLevelSet& levels, float spacing) {
   }
 }
 
-void clumpOfShips(Pile& w) {
-  clumpOf(w, w.ship, 2.4F);
+void clumpOfShips(Pile& w, unsigned seed) {
+  clumpOf(w, w.ship, 2.4F, seed);
 }
 
-void clumpOfBlocks(Pile& w) {
-  clumpOf(w, w.block, 1.8F);
+void clumpOfBlocks(Pile& w, unsigned seed) {
+  clumpOf(w, w.block, 1.8F, seed);
 }
 
 /// Four towers of six blocks, near enough for the coarse levels of neighbours to overlap.
-void towers(Pile& w) {
+void towers(Pile& w, unsigned /*seed*/) {
   w.world.setGravity(btVector3(0, -kPull, 0));
   w.addFloor();
   for (int tower = 0; tower < 4; ++tower) {
@@ -130,7 +138,7 @@ void towers(Pile& w) {
 
 struct Case {
   const char* name;
-  void (*build)(Pile&);
+  void (*build)(Pile&, unsigned seed);
   int level;
   bool isTower;
 };
@@ -141,24 +149,27 @@ void PrintTo(const Case& one, std::ostream* out) {
 
 class SwitchAtRest : public testing::TestWithParam<Case> {};
 
-TEST_P(SwitchAtRest, AddsNoEnergyOnCreditAndHundredsOfJoulesWithout) {
-  const auto& [name, build, level, isTower] = GetParam();
-  const Outcome none = watch(build, How::kNotAtAll, level);
-  const Outcome credit = watch(build, How::kOnCredit, level);
-  const Outcome naive = watch(build, How::kNaively, level);
-  RecordProperty("none", std::to_string(none.risen));
-  RecordProperty("credit", std::to_string(credit.risen));
-  RecordProperty("naive", std::to_string(naive.risen));
+void expectNoEnergy(const Case& one, unsigned seed) {
+  const Outcome none = watch(one.build, seed, How::kNotAtAll, one.level);
+  const Outcome credit = watch(one.build, seed, How::kOnCredit, one.level);
+  const Outcome naive = watch(one.build, seed, How::kNaively, one.level);
   EXPECT_GT(credit.credited, 15) << "nothing switched, so nothing was tested";
   EXPECT_LT(credit.finest, 0.1F);
   EXPECT_EQ(credit.unsafe, 0);
-  // Float noise: a body of 100 kg whose height is off by a ten-thousandth of a millimetre, in every step.
-  const double noise = kWatched * 27 * kMass * kPull * 1e-7;
-  EXPECT_LE(credit.risen, none.risen + noise) << "joules; naively " << naive.risen;
   EXPECT_GT(naive.risen, 100) << "the test would not see a bad switch";
-  if (isTower) {
+  if (one.isTower) {
+    EXPECT_LE(credit.risen, none.risen + kNoise);
     EXPECT_LT(credit.moved, 0.02F);
     EXPECT_LT(none.moved, 0.02F);
+    return;
+  }
+  EXPECT_LE(credit.risen, none.risen + kNoise + kCreep * naive.risen) << "joules; naively " << naive.risen;
+}
+
+TEST_P(SwitchAtRest, AddsNoEnergyOnCreditAndHundredsOfJoulesWithout) {
+  for (const unsigned seed : trials<unsigned>({21, 3})) {
+    SCOPED_TRACE(seed);
+    expectNoEnergy(GetParam(), seed);
   }
 }
 

@@ -1,0 +1,39 @@
+#include "pairs/contact_recycling.h"
+
+#include <limits>
+
+namespace scatter::pairs {
+
+namespace {
+
+/// One degree: normals of contacts are wrong by no more than that.
+constexpr float kMostTurned = 0.0175F;
+
+}  // namespace
+
+bool ContactRecycling::run(std::vector<int>& touching) {
+  touching.clear();
+  bool isDone = parts_.hasNoNewcomers(*bodies_.a, *bodies_.b);
+  const Frame rotation = parts_.takeRotation(*bodies_.a);
+  std::vector<ChildPair>& children = parts_.children();
+  for (std::size_t i = 0; i < children.size(); ++i) {
+    ChildPair& child = children[i];
+    if (!child.touching) continue;
+    const float slid = engine_.carry(child.contact, rotation);
+    child.touching = slid < std::numeric_limits<float>::infinity();
+    if (!child.touching) {
+      engine_.release(child.contact);
+      child.contact = nullptr;
+    }
+    child.stale = isStale(child, slid);
+    isDone = isDone && !child.stale;
+    touching.push_back(static_cast<int>(i));
+  }
+  return isDone && !touching.empty();
+}
+
+bool ContactRecycling::isStale(const ChildPair& child, float slid) const {
+  return !child.settled || !(slid < tolerance_) || !(parts_.turn() - child.turnAt < kMostTurned);
+}
+
+}  // namespace scatter::pairs
