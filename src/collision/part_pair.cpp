@@ -97,6 +97,7 @@ void PartPair::reset(float threshold) {
   listed_ = false;
   motion_ = 0.0;
   listedMotion_ = 0.0;
+  forgetWakeful();
   quietUntil_ = kAwake;
   listSlack_ = -1.0;
   touches_ = false;
@@ -106,6 +107,7 @@ void PartPair::remapA(std::span<const int> to) {
   listed_ = false;
   motion_ = 0.0;
   listedMotion_ = 0.0;
+  forgetWakeful();
   quietUntil_ = kAwake;
   listSlack_ = -1.0;
   std::size_t kept = 0;
@@ -151,6 +153,7 @@ void PartPair::forgetProofs() {
   listed_ = false;
   motion_ = 0.0;
   listedMotion_ = 0.0;
+  forgetWakeful();
   quietUntil_ = kAwake;
   listSlack_ = -1.0;
   turn_ = 0.0F;
@@ -266,6 +269,7 @@ void PartPair::merge(PartBody& a, PartBody& b, std::span<const Neighbours> found
   const std::size_t count = scratch.merged.size();
   if (count > children_.capacity()) children_.reserve(count + count / 4);
   children_.assign(scratch.merged.cbegin(), scratch.merged.cend());
+  forgetWakeful();
 }
 
 // The boxes may prove more than what is known.
@@ -354,24 +358,49 @@ void PartPair::learnAxis(ChildPair& child, const PartBody& a, const PartBody& b,
   wakeAfter(child, separationAlong(child, rule, frameB_), rule.threshold);
 }
 
+// Most child pairs of a list sleep for long, and a pile's do not fit into a cache: they are passed by for so
+// many steps at the last motion.
+void PartPair::findWakeful() {
+  constexpr float kSteps = 8.0F;
+  wakefulUntil_ = listedMotion_ + static_cast<double>(std::max(kSteps * lastMotion_, 0.05F * threshold_));
+  wakeful_.clear();
+  wakeful_.reserve(children_.capacity());
+  for (std::size_t i = 0; i < children_.size(); ++i) {
+    if (children_[i].touching || children_[i].wake < wakefulUntil_) wakeful_.push_back(static_cast<int>(i));
+  }
+}
+
 // Where contacts are recycled, what is apart is left alone for a moment, too.
 void PartPair::rest(float recycling) {
   const auto moment = static_cast<double>(std::min(recycling, 0.25F * threshold_));
   listEnd_ = std::max(listEnd_, motion_ + moment);
-  for (ChildPair& child : children_) {
+  for (const int i : wakeful()) {
+    ChildPair& child = children_[static_cast<std::size_t>(i)];
     if (!child.touching) child.wake = std::max(child.wake, listedMotion_ + moment);
   }
 }
 
-void PartPair::settle(const PartBody& a, const PartBody& b, const PairSteps& steps) {
-  if (steps.recycling > 0.0F) rest(steps.recycling);
+void PartPair::findSlack(bool ofAll) {
   touches_ = false;
-  listSlack_ = steps.midphase == PairMidphase::kNeighbourList ? listEnd_ - motion_ : -1.0;
-  listedSlack_ = std::numeric_limits<double>::max();
-  for (const ChildPair& child : children_) {
+  listedSlack_ = ofAll ? std::numeric_limits<double>::max() : wakefulUntil_ - listedMotion_;
+  const auto take = [this](const ChildPair& child) {
     if (!child.touching) listedSlack_ = std::min(listedSlack_, child.wake - listedMotion_);
     touches_ = touches_ || child.touching;
+  };
+  if (ofAll) {
+    for (const ChildPair& child : children_) take(child);
+  } else {
+    for (const int i : wakeful_) take(children_[static_cast<std::size_t>(i)]);
   }
+}
+
+void PartPair::settle(const PartBody& a, const PartBody& b, const PairSteps& steps) {
+  static_cast<void>(wakeful());
+  if (steps.recycling > 0.0F) rest(steps.recycling);
+  listSlack_ = steps.midphase == PairMidphase::kNeighbourList ? listEnd_ - motion_ : -1.0;
+  findSlack(false);
+  const bool rests = !touches_ || steps.recycling > 0.0F;
+  if (rests && listSlack_ > 0.0 && listedSlack_ > 0.0) findSlack(true);
   const double slack = std::min(listSlack_, listedSlack_);
   quietUntil_ = slack > 0.0 && !touches_ ? a.travel() + b.travel() + slack : kAwake;
 }

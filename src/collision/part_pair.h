@@ -97,6 +97,16 @@ class PartPair {
   [[nodiscard]] std::vector<ChildPair>& children() { return children_; }
   [[nodiscard]] std::span<const ChildPair> children() const { return children_; }
 
+  /// Indices of the child pairs that may have to be looked at, in ascending order: those that touch, and
+  /// those that are not asleep for a while to come. Good until the next advance().
+  [[nodiscard]] const std::vector<int>& wakeful() {
+    if (!(listedMotion_ < wakefulUntil_)) findWakeful();
+    return wakeful_;
+  }
+
+  /// Other child pairs than those that wakeful() has told are touching now.
+  void forgetWakeful() { wakefulUntil_ = std::numeric_limits<double>::lowest(); }
+
   [[nodiscard]] bool isAsleep(const ChildPair& child) const {
     return !child.touching && child.wake > listedMotion_;
   }
@@ -153,12 +163,16 @@ class PartPair {
   [[nodiscard]] const Frame& frameB() const { return frameB_; }
 
   /// Of its child pairs, room for growth included.
-  [[nodiscard]] std::size_t childBytes() const { return sizeof(ChildPair) * children_.capacity(); }
+  [[nodiscard]] std::size_t childBytes() const {
+    return sizeof(ChildPair) * children_.capacity() + sizeof(int) * wakeful_.capacity();
+  }
 
  private:
   void follow(const PartBody& a, const PartBody& b);
   void enclose(const PartList& parts, PairMidphase midphase);
+  void findWakeful();
   void rest(float recycling);
+  void findSlack(bool ofAll);
   [[nodiscard]] float listedDisplacement(const Frame& now) const;
   [[nodiscard]] double slackLeft(const PartBody& a, const PartBody& b);
   void forgetProofs();
@@ -169,6 +183,8 @@ class PartPair {
   void wakeAfter(ChildPair& child, float separation, float threshold) const;
 
   std::vector<ChildPair> children_;
+  std::vector<int> wakeful_;
+  double wakefulUntil_ = std::numeric_limits<double>::lowest();  ///< A motion of the listed parts.
   Frame frameB_;
   float threshold_ = 0.0F;
   float rounding_ = 0.0F;  ///< Taken off every proven distance.

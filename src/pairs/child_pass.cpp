@@ -5,13 +5,15 @@ namespace scatter::pairs {
 void ChildPass::run(std::vector<int>& awake) {
   std::vector<ChildPair>& children = parts_.children();
   awake.clear();
-  for (std::size_t i = 0; i < children.size(); ++i) {
-    if (parts_.isAsleep(children[i])) continue;
-    if (children[i].touching) engine_.prefetch(children[i].contact);
-    awake.push_back(static_cast<int>(i));
+  const std::vector<int>& wakeful = parts_.wakeful();
+  for (const int i : wakeful) {
+    const ChildPair& child = children[static_cast<std::size_t>(i)];
+    if (parts_.isAsleep(child)) continue;
+    if (child.touching) engine_.prefetch(child.contact);
+    awake.push_back(i);
   }
-  work_.childPairs += static_cast<int>(children.size());
-  work_.childPairsAsleep += static_cast<int>(children.size() - awake.size());
+  work_.childPairs += static_cast<int>(wakeful.size());
+  work_.childPairsAsleep += static_cast<int>(wakeful.size() - awake.size());
   for (const int i : awake) collide(children[static_cast<std::size_t>(i)]);
 }
 

@@ -16,8 +16,8 @@ bool ContactRecycling::run(std::vector<int>& touching) {
   bool isDone = parts_.hasNoNewcomers(*bodies_.a, *bodies_.b);
   const Frame rotation = parts_.takeRotation(*bodies_.a);
   std::vector<ChildPair>& children = parts_.children();
-  for (std::size_t i = 0; i < children.size(); ++i) {
-    ChildPair& child = children[i];
+  for (const int i : parts_.wakeful()) {
+    ChildPair& child = children[static_cast<std::size_t>(i)];
     if (!child.touching) continue;
     const float slid = engine_.carry(child.contact, rotation);
     child.touching = slid < std::numeric_limits<float>::infinity();
@@ -27,7 +27,7 @@ bool ContactRecycling::run(std::vector<int>& touching) {
     }
     child.stale = isStale(child, slid);
     isDone = isDone && !child.stale;
-    touching.push_back(static_cast<int>(i));
+    touching.push_back(i);
   }
   return isDone && !touching.empty();
 }

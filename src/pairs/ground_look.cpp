@@ -179,9 +179,10 @@ void GroundLook::lookAtPieces() {
 void GroundLook::judge(const PartBody& region) {
   scratch_.found.clear();
   std::vector<ChildPair>& children = pair_.parts.children();
-  work_.childPairs += static_cast<int>(children.size());
-  for (std::size_t i = 0; i < children.size(); ++i) {
-    ChildPair& child = children[i];
+  const std::vector<int>& wakeful = pair_.parts.wakeful();
+  work_.childPairs += static_cast<int>(wakeful.size());
+  for (const int i : wakeful) {
+    ChildPair& child = children[static_cast<std::size_t>(i)];
     if (pair_.parts.isAsleep(child)) {
       ++work_.childPairsAsleep;
       continue;
@@ -195,7 +196,7 @@ void GroundLook::judge(const PartBody& region) {
     }
     const bool isKnown = verdict == ChildVerdict::kContact || asks(child, region.frame(), contact);
     if (isKnown || pair_.region.pieces().kind != PartKind::kTriangle) {
-      scratch_.found.push_back({static_cast<int>(i), child.b, contact.distance, isKnown, contact});
+      scratch_.found.push_back({i, child.b, contact.distance, isKnown, contact});
     }
   }
 }

@@ -56,7 +56,10 @@ void LevelLook::atLevel(int level, bool returns, bool mayAudit) {
   }
   scratch_.looked.clear();
   const bool isAwake = advance(pair_.parts, bodies);
-  if (returns) pair_.held.giveBack(pair_.parts.children(), engine_);
+  if (returns) {
+    pair_.held.giveBack(pair_.parts.children(), engine_);
+    pair_.parts.forgetWakeful();
+  }
   if (!isAwake) return;
   const CreditState* const credit = pair_.credit.kind == CreditKind::kCoarser ? &pair_.credit : nullptr;
   ChildPass(pair_.parts, bodies, steps_, engine_, work_, credit, mayAudit, recycles).run(scratch_.looked);

@@ -10,7 +10,7 @@
 #include "trials.h"
 
 /// The law of the motion bound: whatever the bodies do, and whatever steps are left out, a child pair that is
-/// in contact is listed and awake, and it is judged not to be apart.
+/// in contact is listed, wakeful and awake, and it is judged not to be apart.
 namespace scatter {
 namespace {
 
@@ -130,17 +130,21 @@ class MotionLaw {
   void check(int step, const PairSteps& steps) {
     const bool isAwake = pair_.advance(a_, b_, steps, scratch_, work_);
     std::vector<bool> inContact = findContacts();
-    for (ChildPair& child : pair_.children()) {
+    std::vector<bool> isWakeful(pair_.children().size(), false);
+    for (const int i : pair_.wakeful()) isWakeful[static_cast<std::size_t>(i)] = true;
+    for (std::size_t i = 0; i < pair_.children().size(); ++i) {
+      ChildPair& child = pair_.children()[i];
       const auto index = static_cast<std::size_t>(child.a * listB_.count() + child.b);
       const bool touches = inContact[index];
       inContact[index] = false;
       ++work_.childPairs;
       if (touches) {
         EXPECT_TRUE(isAwake) << "step " << step;
+        EXPECT_TRUE(isWakeful[i]) << "step " << step;
         EXPECT_FALSE(pair_.isAsleep(child)) << "step " << step;
       }
       if (!isAwake) continue;
-      if (pair_.isAsleep(child)) {
+      if (!isWakeful[i] || pair_.isAsleep(child)) {
         ++work_.childPairsAsleep;
         continue;
       }

@@ -33,7 +33,7 @@ struct PairWork {
   int pairs = 0;             ///< Broadphase pairs that came to the pair algorithm.
   int pairsSkipped = 0;      ///< Of those, left at once because neither body has moved enough.
   int rebuilds = 0;          ///< Neighbour lists made anew.
-  int childPairs = 0;        ///< Pairs of parts looked at.
+  int childPairs = 0;        ///< Pairs of parts looked at: not those that sleep for a while to come.
   int childPairsAsleep = 0;  ///< Of those, skipped by the motion bound.
   int recycled = 0;          ///< Of those, whose contacts moved along with the bodies.
   int boundsRejected = 0;    ///< Of those, by their world bounds.
