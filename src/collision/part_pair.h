@@ -155,6 +155,7 @@ class PartPair {
 
   /// The rotation of A since it was asked for, or the pair was looked at, last.
   [[nodiscard]] Frame takeRotation(const PartBody& a);
+
   [[nodiscard]] int jumps() const { return jumps_; }  ///< Of both bodies, at the last advance().
 
   [[nodiscard]] float threshold() const { return threshold_; }
