@@ -41,9 +41,10 @@ function(scatter_optimise_lightly)
   endforeach()
 endfunction()
 
-# scatter_sanitize_lightly(TARGET...): for code that tests run for minutes, and the tests themselves: in a sanitized build it is not checked for locals that
-# are used after their block. GLM's many temporaries make that check cost more than all others together: without it, a test that
-# builds levels takes 13 s instead of 33 s. It stays optimised as the precompiled headers are, whose functions are not inlined into other code.
+# scatter_sanitize_lightly(TARGET...): for code that tests run for minutes, and the tests themselves: in a sanitized
+# build it is not checked for locals that are used after their block. GLM's many temporaries make that check cost more
+# than all others together: without it, a test that builds levels takes 13 s instead of 33 s. It stays optimised as the
+# precompiled headers are, whose functions are not inlined into other code.
 function(scatter_sanitize_lightly)
   if(NOT SCATTER_SANITIZE)
     return()

@@ -19,7 +19,7 @@ const std::vector<WorldChoice>& worldChoices() {
        .summary = "the world finest with contacts that move along with the bodies for a millimetre",
        .kind = WorldKind::kHybrid,
        .policy = Policy::kFinest,
-       .recycling = 0.001F},
+       .recycling = kUsualRecycling},
       {.name = "coarsest",
        .summary = "a hybrid world with the policy coarsest",
        .kind = WorldKind::kHybrid,

@@ -94,22 +94,12 @@ void PartPair::reset(float threshold) {
   children_.clear();
   threshold_ = threshold;
   lastMotion_ = 0.0F;
-  listed_ = false;
-  motion_ = 0.0;
-  listedMotion_ = 0.0;
-  forgetWakeful();
-  quietUntil_ = kAwake;
-  listSlack_ = -1.0;
+  forgetList();
   touches_ = false;
 }
 
 void PartPair::remapA(std::span<const int> to) {
-  listed_ = false;
-  motion_ = 0.0;
-  listedMotion_ = 0.0;
-  forgetWakeful();
-  quietUntil_ = kAwake;
-  listSlack_ = -1.0;
+  forgetList();
   std::size_t kept = 0;
   for (const ChildPair& child : children_) {
     if (to[child.a] < 0) continue;
@@ -148,14 +138,19 @@ bool PartPair::advance(PartBody& a, PartBody& b, const PairSteps& steps, PairScr
   return true;
 }
 
-// After a move that has no length, or too much of it to be added up.
-void PartPair::forgetProofs() {
+// Nothing is known of distances any more.
+void PartPair::forgetList() {
   listed_ = false;
   motion_ = 0.0;
   listedMotion_ = 0.0;
   forgetWakeful();
   quietUntil_ = kAwake;
   listSlack_ = -1.0;
+}
+
+// After a move that has no length, or too much of it to be added up.
+void PartPair::forgetProofs() {
+  forgetList();
   turn_ = 0.0F;
   for (ChildPair& child : children_) {
     child.settled = false;

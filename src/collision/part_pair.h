@@ -176,6 +176,7 @@ class PartPair {
   void findSlack(bool ofAll);
   [[nodiscard]] float listedDisplacement(const Frame& now) const;
   [[nodiscard]] double slackLeft(const PartBody& a, const PartBody& b);
+  void forgetList();
   void forgetProofs();
   void rebuild(PartBody& a, PartBody& b, const PairSteps& steps, PairScratch& scratch);
   void merge(PartBody& a, PartBody& b, std::span<const Neighbours> found, PairScratch& scratch);

@@ -44,7 +44,7 @@ std::vector<CollisionStep> makeSteps() {
   PairSteps gjk;
   gjk.warmSimplex = false;
   PairSteps recycled;
-  recycled.recycling = 0.001F;
+  recycled.recycling = kUsualRecycling;
   return {{.label = "standard", .what = "plain engine", .physics = {}},
           hybridStep("world_boxes", "world bounds of the parts", kNoSteps),
           hybridStep("part_boxes", "part boxes in the bodies' frames", boxes),

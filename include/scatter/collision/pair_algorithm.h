@@ -11,6 +11,10 @@ enum class PairMidphase : std::uint8_t {
   kNeighbourList,  ///< The same with a skin, and only when the skin is used up.
 };
 
+/// What PairSteps::recycling is where it is asked for without a number, metres: a twentieth of the distance
+/// at which Bullet drops contacts.
+inline constexpr float kUsualRecycling = 0.001F;
+
 /// The steps of the pair algorithm, to be left out one by one when measuring what each is worth. None but
 /// `recycling` changes which child pairs are in contact.
 struct PairSteps {

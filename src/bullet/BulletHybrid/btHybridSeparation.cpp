@@ -21,10 +21,9 @@ bool isSeparated(const btHybridPlacedShape& a, const btHybridPlacedShape& b, btS
 bool boundsAreSeparated(const btHybridPlacedShape& a, const btHybridPlacedShape& b, btScalar gap)
 {
 	btVector3 minA, maxA, minB, maxB;
-	a.m_shape->getAabb(a.m_transform, minA, maxA);
-	b.m_shape->getAabb(b.m_transform, minB, maxB);
-	const btVector3 wide(gap, gap, gap);
-	return !TestAabbAgainstAabb2(minA - wide, maxA + wide, minB, maxB);
+	a.getAabb(gap, minA, maxA);
+	b.getAabb(0, minB, maxB);
+	return !TestAabbAgainstAabb2(minA, maxA, minB, maxB);
 }
 
 // How far a convex shape, margin included, reaches along a world direction.
@@ -62,15 +61,25 @@ bool planeIsSeparated(const btHybridPlacedShape& plane, const btHybridPlacedShap
 	return -reach(static_cast<const btConvexShape*>(convex.m_shape), convex.m_transform, -normal) - height > gap;
 }
 
-struct TriangleQuery : public btTriangleCallback
+/// Whether all parts of a shape are separated from another shape.
+struct PartsQuery
 {
-	const btHybridPlacedShape& m_mesh;
-	const btHybridPlacedShape& m_convex;
+	const btHybridPlacedShape& m_whole;
+	const btHybridPlacedShape& m_other;
 	btScalar m_gap;
 	bool m_separated;
 
-	TriangleQuery(const btHybridPlacedShape& mesh, const btHybridPlacedShape& convex, btScalar gap)
-	    : m_mesh(mesh), m_convex(convex), m_gap(gap), m_separated(true)
+	void take(const btCollisionShape* part, const btTransform& transform)
+	{
+		const btHybridPlacedShape placed = {part, transform};
+		m_separated = isSeparated(placed, m_other, m_gap);
+	}
+};
+
+struct TriangleQuery : public PartsQuery, public btTriangleCallback
+{
+	explicit TriangleQuery(const PartsQuery& query)
+	    : PartsQuery(query)
 	{
 	}
 
@@ -79,9 +88,8 @@ struct TriangleQuery : public btTriangleCallback
 		if (!m_separated)
 			return;
 		btTriangleShape shape(triangle[0], triangle[1], triangle[2]);
-		shape.setMargin(m_mesh.m_shape->getMargin());
-		const btHybridPlacedShape placed = {&shape, m_mesh.m_transform};
-		m_separated = isSeparated(placed, m_convex, m_gap);
+		shape.setMargin(m_whole.m_shape->getMargin());
+		take(&shape, m_whole.m_transform);
 	}
 };
 
@@ -91,20 +99,15 @@ bool meshIsSeparated(const btHybridPlacedShape& mesh, const btHybridPlacedShape&
 	convex.m_shape->getAabb(mesh.m_transform.inverseTimes(convex.m_transform), aabbMin, aabbMax);
 	const btScalar reachOut = gap + mesh.m_shape->getMargin();
 	const btVector3 wide(reachOut, reachOut, reachOut);
-	TriangleQuery query(mesh, convex, gap);
+	TriangleQuery query(PartsQuery{mesh, convex, gap, true});
 	static_cast<const btConcaveShape*>(mesh.m_shape)->processAllTriangles(&query, aabbMin - wide, aabbMax + wide);
 	return query.m_separated;
 }
 
-struct ChildQuery : public btDbvt::ICollide
+struct ChildQuery : public PartsQuery, public btDbvt::ICollide
 {
-	const btHybridPlacedShape& m_compound;
-	const btHybridPlacedShape& m_other;
-	btScalar m_gap;
-	bool m_separated;
-
-	ChildQuery(const btHybridPlacedShape& compound, const btHybridPlacedShape& other, btScalar gap)
-	    : m_compound(compound), m_other(other), m_gap(gap), m_separated(true)
+	explicit ChildQuery(const PartsQuery& query)
+	    : PartsQuery(query)
 	{
 	}
 
@@ -112,9 +115,8 @@ struct ChildQuery : public btDbvt::ICollide
 	{
 		if (!m_separated)
 			return;
-		const btCompoundShape* shape = static_cast<const btCompoundShape*>(m_compound.m_shape);
-		const btHybridPlacedShape child = {shape->getChildShape(index), m_compound.m_transform * shape->getChildTransform(index)};
-		m_separated = isSeparated(child, m_other, m_gap);
+		const btCompoundShape* shape = static_cast<const btCompoundShape*>(m_whole.m_shape);
+		take(shape->getChildShape(index), m_whole.m_transform * shape->getChildTransform(index));
 	}
 
 	virtual void Process(const btDbvtNode* leaf)
@@ -127,7 +129,7 @@ struct ChildQuery : public btDbvt::ICollide
 bool compoundIsSeparated(const btHybridPlacedShape& compound, const btHybridPlacedShape& other, btScalar gap)
 {
 	const btCompoundShape* shape = static_cast<const btCompoundShape*>(compound.m_shape);
-	ChildQuery query(compound, other, gap);
+	ChildQuery query(PartsQuery{compound, other, gap, true});
 	const btDbvt* tree = shape->getDynamicAabbTree();
 	if (!tree || !tree->m_root)
 	{
