@@ -85,10 +85,11 @@ bool GroundLook::fallBack() {
   return engine_.fallBack();
 }
 
+// A part that slides loses its points and is found again in the same step: its credit outlasts them.
 void GroundLook::refresh() {
   std::erase_if(pair_.contacts, [this](const GroundContact& contact) {
-    if (engine_.keeps(contact.part)) return !engine_.outlasts(contact.manifold) && drop(contact);
-    return drop(contact);
+    if (!engine_.keeps(contact.part)) return drop(contact);
+    return !engine_.outlasts(contact.manifold) && !(contact.credit > 0.0F) && drop(contact);
   });
 }
 

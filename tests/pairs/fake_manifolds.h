@@ -22,6 +22,8 @@ class FakeManifolds : public Engine {
   FakeManifolds& operator=(const FakeManifolds&) = delete;
   ~FakeManifolds() override { EXPECT_TRUE(manifolds_.empty()) << "manifolds were left to the engine"; }
 
+  bool losesPoints = false;  ///< The bodies slide: no point lasts until the next step.
+
   [[nodiscard]] int manifolds() const { return static_cast<int>(manifolds_.size()); }
 
   [[nodiscard]] float threshold() const override { return kThreshold; }
@@ -33,7 +35,7 @@ class FakeManifolds : public Engine {
   bool outlasts(void* manifold) const override {
     std::erase_if(*at(manifold), [this](Point& point) {
       point.distance = distanceOf(point);
-      return point.distance > threshold();
+      return losesPoints || point.distance > threshold();
     });
     return !at(manifold)->empty();
   }

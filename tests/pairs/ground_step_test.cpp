@@ -155,6 +155,21 @@ TEST_P(GroundStep, SwitchesOnCreditWithoutPressing) {
   EXPECT_NEAR(body.press(), 0.01F, 1e-3F);
 }
 
+TEST_P(GroundStep, KeepsItsCreditWhenItsPointsAreLost) {
+  body.stepAt(0.8F);
+  body.plan.target = 2;
+  body.stepAt(0.8F);
+  body.engine.losesPoints = true;
+  for (int i = 1; i <= 10; ++i) {
+    const PairOutcome outcome = body.step(Vec3(0.1F * static_cast<float>(i), 0.8F, 0.0F));
+    EXPECT_TRUE(outcome.credited) << i;
+    EXPECT_NEAR(body.press(), 0.0F, 1e-4F) << i;
+  }
+  // Without an overlap there is nothing to give credit for.
+  body.stepAt(1.5F);
+  EXPECT_TRUE(body.pair.contacts.empty());
+}
+
 TEST_P(GroundStep, NeverPressesByASwitch) {
   for (std::uint32_t seed = 1; seed <= 40; ++seed) {
     LivingGround walker(GetParam());
