@@ -17,9 +17,17 @@ struct GroundScratch {
     PartContact contact;
   };
 
+  /// Where the contacts of the level before press the body, and how deep.
+  struct Press {
+    Vec3 position;
+    float depth;
+  };
+
   RegionScratch region{};
   std::vector<Found> found{};
   std::vector<int> near{};
+  std::vector<Press> presses{};
+  std::vector<float> allowed{};  ///< How deep each contact of a new level may press.
 };
 
 /// One look for the contacts of a body's parts with its ground.

@@ -1,6 +1,7 @@
 #include "pairs/ground_step.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "pairs/contact_tally.h"
 #include "pairs/ground_look.h"
@@ -17,6 +18,7 @@ class GroundStep {
         plan_(plan),
         engine_(engine),
         work_(work),
+        scratch_(scratch.ground),
         look_(pair, steps, engine, scratch.parts, scratch.ground, work) {}
 
   PairOutcome run() {
@@ -45,16 +47,16 @@ class GroundStep {
   }
 
   void change() {
-    const float press = pressBefore();
+    const float press = rememberPresses();
     look_.atLevel(plan_.target);
     const bool overlaps = tally().least < -press;
     if (overlaps && plan_.rules.safe && !plan_.rules.credit) {
       look_.atLevel(plan_.view.level);
-      grantCredit(press);
+      grantCredit();
       take(lod::SwitchKind::kBlocked, plan_.view.level);
       return;
     }
-    if (plan_.rules.safe) grantCredit(press);
+    if (plan_.rules.safe) grantCredit();
     hasSwitched_ = true;
     mostPress_ = press;
     take(overlaps ? lod::SwitchKind::kOnCredit : lod::SwitchKind::kFree, plan_.target);
@@ -65,13 +67,20 @@ class GroundStep {
     outcome_.choice = {kind, level};
   }
 
-  // How deep the contacts press where the bodies are now, before the switch.
-  [[nodiscard]] float pressBefore() const {
-    float press = 0.0F;
+  // Where and how deep the contacts press where the bodies are now, before the switch; the deepest.
+  float rememberPresses() {
+    float most = 0.0F;
+    scratch_.presses.clear();
     for (const GroundContact& contact : pair_.contacts) {
-      press = std::max(press, pressNow(contact.manifold, engine_) - contact.credit);
+      for (int i = 0; i < engine_.countPoints(contact.manifold); ++i) {
+        const ContactPoint point = engine_.point(contact.manifold, i);
+        const float depth = -engine_.distanceNow(contact.manifold, i) - contact.credit;
+        if (!point.presses || !(depth > 0.0F)) continue;
+        scratch_.presses.push_back({point.position, depth});
+        most = std::max(most, depth);
+      }
     }
-    return press;
+    return most;
   }
 
   [[nodiscard]] ContactTally tally() const {
@@ -87,11 +96,36 @@ class GroundStep {
   }
 
   // What the shapes of the new level overlap more than those of the level before did is no reason to press.
-  void grantCredit(float press) {
-    for (GroundContact& contact : pair_.contacts) {
-      contact.credit = std::max(depthOf(contact) - press, 0.0F);
+  // One that pressed is stood for by the nearest alone: a body that is deep at one corner is not lifted at
+  // all of them.
+  void grantCredit() {
+    scratch_.allowed.assign(pair_.contacts.size(), 0.0F);
+    for (const GroundScratch::Press& press : scratch_.presses) {
+      if (pair_.contacts.empty()) break;
+      float& allowed = scratch_.allowed[nearest(press.position)];
+      allowed = std::max(allowed, press.depth);
+    }
+    for (std::size_t i = 0; i < pair_.contacts.size(); ++i) {
+      GroundContact& contact = pair_.contacts[i];
+      contact.credit = std::max(depthOf(contact) - scratch_.allowed[i], 0.0F);
       apply(contact);
     }
+  }
+
+  // Of the contacts, by their points.
+  [[nodiscard]] std::size_t nearest(const Vec3& position) const {
+    std::size_t best = 0;
+    float least = std::numeric_limits<float>::max();
+    for (std::size_t i = 0; i < pair_.contacts.size(); ++i) {
+      const void* const manifold = pair_.contacts[i].manifold;
+      for (int k = 0; k < engine_.countPoints(manifold); ++k) {
+        const Vec3 between = engine_.point(manifold, k).position - position;
+        if (glm::dot(between, between) >= least) continue;
+        least = glm::dot(between, between);
+        best = i;
+      }
+    }
+    return best;
   }
 
   // Credit shrinks with the depth: what has come apart touches as usual from then on.
@@ -127,6 +161,7 @@ class GroundStep {
   const PairPlan& plan_;
   GroundEngine& engine_;
   PairWork& work_;
+  GroundScratch& scratch_;
   GroundLook look_;
   bool hasSwitched_ = false;
   float mostPress_ = 0.0F;

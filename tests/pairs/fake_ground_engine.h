@@ -112,7 +112,9 @@ class FakeGroundEngine : public FakeManifolds<pairs::GroundEngine> {
 
   void put(void* manifold, int part, float distance) const {
     pairs::ContactPoint found;
-    found.position = position;
+    const PartList& list = *lists_.at(static_cast<std::size_t>(level_ - 1));
+    const auto i = static_cast<std::size_t>(part);
+    found.position = position + Vec3(list.boxes().center[0][i], 0.0F, list.boxes().center[2][i]);
     found.normal = Vec3(0.0F, 1.0F, 0.0F);
     found.distance = distance;
     found.partA = part;

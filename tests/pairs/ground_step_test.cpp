@@ -32,7 +32,9 @@ std::vector<std::vector<PartDef>> threeLevelsOverGround() {
 
 /// A body over a ground, and what its planner knows of it.
 struct LivingGround {
-  explicit LivingGround(bool isNet) : engine(threeLevelsOverGround(), isNet) {
+  explicit LivingGround(bool isNet,
+                        const std::vector<std::vector<PartDef>>& levels = threeLevelsOverGround())
+      : engine(levels, isNet) {
     plan.view.finest = kFinestLevel;
     plan.target = kFinestLevel;
   }
@@ -168,6 +170,24 @@ TEST_P(GroundStep, KeepsItsCreditWhenItsPointsAreLost) {
   // Without an overlap there is nothing to give credit for.
   body.stepAt(1.5F);
   EXPECT_TRUE(body.pair.contacts.empty());
+}
+
+TEST_P(GroundStep, PressesAfterASwitchOnlyWhereItPressedBefore) {
+  std::vector<std::vector<PartDef>> levels = threeLevelsOverGround();
+  levels[2][0] = boxPart(Vec3(-0.6F, -0.61F, -0.6F), Vec3(0.2F), Mat3(1.0F), 0.01F);
+  LivingGround leaning(GetParam(), levels);
+  leaning.stepAt(0.803F);
+  ASSERT_NEAR(leaning.press(), 0.007F, 1e-4F);
+  leaning.plan.target = 2;
+  leaning.stepAt(0.803F);
+  int pressing = 0;
+  for (const GroundContact& contact : leaning.pair.contacts) {
+    const float depth = -leaning.engine.point(contact.manifold, 0).distance;
+    EXPECT_LE(depth, 0.007F + 1e-4F);
+    pressing += depth > 0.001F ? 1 : 0;
+  }
+  EXPECT_EQ(leaning.pair.contacts.size(), 4U);
+  EXPECT_EQ(pressing, 1);
 }
 
 TEST_P(GroundStep, NeverPressesByASwitch) {

@@ -179,15 +179,20 @@ TEST_P(FlatGrounds, AreKnownToTheGovernor) {
   BlocksOnGround stage(GetParam());
   stage.w.steps(60);
   stage.w.world.setBudgetUnits(1e-3);
-  stage.w.steps(60);
-  for (btHybridRigidBody* block : stage.blocks) {
+  std::vector<int> coarsest(stage.blocks.size(), 3);
+  for (int i = 0; i < 60; ++i) {
+    stage.w.steps(1);
+    for (std::size_t k = 0; k < coarsest.size(); ++k)
+      coarsest[k] = std::min(coarsest[k], stage.w.levelOf(stage.ground(), stage.blocks[k]));
+  }
+  for (std::size_t k = 0; k < coarsest.size(); ++k) {
     // On triangles Bullet's detector has to look at coarse parts that overlap, and fine ones may be the
-    // cheaper ones.
+    // cheaper ones. Elsewhere the governor takes the detail, and may give it back where that saves nothing.
     if (GetParam() != GroundType::kMesh) {
-      EXPECT_EQ(stage.w.levelOf(stage.ground(), block), 2);
+      EXPECT_EQ(coarsest[k], 2);
     }
-    EXPECT_GE(stage.w.levelOf(stage.ground(), block), 2);
-    EXPECT_NEAR(block->getWorldTransform().getOrigin().y(), 0.5F, 0.003F);
+    EXPECT_GE(coarsest[k], 2);
+    EXPECT_NEAR(stage.blocks[k]->getWorldTransform().getOrigin().y(), 0.5F, 0.003F);
   }
   EXPECT_GT(stage.w.pairInfo().m_units, 1.0);
 }
