@@ -20,6 +20,18 @@ const std::vector<WorldChoice>& worldChoices() {
        .kind = WorldKind::kHybrid,
        .policy = Policy::kFinest,
        .recycling = kUsualRecycling},
+      {.name = "wide",
+       .summary = "the world finest with the solver wide",
+       .kind = WorldKind::kHybrid,
+       .policy = Policy::kFinest,
+       .solver = ContactSolver::kWide},
+      {.name = "lean",
+       .summary = "the world finest with contacts recycled and reduced, and the solver wide",
+       .kind = WorldKind::kHybrid,
+       .policy = Policy::kFinest,
+       .solver = ContactSolver::kWide,
+       .recycling = kUsualRecycling,
+       .contactsPerDirection = kUsualContactsPerDirection},
       {.name = "coarsest",
        .summary = "a hybrid world with the policy coarsest",
        .kind = WorldKind::kHybrid,
@@ -63,6 +75,14 @@ const std::vector<CollisionChoice>& collisionChoices() {
   static const std::vector<CollisionChoice> choices{
       {"scatter", "hybrid bodies meet by Scatter's pair algorithm", Narrowphase::kScatter},
       {"bullet", "all bodies meet by Bullet's own algorithms", Narrowphase::kEngine},
+  };
+  return choices;
+}
+
+const std::vector<SolverChoice>& solverChoices() {
+  static const std::vector<SolverChoice> choices{
+      {"bullet", "Bullet's solver, a contact at a time", ContactSolver::kEngine},
+      {"wide", "the contacts of four pairs of bodies at a time", ContactSolver::kWide},
   };
   return choices;
 }

@@ -12,8 +12,8 @@
 
 namespace scatter::app {
 
-/// What the command line calls a world. A world may bring its switching mode, policy and narrowphase with it,
-/// and how far contacts are recycled.
+/// What the command line calls a world. A world may bring its switching mode, policy, narrowphase and solver
+/// with it, how far contacts are recycled and how many the solver is shown.
 struct WorldChoice {
   std::string name;
   std::string summary;
@@ -21,7 +21,9 @@ struct WorldChoice {
   std::optional<Switching> switching{};
   std::optional<Policy> policy{};
   std::optional<Narrowphase> narrowphase{};
-  float recycling = 0.0F;  ///< PairSteps::recycling, unless another one is asked for.
+  std::optional<ContactSolver> solver{};
+  float recycling = 0.0F;        ///< PairSteps::recycling, unless another one is asked for.
+  int contactsPerDirection = 0;  ///< PhysicsDef::contactsPerDirection, likewise.
 };
 
 /// A policy that every switching mode has; pair switching has more, see lod::knownPolicies().
@@ -35,6 +37,12 @@ struct CollisionChoice {
   std::string name;
   std::string summary;
   Narrowphase narrowphase = Narrowphase::kScatter;
+};
+
+struct SolverChoice {
+  std::string name;
+  std::string summary;
+  ContactSolver solver = ContactSolver::kEngine;
 };
 
 struct EngineChoice {
@@ -54,6 +62,7 @@ struct SwitchingChoice {
 [[nodiscard]] const std::vector<WorldChoice>& worldChoices();
 [[nodiscard]] const std::vector<PolicyChoice>& policyChoices();
 [[nodiscard]] const std::vector<CollisionChoice>& collisionChoices();
+[[nodiscard]] const std::vector<SolverChoice>& solverChoices();
 [[nodiscard]] const std::vector<EngineChoice>& engineChoices();
 [[nodiscard]] const std::vector<SwitchingChoice>& switchingChoices();
 

@@ -62,6 +62,7 @@ ExitStatus list() {
       describeChoices("Switching modes of a hybrid world (--switching)", switchingChoices()) +
       describePolicies() +
       describeChoices("Collision of hybrid bodies in a hybrid world (--collision)", collisionChoices()) +
+      describeChoices("Solver of contacts (--solver)", solverChoices()) +
       describeChoices("Engines (--engine)", engineChoices());
   fmt::print("{}", lab::fitTerminal(text));
   return ExitStatus::kOk;

@@ -30,6 +30,19 @@ void addCollisionArguments(CLI::App& command, RunArguments& arguments) {
       ->check(CLI::Range(0.0, kMostRecycling))
       ->type_name("MM");
   command
+      .add_option("--solver", arguments.solver,
+                  fmt::format("Who solves contacts, in any world that does not bring its own: {} [{}]",
+                              namesOf(solverChoices()), solverChoices().front().name))
+      ->type_name("NAME");
+  command
+      .add_option("--reduce", arguments.contactsPerDirection,
+                  "Show the solver no more than N contacts of each direction of two bodies that have many "
+                  "[8 if N is left out]; 0: all of them [0]")
+      ->expected(0, 1)
+      ->default_str(std::to_string(kUsualContactsPerDirection))
+      ->check(wholeNumber<int>(0))
+      ->type_name("[N]");
+  command
       .add_option("--verify-contacts", arguments.verifyEvery,
                   "Compare the contacts of hybrid bodies with the engine's every N frames; slow, and part of "
                   "those frames' times; status 1 if any is missed")
@@ -75,6 +88,11 @@ Result<void> checkMeaning(const RunArguments& arguments, const std::vector<World
     return fail("the world " + worlds.back().world.name +
                 " has its own policy; leave --policy out or use the hybrid world");
   }
+  const auto takesSolver = [](const WorldSpec& spec) { return !spec.world.solver; };
+  if (arguments.solver && std::none_of(worlds.begin(), worlds.end(), takesSolver)) {
+    return fail("the world " + worlds.back().world.name +
+                " has its own solver; leave --solver out or use another world");
+  }
   const auto takesCollision = [&](const WorldSpec& spec) {
     return isHybrid(spec) && !spec.world.narrowphase;
   };
@@ -100,14 +118,31 @@ Result<CollisionDef> makeCollision(const RunArguments& arguments, const WorldCho
   return collision;
 }
 
+Result<ContactSolver> chooseSolver(const RunArguments& arguments, const WorldChoice& world) {
+  ContactSolver solver = solverChoices().front().solver;
+  if (arguments.solver) {
+    const auto choice = choose(solverChoices(), "solver", *arguments.solver);
+    if (!choice) return tl::unexpected(choice.error());
+    solver = choice->solver;
+  }
+  return world.solver.value_or(solver);
+}
+
 Result<RunOptions> makeRun(const RunArguments& arguments, const EngineChoice& engine,
                            const SwitchingChoices& switching, const WorldSpec& spec) {
   const auto collision = makeCollision(arguments, spec.world);
   if (!collision) {
     return tl::unexpected(collision.error());
   }
+  const auto solver = chooseSolver(arguments, spec.world);
+  if (!solver) {
+    return tl::unexpected(solver.error());
+  }
   RunOptions options;
   options.scene = arguments.scene;
+  options.physics.solver = *solver;
+  options.physics.contactsPerDirection =
+      arguments.contactsPerDirection.value_or(spec.world.contactsPerDirection);
   options.engine = engine.make;
   options.physics.world = spec.world.kind;
   options.physics.profiling = !arguments.noProfiling;

@@ -23,6 +23,8 @@ struct RunArguments {
   std::string engine = engineChoices().front().name;
   SwitchingArguments switching;
   std::optional<std::string> collision;
+  std::optional<std::string> solver;
+  std::optional<int> contactsPerDirection;
   std::optional<float> recycling;  ///< Millimetres.
   std::optional<int> verifyEvery;
   std::optional<int> fidelityEvery;

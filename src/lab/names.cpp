@@ -24,6 +24,10 @@ std::string nameOf(Narrowphase narrowphase) {
   return narrowphase == Narrowphase::kScatter ? "scatter" : "engine";
 }
 
+std::string nameOf(ContactSolver solver) {
+  return solver == ContactSolver::kWide ? "wide" : "engine";
+}
+
 std::string nameOf(PairMidphase midphase) {
   switch (midphase) {
     case PairMidphase::kWorldBoxes:

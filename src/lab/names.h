@@ -11,6 +11,7 @@ namespace scatter::lab {
 [[nodiscard]] std::string nameOf(WorldKind kind);
 [[nodiscard]] std::string nameOf(Policy policy);
 [[nodiscard]] std::string nameOf(Narrowphase narrowphase);
+[[nodiscard]] std::string nameOf(ContactSolver solver);
 [[nodiscard]] std::string nameOf(PairMidphase midphase);
 [[nodiscard]] std::string nameOf(Switching switching);
 [[nodiscard]] std::string nameOf(LevelEventKind kind);

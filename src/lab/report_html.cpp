@@ -238,10 +238,15 @@ std::string optionsOf(const RunOptions& run) {
     text += budgetOf(run.physics.switching);
     text += run.physics.switching.safetyConditions ? "" : ", safety conditions off";
     text += ", collision " + nameOf(run.physics.collision.narrowphase);
+    const float recycling = run.physics.collision.pairAlgorithm.recycling;
+    if (recycling > 0.0F) text += ", contacts recycled within " + readableNumber(1000.0 * recycling) + " mm";
   }
+  if (run.physics.contactsPerDirection > 0)
+    text += ", " + std::to_string(run.physics.contactsPerDirection) + " contacts of each direction";
   return text + ", " + std::to_string(run.frames) + " frames, seed " + std::to_string(run.seed.value_or(1)) +
          ", budget " + readableNumber(run.budgetMs) + " ms, " + std::to_string(run.physics.solverIterations) +
-         " solver iterations, profiling " + (run.physics.profiling ? "on" : "off");
+         " iterations of the " + nameOf(run.physics.solver) + " solver, profiling " +
+         (run.physics.profiling ? "on" : "off");
 }
 
 std::string conditions(const Comparison& comparison) {

@@ -148,6 +148,8 @@ Json runOptionsJson(const Summary& summary) {
                {"seed", summary.seed},
                {"budget_ms", summary.budgetMs},
                {"profiling", physics.profiling},
+               {"solver", nameOf(physics.solver)},
+               {"contacts_per_direction", physics.contactsPerDirection},
                {"solver_iterations", physics.solverIterations},
                {"gravity", {physics.gravity.x, physics.gravity.y, physics.gravity.z}}};
   if (physics.world == WorldKind::kHybrid) {

@@ -20,10 +20,24 @@ enum class WorldKind : std::uint8_t {
   kHybrid,    ///< The engine with switching.
 };
 
+/// Who finds the impulses of contacts.
+enum class ContactSolver : std::uint8_t {
+  kEngine,  ///< The engine's own solver.
+  kWide,    ///< One that solves the contacts of four pairs of bodies at a time.
+};
+
+/// What PhysicsDef::contactsPerDirection is where it is asked for without a number: with 4 corners a body
+/// rests, with twice as many a round one does.
+inline constexpr int kUsualContactsPerDirection = 8;
+
 struct PhysicsDef {
   WorldKind world = WorldKind::kStandard;
   Vec3 gravity{0.0F};
   int solverIterations = 10;
+  ContactSolver solver = ContactSolver::kEngine;
+
+  /// How many contacts of two bodies the solver is shown of each direction, where they have many; 0: all.
+  int contactsPerDirection = 0;
   bool profiling = true;
   SwitchingDef switching{};
   CollisionDef collision{};

@@ -77,14 +77,30 @@ btHybridCollisionInfo collisionInfo(const CollisionDef& def) {
   return info;
 }
 
+btHybridContactReductionInfo reductionInfo(const PhysicsDef& def) {
+  btHybridContactReductionInfo info;
+  info.m_mostAlike = def.contactsPerDirection;
+  return info;
+}
+
+std::unique_ptr<btSequentialImpulseConstraintSolver> makeSolver(const PhysicsDef& def,
+                                                                BulletStageTimer& timer) {
+  if (def.solver != ContactSolver::kWide) return std::make_unique<BulletTimedSolver>(timer);
+  auto solver = std::make_unique<BulletTimedContactSolver>(timer);
+  if (def.contactsPerDirection > 0) solver->setContactReduction(reductionInfo(def));
+  return solver;
+}
+
 }  // namespace
 
-BulletEngine::BulletEngine(const PhysicsDef& def) : dispatcher_(&configuration_), solver_(timer_) {
+BulletEngine::BulletEngine(const PhysicsDef& def)
+    : dispatcher_(&configuration_), solver_(makeSolver(def, timer_)), reduction_(solver_.get()) {
+  btConstraintSolver* const solver = solverOf(def);
   broadphase_.getOverlappingPairCache()->setOverlapFilterCallback(&filter_);
   if (def.world == WorldKind::kHybrid) {
     const bool byPair = switchesByPair(def.switching);
     auto hybrid =
-        std::make_unique<btHybridDynamicsWorld>(&dispatcher_, &broadphase_, &solver_, &configuration_,
+        std::make_unique<btHybridDynamicsWorld>(&dispatcher_, &broadphase_, solver, &configuration_,
                                                 byPair ? BT_HYBRID_PAIR_SWITCHING : BT_HYBRID_BODY_SWITCHING);
     hybrid->getSwitchingInfo() = switchingInfo(def.switching);
     if (byPair) setUpPairSwitching(*hybrid, def.switching);
@@ -93,10 +109,16 @@ BulletEngine::BulletEngine(const PhysicsDef& def) : dispatcher_(&configuration_)
     switching_ = hybrid.get();
     world_ = std::move(hybrid);
   } else {
-    world_ = std::make_unique<btDiscreteDynamicsWorld>(&dispatcher_, &broadphase_, &solver_, &configuration_);
+    world_ = std::make_unique<btDiscreteDynamicsWorld>(&dispatcher_, &broadphase_, solver, &configuration_);
   }
   world_->setGravity(toBullet(def.gravity));
   world_->getSolverInfo().m_numIterations = def.solverIterations;
+}
+
+btConstraintSolver* BulletEngine::solverOf(const PhysicsDef& def) {
+  if (def.contactsPerDirection == 0 || def.solver == ContactSolver::kWide) return solver_.get();
+  reduction_.getContactReductionInfo() = reductionInfo(def);
+  return &reduction_;
 }
 
 bool BulletEngine::setBudget(const BudgetDef& budget) {

@@ -3,6 +3,7 @@
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
 #include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
 #include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
+#include <BulletHybrid/btHybridContactReduction.h>
 #include <scatter/world/physics.h>
 
 #include <memory>
@@ -58,12 +59,15 @@ class BulletEngine {
   void wakeNeighbours(const btCollisionObject& object);
 
  private:
+  [[nodiscard]] btConstraintSolver* solverOf(const PhysicsDef& def);
+
   BulletStageTimer timer_;
   btDefaultCollisionConfiguration configuration_;
   BulletDispatcher dispatcher_;
   BulletPairFilter filter_;
   btDbvtBroadphase broadphase_;
-  BulletTimedSolver solver_;
+  std::unique_ptr<btSequentialImpulseConstraintSolver> solver_;
+  btHybridContactReduction reduction_;
   std::unique_ptr<btDiscreteDynamicsWorld> world_;
   btHybridDynamicsWorld* switching_ = nullptr;
 };

@@ -10,7 +10,7 @@
 namespace scatter::test {
 
 /// A Bullet world of either type with everything that it needs, and the bodies and shapes added to it.
-template <class WorldType>
+template <class WorldType, class Solver = btSequentialImpulseConstraintSolver>
 class BulletTestWorld {
  public:
   /// `more`: what the world's constructor takes besides what every Bullet world does.
@@ -100,7 +100,7 @@ class BulletTestWorld {
   btDefaultCollisionConfiguration configuration{smallPools()};
   btCollisionDispatcher dispatcher{&configuration};
   btDbvtBroadphase broadphase;
-  btSequentialImpulseConstraintSolver solver;
+  Solver solver;
   WorldType world;
   std::vector<std::unique_ptr<btCollisionShape>> shapes;
   std::vector<std::unique_ptr<btStridingMeshInterface>> meshes;

@@ -1,0 +1,119 @@
+#include "solver/contact_reduction.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace scatter::solver {
+
+namespace {
+
+/// Cosine of 5°: normals of a flat face as detectors find them are nearer to each other than this, those of
+/// neighbouring facets of a wheel are not.
+constexpr float kAlike = 0.996F;
+
+/// A contact that bore something counts as so much deeper, and as so much further away, than one that did
+/// not: a millimetre is what places of contacts tremble by.
+constexpr float kLoyalDepth = 0.001F;
+constexpr float kLoyalReach = 1.2F;
+
+/// Squared, metres: nearer than this two contacts are one.
+constexpr float kSame2 = 1e-8F;
+
+float dot3(const Quad& a, const Quad& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+bool bore(const ReducibleContact& contact) {
+  return contact.normal.w > 0.0F;
+}
+
+}  // namespace
+
+int ContactReduction::reduce(std::span<ReducibleContact> contacts, int most) {
+  cluster(contacts);
+  int left = 0;
+  for (std::size_t i = 0; i < count_; ++i) left += choose(contacts, clusters_[i].members, most);
+  return left;
+}
+
+void ContactReduction::cluster(std::span<ReducibleContact> contacts) {
+  count_ = 0;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    std::size_t k = 0;
+    while (k < count_ && dot3(clusters_[k].normal, contacts[i].normal) < kAlike) ++k;
+    if (k == count_) {
+      if (count_ == clusters_.size()) clusters_.emplace_back();
+      clusters_[k].normal = contacts[i].normal;
+      clusters_[k].members.clear();
+      ++count_;
+    }
+    clusters_[k].members.push_back(static_cast<int>(i));
+  }
+}
+
+void ContactReduction::gather(std::span<const ReducibleContact> contacts, const std::vector<int>& members) {
+  const Lanes far = lanes(std::numeric_limits<float>::max());
+  members_.assign((members.size() + kLanes - 1) / kLanes, Members{{}, {}, far, {}});
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    const ReducibleContact& contact = contacts[static_cast<std::size_t>(members[i])];
+    Members& four = members_[i / kLanes];
+    const std::size_t lane = i % kLanes;
+    four.place.x[lane] = contact.place.x;
+    four.place.y[lane] = contact.place.y;
+    four.place.z[lane] = contact.place.z;
+    four.reach[lane] = bore(contact) ? kLoyalReach : 1.0F;
+  }
+}
+
+// The one that is furthest from all that were chosen so far, `chosen` among them; -1 if all are near.
+int ContactReduction::takeNext(int chosen) {
+  const Members& home = members_[static_cast<std::size_t>(chosen / kLanes)];
+  const int at = chosen % kLanes;
+  const LaneVector place{lanes(home.place.x[at]), lanes(home.place.y[at]), lanes(home.place.z[at])};
+  const LaneMask chosenLanes{chosen, chosen, chosen, chosen};
+  Lanes most = lanes(kSame2);
+  LaneMask furthest{-1, -1, -1, -1};
+  LaneMask index{0, 1, 2, 3};
+  for (Members& four : members_) {
+    const LaneVector between = four.place - place;
+    const Lanes from2 = dot(between, between);
+    const LaneMask isNearer = from2 < four.distance2;
+    four.distance2 = isNearer ? from2 : four.distance2;
+    four.nearest = isNearer ? chosenLanes : four.nearest;
+    const Lanes reach2 = four.distance2 * four.reach;
+    const LaneMask isFurther = (reach2 > most) & (four.distance2 > lanes(kSame2));
+    most = isFurther ? reach2 : most;
+    furthest = isFurther ? index : furthest;
+    index += kLanes;
+  }
+  int best = 0;
+  for (int lane = 1; lane < kLanes; ++lane) {
+    if (most[lane] > most[best]) best = lane;
+  }
+  return furthest[best];
+}
+
+int ContactReduction::choose(std::span<ReducibleContact> contacts, const std::vector<int>& members,
+                             int most) {
+  const auto at = [&](int i) -> ReducibleContact& { return contacts[static_cast<std::size_t>(i)]; };
+  const int count = static_cast<int>(members.size());
+  if (count <= most) {
+    for (const int i : members) at(i).kept = i;
+    return count;
+  }
+  const auto depth = [&](int i) { return (bore(at(i)) ? kLoyalDepth : 0.0F) - at(i).place.w; };
+  const auto deepest =
+      std::max_element(members.begin(), members.end(), [&](int i, int k) { return depth(i) < depth(k); });
+  gather(contacts, members);
+  int next = static_cast<int>(deepest - members.begin());
+  int chosen = 1;
+  for (int further = takeNext(next); further >= 0 && chosen < most; further = takeNext(next), ++chosen)
+    next = further;
+  for (int i = 0; i < count; ++i) {
+    const int nearest = members_[static_cast<std::size_t>(i / kLanes)].nearest[i % kLanes];
+    at(members[static_cast<std::size_t>(i)]).kept = members[static_cast<std::size_t>(nearest)];
+  }
+  return chosen;
+}
+
+}  // namespace scatter::solver

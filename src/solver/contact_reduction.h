@@ -1,0 +1,52 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "solver/lanes.h"
+
+namespace scatter::solver {
+
+/// A contact of two bodies that others of theirs may stand for.
+struct ReducibleContact {
+  Quad place{};   ///< w: distance, less than 0 in each other, metres.
+  Quad normal{};  ///< w: impulse that it bore, newton seconds.
+  int kept = -1;  ///< Out: the contact that stands for it, its own index if it stays.
+};
+
+/// Leaves out contacts of two bodies that others stand for. Contacts whose normals are alike form a cluster;
+/// of each cluster stay the deepest and those that are furthest from each other, which span nearly the same
+/// area: [Moravanszky and Terdiman 2004, "Fast Contact Reduction for Dynamics Simulation"]. Those that bore
+/// something a step before stay rather than others, so that the choice does not flicker.
+class ContactReduction {
+ public:
+  /// Sets ReducibleContact::kept. `most`: how many of each cluster may stay, at least 1. Returns how many do.
+  int reduce(std::span<ReducibleContact> contacts, int most);
+
+ private:
+  struct Cluster {
+    Quad normal;
+    std::vector<int> members;
+  };
+
+  void cluster(std::span<ReducibleContact> contacts);
+  [[nodiscard]] int choose(std::span<ReducibleContact> contacts, const std::vector<int>& members, int most);
+
+  std::vector<Cluster> clusters_;  ///< In memory that is used again.
+  std::size_t count_ = 0;
+
+  /// Four members of a cluster.
+  struct Members {
+    LaneVector place;
+    Lanes reach;       ///< What distances are multiplied by; 0 where there is none.
+    Lanes distance2;   ///< From the nearest that was chosen.
+    LaneMask nearest;  ///< That one, among the members.
+  };
+
+  void gather(std::span<const ReducibleContact> contacts, const std::vector<int>& members);
+  [[nodiscard]] int takeNext(int chosen);
+
+  std::vector<Members> members_;
+};
+
+}  // namespace scatter::solver

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <span>
+
+#include "solver/colouring.h"
+#include "solver/contact_problem.h"
+#include "solver/contact_rows.h"
+
+namespace scatter::solver {
+
+/// Solves contacts with projected Gauss-Seidel as Bullet's solver does, four pairs of bodies at a time:
+/// in every iteration all normals, then all friction. In memory that it keeps from step to step. The same
+/// problem gives the same bits. Not for use by two threads at once.
+class ContactSolver {
+ public:
+  struct Impulse {
+    float normal;
+    float friction[2];
+    Quad directions[2];  ///< Of friction, on body a.
+  };
+
+  /// Makes rows and starts with the impulses that the points come with.
+  void begin(const ContactProblem& problem, const ContactSettings& settings);
+
+  /// One iteration. Returns the square of the most that it has changed any row's speed by, as Bullet's
+  /// residual: (metres per second)².
+  float solveVelocities();
+
+  /// One iteration of what moves bodies apart and leaves their velocities alone; returns the same of it.
+  float solvePushes();
+
+  /// Whether any contact is that deep.
+  [[nodiscard]] bool pushes() const { return pushes_; }
+
+  /// What has been added to the bodies' velocities so far, by the bodies' indices; may be changed between
+  /// iterations, by who solves other constraints of the same bodies.
+  [[nodiscard]] std::span<BodyVelocity> velocities();
+  [[nodiscard]] std::span<BodyVelocity> pushVelocities();
+
+  /// Calls `take(point, impulse)` for every point of the problem that begin() was given.
+  template <class Take>
+  void forEachImpulse(const ContactProblem& problem, Take take) const;
+
+  [[nodiscard]] const Colouring& colouring() const { return colouring_; }
+
+ private:
+  [[nodiscard]] Impulse impulseOf(std::size_t row, int lane) const;
+
+  Colouring colouring_;
+  ContactRows rows_;
+  bool clampsFriction_ = true;
+  bool pushes_ = false;
+};
+
+template <class Take>
+void ContactSolver::forEachImpulse(const ContactProblem& problem, Take take) const {
+  for (std::size_t i = 0; i < rows_.batches.size(); ++i) {
+    const PairBatch& batch = colouring_.batches()[i];
+    for (int lane = 0; lane < kLanes; ++lane) {
+      const int index = batch.pairs[static_cast<std::size_t>(lane)];
+      if (index == PairBatch::kNoPair) continue;
+      const ContactPair& pair = problem.pairs[static_cast<std::size_t>(index)];
+      for (int k = 0; k < pair.count; ++k)
+        take(problem.order[static_cast<std::size_t>(pair.first + k)],
+             impulseOf(rows_.batches[i].first + static_cast<std::size_t>(k), lane));
+    }
+  }
+}
+
+}  // namespace scatter::solver

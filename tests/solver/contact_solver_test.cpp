@@ -1,0 +1,160 @@
+#include "solver/contact_solver.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace scatter::solver {
+namespace {
+
+constexpr float kStep = 1.0F / 60;
+
+ContactBody ball(float mass, Quad center, Quad velocity) {
+  ContactBody body;
+  body.center = center;
+  body.center.w = 1 / mass;
+  body.velocity = velocity;
+  const float inertia = 2.5F / mass;
+  body.inertia[0].x = body.inertia[1].y = body.inertia[2].z = inertia;
+  body.linear = {1 / mass, 1 / mass, 1 / mass, 0};
+  body.angular = {1, 1, 1, 0};
+  body.moves = true;
+  return body;
+}
+
+ContactPoint touch(Quad place, Quad normal, float distance, float friction, float restitution) {
+  ContactPoint point;
+  point.onA = point.onB = place;
+  point.onA.w = distance;
+  point.onB.w = friction;
+  point.normal = normal;
+  point.normal.w = restitution;
+  point.law = {0, 0, 0.2F, 1};
+  return point;
+}
+
+/// Two balls that fly towards each other along x; a is on the right.
+ContactProblem twoBalls(float massA, float massB, float restitution) {
+  ContactProblem problem;
+  problem.bodies = {ball(massA, {1, 0, 0, 0}, {-1, 0, 0, 0}), ball(massB, {-1, 0, 0, 0}, {2, 0, 0, 0})};
+  problem.points = {touch({0, 0, 0, 0}, {1, 0, 0, 0}, 0, 0, restitution)};
+  problem.pairs = {{0, 1, 0, 1}};
+  problem.order = {0};
+  return problem;
+}
+
+/// A ball that slides over a floor of a body that does not move.
+ContactProblem slidingBall(float speed, float fall, float friction) {
+  ContactProblem problem;
+  problem.bodies = {ball(2, {0, 1, 0, 0}, {speed, 0, 0, 0}), ContactBody{}};
+  problem.bodies[0].inertia[0] = problem.bodies[0].inertia[1] = problem.bodies[0].inertia[2] = {};
+  problem.bodies[0].force = {0, -fall, 0, 0};
+  problem.points = {touch({0, 0, 0, 0}, {0, 1, 0, 0}, 0, friction, 0)};
+  problem.pairs = {{0, 1, 0, 1}};
+  problem.order = {0};
+  return problem;
+}
+
+void solve(ContactSolver& solver, const ContactProblem& problem, const ContactSettings& settings,
+           int iterations) {
+  solver.begin(problem, settings);
+  for (int i = 0; i < iterations; ++i) solver.solveVelocities();
+}
+
+TEST(ContactSolver, KeepsMomentumAndBouncesAsTheRestitutionSays) {
+  ContactSolver solver;
+  solve(solver, twoBalls(3, 2, 0.5F), {.timeStep = kStep}, 4);
+  const float a = -1 + solver.velocities()[0].linear.x;
+  const float b = 2 + solver.velocities()[1].linear.x;
+  EXPECT_NEAR(3 * a + 2 * b, 3 * -1 + 2 * 2, 1e-5F);
+  EXPECT_NEAR(a - b, 0.5F * 3, 1e-5F);
+}
+
+TEST(ContactSolver, StopsASlowImpactWithoutABounce) {
+  ContactProblem problem = twoBalls(1, 1, 1);
+  problem.bodies[0].velocity.x = -0.05F;
+  problem.bodies[1].velocity.x = 0.05F;
+  ContactSolver solver;
+  solve(solver, problem, {.timeStep = kStep, .restitutionThreshold = 0.2F}, 4);
+  EXPECT_NEAR(solver.velocities()[0].linear.x, 0.05F, 1e-6F);
+}
+
+TEST(ContactSolver, SlowsDownWhatSlidesByFrictionTimesTheWeight) {
+  ContactSolver solver;
+  solve(solver, slidingBall(3, 0.2F, 0.4F), {.timeStep = kStep}, 10);
+  EXPECT_NEAR(solver.velocities()[0].linear.y, 0.2F, 1e-6F);
+  EXPECT_NEAR(solver.velocities()[0].linear.x, -0.4F * 0.2F, 1e-6F);
+}
+
+TEST(ContactSolver, HoldsWhatFrictionCanHold) {
+  ContactSolver solver;
+  solve(solver, slidingBall(0.05F, 0.2F, 0.4F), {.timeStep = kStep}, 10);
+  EXPECT_NEAR(solver.velocities()[0].linear.x, -0.05F, 1e-6F);
+}
+
+TEST(ContactSolver, MovesDeepBodiesApartAndLeavesTheirVelocitiesAlone) {
+  ContactProblem problem = twoBalls(1, 1, 0);
+  problem.bodies[0].velocity = problem.bodies[1].velocity = {};
+  problem.points[0].onA.w = -0.1F;
+  ContactSolver solver;
+  solve(solver, problem, {.timeStep = kStep, .splits = true, .splitDepth = -0.04F}, 4);
+  ASSERT_TRUE(solver.pushes());
+  for (int i = 0; i < 4; ++i) solver.solvePushes();
+  EXPECT_EQ(solver.velocities()[0].linear.x, 0);
+  const float apart = solver.pushVelocities()[0].linear.x - solver.pushVelocities()[1].linear.x;
+  EXPECT_NEAR(apart * kStep, 0.2F * 0.1F, 1e-6F);
+}
+
+TEST(ContactSolver, BeginsWithTheImpulsesThatContactsHad) {
+  ContactProblem problem = slidingBall(0, 0.2F, 0);
+  problem.points[0].law.x = 0.2F * 2;
+  ContactSolver solver;
+  solver.begin(problem, {.timeStep = kStep});
+  EXPECT_NEAR(solver.velocities()[0].linear.y, 0.2F, 1e-6F);
+  EXPECT_NEAR(solver.solveVelocities(), 0, 1e-10F);
+}
+
+TEST(ContactSolver, TellsItsImpulsesAndDirections) {
+  const ContactProblem problem = slidingBall(3, 0.2F, 0.4F);
+  ContactSolver solver;
+  solve(solver, problem, {.timeStep = kStep, .frictionDirections = 2}, 10);
+  int told = 0;
+  solver.forEachImpulse(problem, [&](int point, const ContactSolver::Impulse& impulse) {
+    EXPECT_EQ(point, 0);
+    EXPECT_NEAR(impulse.normal, 2 * 0.2F, 1e-5F);
+    EXPECT_NEAR(impulse.friction[0], -2 * 0.4F * 0.2F, 1e-5F);
+    EXPECT_NEAR(impulse.friction[1], 0, 1e-5F);
+    EXPECT_NEAR(impulse.directions[0].x, 1, 1e-5F);
+    EXPECT_NEAR(std::abs(impulse.directions[1].z), 1, 1e-5F);
+    ++told;
+  });
+  EXPECT_EQ(told, 1);
+}
+
+TEST(ContactSolver, ClampsTheFrictionOfAContactThatBearsNothing) {
+  ContactProblem problem = slidingBall(1, 0.2F, 1);
+  ContactSolver clamped;
+  ContactSolver kept;
+  clamped.begin(problem, {.timeStep = kStep, .clampsFriction = true});
+  kept.begin(problem, {.timeStep = kStep, .clampsFriction = false});
+  for (ContactSolver* solver : {&clamped, &kept}) {
+    solver->solveVelocities();
+    // Something else lifts the body off the floor.
+    solver->velocities()[0].linear.y = 5;
+    solver->solveVelocities();
+  }
+  EXPECT_NEAR(clamped.velocities()[0].linear.x, 0, 1e-5F);
+  EXPECT_NEAR(kept.velocities()[0].linear.x, -0.2F, 1e-5F);
+}
+
+TEST(ContactSolver, IsEmptyWithoutContacts) {
+  ContactProblem problem;
+  problem.bodies = {ball(1, {}, {})};
+  ContactSolver solver;
+  solver.begin(problem, {});
+  EXPECT_EQ(solver.solveVelocities(), 0);
+  EXPECT_FALSE(solver.pushes());
+}
+
+}  // namespace
+}  // namespace scatter::solver
