@@ -16,6 +16,8 @@ namespace {
 /// Half of the distance at which the engine drops contacts, millimetres.
 constexpr double kMostRecycling = 10.0;
 
+constexpr int kMostThreads = 64;
+
 void addCollisionArguments(CLI::App& command, RunArguments& arguments) {
   command
       .add_option("--collision", arguments.collision,
@@ -62,6 +64,7 @@ std::string hybridArgumentOf(const RunArguments& arguments) {
       {"--no-credit", switching.noCredit},
       {"--collision", arguments.collision.has_value()},
       {"--recycle", arguments.recycling.has_value()},
+      {"--threads", arguments.threads.has_value()},
       {"--verify-contacts", arguments.verifyEvery.has_value()},
       {"--proximity-steps", switching.proximitySteps.has_value()},
       {"--retry-interval", switching.retryInterval.has_value()},
@@ -146,6 +149,7 @@ Result<RunOptions> makeRun(const RunArguments& arguments, const EngineChoice& en
   options.engine = engine.make;
   options.physics.world = spec.world.kind;
   options.physics.profiling = !arguments.noProfiling;
+  options.physics.threads = arguments.threads.value_or(1);
   if (spec.world.kind == WorldKind::kHybrid) {
     options.physics.switching = makeSwitching(arguments.switching, switching, spec, collision->narrowphase);
     options.physics.collision = *collision;
@@ -194,6 +198,12 @@ void addRunArguments(CLI::App& command, RunArguments& arguments) {
       ->check(wholeNumber<std::uint64_t>(0))
       ->type_name("N");
   addFidelityArgument(command, arguments.fidelityEvery);
+  command
+      .add_option("--threads", arguments.threads,
+                  "Threads that a hybrid world works on, for the same results; processor times are of the main "
+                  "thread alone [1]")
+      ->check(CLI::Range(1, kMostThreads))
+      ->type_name("N");
   command.add_flag("--no-profiling", arguments.noProfiling, "Do not time the stages of a step");
   command.add_flag("--quiet", arguments.quiet, "No progress on standard error");
 }

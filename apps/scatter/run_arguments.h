@@ -30,6 +30,7 @@ struct RunArguments {
   std::optional<int> fidelityEvery;
   std::optional<int> frames;
   std::optional<std::uint64_t> seed;
+  std::optional<int> threads;
   bool noProfiling = false;
   bool quiet = false;
 };

@@ -15,6 +15,7 @@ class btHybridNeighbourhood;
 class btHybridPlanner;
 class btHybridRegistration;
 class btHybridRequests;
+class btITaskScheduler;
 
 /// A btDiscreteDynamicsWorld that switches the encapsulation levels of btHybridRigidBody objects, between
 /// the broadphase and the narrowphase, on request and only when it is safe.
@@ -234,6 +235,17 @@ public:
 	{
 		return m_refusal;
 	}
+
+	/// How many threads, the caller's among them, find out which parts of hybrids are near each other and how near: 1 to 64, 1 unless set
+	/// otherwise. Results are the same bits for any number. Callbacks, listeners and everything of Bullet stay on the caller's
+	/// thread, but for btCollisionShape::getAabb of shapes whose bounds are asked for. Steps with few pairs use one. Returns 0; or, for other numbers
+	/// and inside a step, what is wrong, and then nothing has changed.
+	const char* setNumThreads(int threads);
+	int getNumThreads() const;
+
+	/// The threads of a program's own scheduler, which must outlive its use, in the place of the world's; 0: the world's again. It is called directly, so
+	/// that it works in a Bullet that was built without threads. Returns 0; or, inside a step, what is wrong.
+	const char* setTaskScheduler(btITaskScheduler* scheduler);
 
 	/// Hybrids get the bounds of their coarsest level.
 	virtual void updateAabbs();

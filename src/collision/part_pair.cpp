@@ -342,6 +342,12 @@ ChildVerdict PartPair::measure(ChildPair& child, const PartBody& a, const PartBo
   return ChildVerdict::kContact;
 }
 
+bool PartPair::isExact(const ChildPair& child, const PartBody& a, const PartBody& b) const {
+  const PartList::Part& partA = a.parts().part(child.a);
+  const PartList::Part& partB = b.parts().part(child.b);
+  return !isOpaque(partA, partB) && ruleOf(partA, partB, threshold_, rounding_).exact;
+}
+
 void PartPair::learnAxis(ChildPair& child, const PartBody& a, const PartBody& b, const Vec3& axis) {
   const PartList::Part& partA = a.parts().part(child.a);
   const PartList::Part& partB = b.parts().part(child.b);

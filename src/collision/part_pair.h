@@ -119,6 +119,9 @@ class PartPair {
   [[nodiscard]] ChildVerdict measure(ChildPair& child, const PartBody& a, const PartBody& b,
                                      const PairSteps& steps, PartContact& contact, PairWork& work);
 
+  /// Whether measure() needs no engine, whatever contacts the child pair has.
+  [[nodiscard]] bool isExact(const ChildPair& child, const PartBody& a, const PartBody& b) const;
+
   /// Takes in an axis (from A to B, in A's frame, of length 1) that the engine's detector found.
   void learnAxis(ChildPair& child, const PartBody& a, const PartBody& b, const Vec3& axis);
 

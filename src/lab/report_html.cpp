@@ -241,6 +241,7 @@ std::string optionsOf(const RunOptions& run) {
     const float recycling = run.physics.collision.pairAlgorithm.recycling;
     if (recycling > 0.0F) text += ", contacts recycled within " + readableNumber(1000.0 * recycling) + " mm";
   }
+  if (run.physics.threads > 1) text += ", " + std::to_string(run.physics.threads) + " threads";
   if (run.physics.contactsPerDirection > 0)
     text += ", " + std::to_string(run.physics.contactsPerDirection) + " contacts of each direction";
   return text + ", " + std::to_string(run.frames) + " frames, seed " + std::to_string(run.seed.value_or(1)) +

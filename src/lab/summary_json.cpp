@@ -150,6 +150,7 @@ Json runOptionsJson(const Summary& summary) {
                {"profiling", physics.profiling},
                {"solver", nameOf(physics.solver)},
                {"contacts_per_direction", physics.contactsPerDirection},
+               {"threads", physics.threads},
                {"solver_iterations", physics.solverIterations},
                {"gravity", {physics.gravity.x, physics.gravity.y, physics.gravity.z}}};
   if (physics.world == WorldKind::kHybrid) {

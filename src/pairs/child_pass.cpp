@@ -4,20 +4,34 @@ namespace scatter::pairs {
 
 void ChildPass::run(std::vector<int>& awake) {
   std::vector<ChildPair>& children = parts_.children();
+  findAwake(awake);
+  for (const int i : awake) {
+    const ChildPair& child = children[static_cast<std::size_t>(i)];
+    if (child.touching) engine_.prefetch(child.contact);
+  }
+  for (std::size_t i = 0; i < awake.size(); ++i)
+    collide(children[static_cast<std::size_t>(awake[i])], foresight_ != nullptr ? &foresight_->looks[i] : nullptr);
+}
+
+void ChildPass::findAwake(std::vector<int>& awake) {
+  if (foresight_ != nullptr) {
+    awake.assign(foresight_->awake.begin(), foresight_->awake.end());
+    return;
+  }
   awake.clear();
   const std::vector<int>& wakeful = parts_.wakeful();
   for (const int i : wakeful) {
-    const ChildPair& child = children[static_cast<std::size_t>(i)];
-    if (parts_.isAsleep(child)) continue;
-    if (child.touching) engine_.prefetch(child.contact);
-    awake.push_back(i);
+    if (!parts_.isAsleep(parts_.children()[static_cast<std::size_t>(i)])) awake.push_back(i);
   }
   work_.childPairs += static_cast<int>(wakeful.size());
   work_.childPairsAsleep += static_cast<int>(wakeful.size() - awake.size());
-  for (const int i : awake) collide(children[static_cast<std::size_t>(i)]);
 }
 
-void ChildPass::collide(ChildPair& child) {
+bool ChildPass::overlap(const ChildPair& child, const ChildLook* seen) {
+  return seen != nullptr ? seen->state != ChildLook::State::kBoundsApart : bounds_.overlap(child.a, child.b);
+}
+
+void ChildPass::collide(ChildPair& child, const ChildLook* seen) {
   if (recycles_ && child.touching && !child.stale) {
     ++work_.recycled;
     return;
@@ -27,8 +41,11 @@ void ChildPass::collide(ChildPair& child) {
     return;
   }
   // Before the bounds, as it tells for how long they stay apart.
-  if (parts_.isToldApart(child, *bodies_.a, *bodies_.b, steps_, work_)) return;
-  if (!bounds_.overlap(child.a, child.b) || !engine_.letsThrough(child)) {
+  const bool isToldApart = seen != nullptr
+                               ? seen->state == ChildLook::State::kToldApart
+                               : parts_.isToldApart(child, *bodies_.a, *bodies_.b, steps_, work_);
+  if (isToldApart) return;
+  if (!overlap(child, seen) || !engine_.letsThrough(child)) {
     ++work_.boundsRejected;
     keepOrDrop(child);
     return;
@@ -36,7 +53,7 @@ void ChildPass::collide(ChildPair& child) {
   if (child.touching) child.touching = stillTouches(child);
   const int before = child.contact != nullptr ? engine_.countPoints(child.contact) : 0;
   if (!steps_.lazyManifolds && child.contact == nullptr) child.contact = engine_.newManifold();
-  find(child);
+  find(child, seen);
   if (child.contact == nullptr) return;
   engine_.looked(child);
   const int points = engine_.countPoints(child.contact);
@@ -58,9 +75,15 @@ bool ChildPass::stillTouches(const ChildPair& child) const {
   return recycles_ ? engine_.countPoints(child.contact) > 0 : engine_.outlasts(child.contact);
 }
 
-void ChildPass::find(ChildPair& child) {
+void ChildPass::find(ChildPair& child, const ChildLook* seen) {
   PartContact contact;
-  const ChildVerdict verdict = parts_.measure(child, *bodies_.a, *bodies_.b, steps_, contact, work_);
+  ChildVerdict verdict = ChildVerdict::kApart;
+  if (seen != nullptr && seen->state == ChildLook::State::kMeasured) {
+    verdict = seen->verdict;
+    contact = seen->contact;
+  } else {
+    verdict = parts_.measure(child, *bodies_.a, *bodies_.b, steps_, contact, work_);
+  }
   if (verdict == ChildVerdict::kApart) return;
   if ((!child.touching || areSpheres(child)) && !engine_.mayBegin(child)) return;
   if (verdict == ChildVerdict::kContact) {

@@ -11,10 +11,11 @@ class ChildPass {
  public:
   /// `credit`: child pairs on credit have no contacts of their own while those that are held are good; null
   /// at other levels. An audit that is due but cannot be afforded may be late, but not for long. `recycles`:
-  /// contacts have been moved along by ContactRecycling, and only those that are stale are found anew. All
-  /// must outlive it.
+  /// contacts have been moved along by ContactRecycling, and only those that are stale are found anew.
+  /// `foresight`: what is known already, or null. All must outlive it.
   ChildPass(PartPair& parts, const PlacedBodies& bodies, const PairSteps& steps, PairEngine& engine,
-            PairWork& work, const CreditState* credit, bool mayAudit, bool recycles)
+            PairWork& work, const CreditState* credit, bool mayAudit, bool recycles,
+            const Foresight* foresight = nullptr)
       : parts_(parts),
         bodies_(bodies),
         steps_(steps),
@@ -23,15 +24,18 @@ class ChildPass {
         credit_(credit),
         mayAudit_(mayAudit),
         recycles_(recycles),
+        foresight_(foresight),
         bounds_(*bodies.a, *bodies.b) {}
 
   /// `awake`: the child pairs that it has looked at.
   void run(std::vector<int>& awake);
 
  private:
-  void collide(ChildPair& child);
+  void findAwake(std::vector<int>& awake);
+  void collide(ChildPair& child, const ChildLook* seen);
   void keepOrDrop(ChildPair& child);
-  void find(ChildPair& child);
+  void find(ChildPair& child, const ChildLook* seen);
+  [[nodiscard]] bool overlap(const ChildPair& child, const ChildLook* seen);
   [[nodiscard]] bool stillTouches(const ChildPair& child) const;
   void drop(ChildPair& child);
   [[nodiscard]] bool isExcused(ChildPair& child) const;
@@ -45,6 +49,7 @@ class ChildPass {
   const CreditState* credit_;
   bool mayAudit_;
   bool recycles_;
+  const Foresight* foresight_;
   BoundsTest bounds_;
 };
 

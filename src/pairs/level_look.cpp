@@ -46,6 +46,10 @@ void LevelLook::atLevel(int level, bool returns, bool mayAudit) {
     restart(pair_.parts);
     for (int i = 0; i < 2; ++i) pair_.versions[i] = bodies.versions[i];
   }
+  if (pair_.foresight != nullptr) {
+    useForesight(bodies, mayAudit);
+    return;
+  }
   pair_.parts.followWholeBodies(pair_.credit.kind == CreditKind::kCoarser);
   const bool recycles = !returns && mayRecycle();
   if (recycles) pair_.origin = ContactOrigin::kRecycled;
@@ -63,6 +67,16 @@ void LevelLook::atLevel(int level, bool returns, bool mayAudit) {
   if (!isAwake) return;
   const CreditState* const credit = pair_.credit.kind == CreditKind::kCoarser ? &pair_.credit : nullptr;
   ChildPass(pair_.parts, bodies, steps_, engine_, work_, credit, mayAudit, recycles).run(scratch_.looked);
+  pair_.parts.settle(*bodies.a, *bodies.b, steps_);
+}
+
+// The step of a pair of which advance() has been done already.
+void LevelLook::useForesight(const PlacedBodies& bodies, bool mayAudit) {
+  const Foresight& foresight = *pair_.foresight;
+  pair_.closeForesight(engine_);
+  work_ += foresight.work;
+  if (!foresight.isAwake || foresight.isSettled) return;
+  ChildPass(pair_.parts, bodies, steps_, engine_, work_, nullptr, mayAudit, false, &foresight).run(scratch_.looked);
   pair_.parts.settle(*bodies.a, *bodies.b, steps_);
 }
 

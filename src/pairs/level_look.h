@@ -24,6 +24,7 @@ class LevelLook {
   bool place(int level, PlacedBodies& bodies);
   void restart(PartPair& parts) const;
   bool advance(PartPair& parts, const PlacedBodies& bodies);
+  void useForesight(const PlacedBodies& bodies, bool mayAudit);
   [[nodiscard]] bool mayRecycle() const;
 
   Pair& pair_;

@@ -4,7 +4,15 @@
 
 namespace scatter::pairs {
 
+void Pair::closeForesight(PairEngine& engine) {
+  if (foresight == nullptr) return;
+  for (void* manifold : foresight->kept) static_cast<void>(engine.outlasts(manifold));
+  for (void* manifold : foresight->dropped) engine.release(manifold);
+  foresight = nullptr;
+}
+
 void Pair::dropContacts(PairEngine& engine) {
+  closeForesight(engine);
   for (ChildPair& child : parts.children()) {
     if (child.contact != nullptr) engine.release(child.contact);
     child.contact = nullptr;

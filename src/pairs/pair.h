@@ -4,6 +4,7 @@
 
 #include "collision/part_pair.h"
 #include "lod/credit.h"
+#include "pairs/foresight.h"
 #include "pairs/held_contacts.h"
 
 namespace scatter::pairs {
@@ -65,6 +66,11 @@ struct Pair {
   bool hasFallenBack = false;  ///< The engine's own algorithm collides the bodies.
   bool restarted = false;      ///< It began without contacts when it last looked for some.
 
+  /// Of the step under way, until it has been made use of: it stays quiet, which was found out already; or
+  /// what was found out about it.
+  bool isForeseenQuiet = false;
+  Foresight* foresight = nullptr;
+
   static constexpr double kAwake = -1e18;
   static constexpr int kNoParts = -1;
 
@@ -73,6 +79,9 @@ struct Pair {
   void dropContacts(PairEngine& engine);
   void dropAll(PairEngine& engine);
 
+  /// Takes in what became of contacts in the foresight, if there is one; there is none any more.
+  void closeForesight(PairEngine& engine);
+
   /// Calls `use(manifold)` for those that are held, then for those of the child pairs.
   template <class Use>
   void forEachManifold(Use&& use) const {
@@ -80,6 +89,8 @@ struct Pair {
     for (const ChildPair& child : parts.children()) {
       if (child.contact != nullptr) use(child.contact);
     }
+    for (void* manifold : foresight != nullptr ? std::span<void* const>(foresight->dropped) : std::span<void* const>())
+      use(manifold);
   }
 
   /// As new, but with the memory that it has.

@@ -37,6 +37,7 @@ class PairStep {
     if (changesLevel_) {
       changeLevel();
     } else if (mayKeep()) {
+      pair_.closeForesight(engine_);
       keepContacts();
       return outcome_;
     }

@@ -39,6 +39,10 @@ struct PhysicsDef {
   /// How many contacts of two bodies the solver is shown of each direction, where they have many; 0: all.
   int contactsPerDirection = 0;
   bool profiling = true;
+
+  /// Threads that a step may use, the caller's among them, 1 to 64: as many as an engine can make use of.
+  /// Results do not depend on it.
+  int threads = 1;
   SwitchingDef switching{};
   CollisionDef collision{};
 };

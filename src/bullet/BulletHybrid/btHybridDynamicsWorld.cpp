@@ -403,6 +403,30 @@ const btHybridContactReport& btHybridDynamicsWorld::getContactReport() const
 	return m_verifier->getReport();
 }
 
+const char* btHybridDynamicsWorld::setNumThreads(int threads)
+{
+	const int c_most = 64;
+	if (m_detects)
+		return "the number of threads cannot change inside a step: change it between two";
+	if (threads < 1 || threads > c_most)
+		return "a world works on 1 to 64 threads";
+	m_narrowphase->getForesight().setNumThreads(threads);
+	return 0;
+}
+
+int btHybridDynamicsWorld::getNumThreads() const
+{
+	return m_narrowphase->getForesight().getNumThreads();
+}
+
+const char* btHybridDynamicsWorld::setTaskScheduler(btITaskScheduler* scheduler)
+{
+	if (m_detects)
+		return "the task scheduler cannot change inside a step: change it between two";
+	m_narrowphase->getForesight().setScheduler(scheduler);
+	return 0;
+}
+
 void btHybridDynamicsWorld::performDiscreteCollisionDetection()
 {
 	const DetectionScope scope(m_detects);
@@ -426,7 +450,9 @@ void btHybridDynamicsWorld::performDiscreteCollisionDetection()
 	{
 		BT_PROFILE("dispatchAllCollisionPairs");
 		m_narrowphase->getObjects().setDispatching(true);
+		m_narrowphase->getForesight().begin(*m_narrowphase, getDispatcher());
 		getDispatcher()->dispatchAllCollisionPairs(m_broadphasePairCache->getOverlappingPairCache(), getDispatchInfo(), m_dispatcher1);
+		m_narrowphase->getForesight().end();
 		m_narrowphase->getObjects().setDispatching(false);
 	}
 	if (m_planner)

@@ -85,6 +85,25 @@ void btHybridContacts::prefetch(const void* manifold)
 #endif
 }
 
+// The conditions of btPersistentManifold::refreshContactPoints.
+bool btHybridContacts::wouldOutlast(const btPersistentManifold& manifold)
+{
+	const btTransform& poseA = manifold.getBody0()->getWorldTransform();
+	const btTransform& poseB = manifold.getBody1()->getWorldTransform();
+	const btScalar most = manifold.getContactBreakingThreshold();
+	for (int i = 0; i < manifold.getNumContacts(); i++)
+	{
+		const btManifoldPoint& point = manifold.getContactPoint(i);
+		const btVector3 onA = poseA(point.m_localPointA);
+		const btVector3 onB = poseB(point.m_localPointB);
+		const btScalar distance = (onA - onB).dot(point.m_normalWorldOnB);
+		const btVector3 aside = onB - (onA - point.m_normalWorldOnB * distance);
+		if (distance <= most && !(aside.dot(aside) > most * most))
+			return true;
+	}
+	return false;
+}
+
 // As the dispatcher gives it to manifolds.
 btScalar btHybridContacts::getThreshold(const btCollisionDispatcher* dispatcher, const btCollisionObject* a, const btCollisionObject* b)
 {

@@ -31,6 +31,9 @@ public:
 	static void addImpulses(const btManifoldPoint& from, btManifoldPoint& to);
 	static float carry(btPersistentManifold* manifold, const scatter::Frame& rotation, const btCollisionObject* a, const btCollisionObject* b);
 	static void prefetch(const void* manifold);
+
+	/// Whether any point is going to be left by refreshContactPoints(), with the bodies where they are. Changes nothing.
+	static bool wouldOutlast(const btPersistentManifold& manifold);
 	static btScalar getThreshold(const btCollisionDispatcher* dispatcher, const btCollisionObject* a, const btCollisionObject* b);
 };
 

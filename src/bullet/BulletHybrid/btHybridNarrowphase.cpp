@@ -28,6 +28,22 @@ void btHybridNarrowphase::removeUser()
 		delete this;
 }
 
+void btHybridNarrowphase::addPair(btHybridPairAlgorithm* owner, bool switches, int* index)
+{
+	getPairs(switches).add(index);
+	m_owners[switches].push_back(owner);
+}
+
+// As the table does: the last one takes its place.
+void btHybridNarrowphase::removePair(btHybridPairAlgorithm* owner, bool switches, int index)
+{
+	m_foresight.forget(owner);
+	std::vector<btHybridPairAlgorithm*>& owners = m_owners[switches];
+	owners[index] = owners.back();
+	owners.pop_back();
+	getPairs(switches).remove(index);
+}
+
 void btHybridNarrowphase::beginStep()
 {
 	m_objects.beginStep();

@@ -5,12 +5,14 @@
 #include <vector>
 
 #include "BulletHybrid/btHybridCollision.h"
+#include "btHybridForesight.h"
 #include "btHybridGroundEngine.h"
 #include "btHybridObjects.h"
 #include "btHybridSettings.h"
 #include "pairs/pair_step.h"
 #include "pairs/pair_table.h"
 
+class btHybridPairAlgorithm;
 class btHybridPlanner;
 
 /// What the pair algorithms of a dispatcher share: the pairs, their objects, settings, counts. Counted by its owner and by the
@@ -25,6 +27,8 @@ class btHybridNarrowphase
 	scatter::pairs::PairTable m_pairs;
 	scatter::pairs::PairTable m_plainPairs;
 	scatter::pairs::GroundTable m_grounds;
+	std::vector<btHybridPairAlgorithm*> m_owners[2];  ///< of the pairs that do not switch, and of those that do, as in their tables
+	btHybridForesight m_foresight;
 	std::vector<std::unique_ptr<scatter::pairs::StepScratch>> m_scratches;
 	std::vector<std::unique_ptr<std::vector<btHybridPartBounds>>> m_bounds;
 	size_t m_depth;  ///< of pairs' steps inside each other's
@@ -92,6 +96,23 @@ public:
 	scatter::pairs::PairTable& getPairs(bool switches)
 	{
 		return switches ? m_pairs : m_plainPairs;
+	}
+
+	/// Adds a pair to its table, whose index it keeps in `index`.
+	void addPair(btHybridPairAlgorithm* owner, bool switches, int* index);
+	void removePair(btHybridPairAlgorithm* owner, bool switches, int index);
+	const std::vector<btHybridPairAlgorithm*>& getOwners(bool switches) const
+	{
+		return m_owners[switches];
+	}
+
+	btHybridForesight& getForesight()
+	{
+		return m_foresight;
+	}
+	const btHybridForesight& getForesight() const
+	{
+		return m_foresight;
 	}
 
 	/// One for each ground algorithm.

@@ -21,7 +21,7 @@ btHybridPairAlgorithm::btHybridPairAlgorithm(const btCollisionAlgorithmConstruct
       m_switches(m_narrowphase->getPlanner() && btMax(m_bodies.m_objects[0]->getNumLevels(), m_bodies.m_objects[1]->getNumLevels()) > 0)
 {
 	m_narrowphase->addUser();
-	m_narrowphase->getPairs(m_switches).add(&m_index);
+	m_narrowphase->addPair(this, m_switches, &m_index);
 	if (m_switches)
 		m_narrowphase->getPlanner()->addPair(m_bodies.m_objects[0], m_bodies.m_objects[1], &m_planIndex);
 	m_bodies.take(btMax(m_bodies.m_objects[0]->getNumLevels(), m_bodies.m_objects[1]->getNumLevels()), m_narrowphase->getObjects());
@@ -38,7 +38,7 @@ btHybridPairAlgorithm::~btHybridPairAlgorithm()
 	m_fallback.release(m_dispatcher);
 	if (m_switches)
 		m_narrowphase->getPlanner()->removePair(m_planIndex);
-	m_narrowphase->getPairs(m_switches).remove(m_index);
+	m_narrowphase->removePair(this, m_switches, m_index);
 	for (int i = 0; i < 2; i++)
 		m_narrowphase->getObjects().release(m_bodies.m_objects[i]);
 	m_narrowphase->removeUser();
@@ -67,6 +67,74 @@ bool btHybridPairAlgorithm::staysQuiet(btHybridPairEngine& engine) const
 	return pair.quietUntil >= 0 && m_narrowphase->getPlanner()->isSettled(m_planIndex) && engine.follow(bodies) && scatter::pairs::staysQuiet(pair, bodies);
 }
 
+namespace
+{
+class ManifoldPeek : public scatter::pairs::ContactPeek
+{
+public:
+	virtual bool wouldOutlast(const void* contact) const
+	{
+		return btHybridContacts::wouldOutlast(*btHybridContacts::at(contact));
+	}
+};
+}  // namespace
+
+bool btHybridPairAlgorithm::mayBeForeseen() const
+{
+	const bool isAwake = m_bodies.m_objects[0]->getObject()->isActive() || m_bodies.m_objects[1]->getObject()->isActive();
+	if (!isAwake || !m_switches)
+		return isAwake;
+	return m_narrowphase->getPlanner()->isForeseeable(m_planIndex, m_bodies.m_level);
+}
+
+bool btHybridPairAlgorithm::follow(btDispatcher* dispatcher)
+{
+	const btCollisionObject* objects[2] = {m_bodies.m_objects[0]->getObject(), m_bodies.m_objects[1]->getObject()};
+	if (!dispatcher->needsCollision(objects[0], objects[1]))
+		return false;
+	bool areThere = true;
+	for (int i = 0; i < 2; i++)
+	{
+		const btCollisionShape* shape = m_switches ? m_bodies.m_bodies[i]->getShapeNow() : objects[i]->getCollisionShape();
+		areThere = m_narrowphase->getObjects().update(m_bodies.m_bodies[i], shape, objects[i]->getWorldTransform()) && areThere;
+	}
+	return areThere;
+}
+
+scatter::pairs::PlacedBodies btHybridPairAlgorithm::getPlaced() const
+{
+	scatter::pairs::PlacedBodies bodies;
+	bodies.a = &m_bodies.m_bodies[0]->getBody();
+	bodies.b = &m_bodies.m_bodies[1]->getBody();
+	for (int i = 0; i < 2; i++)
+		bodies.versions[i] = m_bodies.m_bodies[i]->getVersion();
+	return bodies;
+}
+
+void btHybridPairAlgorithm::foresee(scatter::pairs::BoundsLocks& locks, scatter::pairs::ForesightScratch& scratch)
+{
+	Pair& pair = getPair();
+	const scatter::pairs::PlacedBodies bodies = getPlaced();
+	if (m_switches && pair.quietUntil >= 0 && m_narrowphase->getPlanner()->isSettled(m_planIndex) && scatter::pairs::staysQuiet(pair, bodies))
+	{
+		pair.isForeseenQuiet = true;
+		return;
+	}
+	if (scatter::pairs::isForeseeable(pair, bodies, m_narrowphase->getSteps()))
+		scatter::pairs::foresee(pair, bodies, m_narrowphase->getSteps(), ManifoldPeek(), locks, scratch);
+}
+
+void btHybridPairAlgorithm::endForesight()
+{
+	Pair& pair = getPair();
+	pair.isForeseenQuiet = false;
+	if (!pair.foresight)
+		return;
+	for (void* manifold : pair.foresight->dropped)
+		m_dispatcher->releaseManifold(btHybridContacts::at(manifold));
+	pair.foresight = 0;
+}
+
 void btHybridPairAlgorithm::processCollision(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut)
 {
 	btHybridNarrowphase& shared = *m_narrowphase;
@@ -80,8 +148,9 @@ void btHybridPairAlgorithm::processCollision(const btCollisionObjectWrapper* bod
 		shared.endPair();
 		return;
 	}
-	if (staysQuiet(engine))
+	if (pair.isForeseenQuiet || (!pair.foresight && staysQuiet(engine)))
 	{
+		pair.isForeseenQuiet = false;
 		planner->countQuiet(m_planIndex);
 		shared.getWork().pairs++;
 		shared.getWork().pairsSkipped++;

@@ -19,6 +19,7 @@ class btHybridPairAlgorithm : public btHybridAlgorithm
 
 	scatter::pairs::Pair& getPair() const;
 	bool staysQuiet(btHybridPairEngine& engine) const;
+	scatter::pairs::PlacedBodies getPlaced() const;
 
 public:
 	btHybridPairAlgorithm(const btCollisionAlgorithmConstructionInfo& info, btHybridNarrowphase* narrowphase, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap);
@@ -32,6 +33,18 @@ public:
 	virtual bool hasRestarted() const;
 
 	virtual void processCollision(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut);
+
+	/// Whether its step is likely to be one that can be foreseen. Changes nothing.
+	bool mayBeForeseen() const;
+
+	/// Moves its bodies to where its objects are, if its step is going to come. Whether both are there.
+	bool follow(btDispatcher* dispatcher);
+
+	/// Finds out about its step what needs nothing of Bullet. Any number of pairs at once.
+	void foresee(scatter::pairs::BoundsLocks& locks, scatter::pairs::ForesightScratch& scratch);
+
+	/// Its step has not come, or has made use of what was found out.
+	void endForesight();
 
 	virtual void getAllContactManifolds(btManifoldArray& manifoldArray);
 	virtual void getManifolds(btAlignedObjectArray<btHybridManifoldView>& manifolds) const;

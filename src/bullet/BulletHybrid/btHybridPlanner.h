@@ -149,6 +149,13 @@ public:
 		return planned.target == planned.view.level && !planned.view.touching;
 	}
 
+	/// Whether a pair's next step is one of looking for contacts at `level`, which it has, without credit, whatever others take.
+	bool isForeseeable(int pair, int level) const
+	{
+		const scatter::lod::PlannedPair& planned = m_planned[pair];
+		return planned.view.level == level && planned.target == level && !planned.view.credited && !(m_plans && planned.view.touching);
+	}
+
 	/// A pair that is settled was left without a look.
 	void countQuiet(int pair)
 	{

@@ -106,6 +106,7 @@ BulletEngine::BulletEngine(const PhysicsDef& def)
     if (byPair) setUpPairSwitching(*hybrid, def.switching);
     isDone(hybrid->setCollisionInfo(collisionInfo(def.collision)));
     hybrid->verifyContacts(def.collision.verifyEvery);
+    isDone(hybrid->setNumThreads(def.threads));
     switching_ = hybrid.get();
     world_ = std::move(hybrid);
   } else {

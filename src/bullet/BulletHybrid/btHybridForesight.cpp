@@ -1,0 +1,127 @@
+#include "btHybridForesight.h"
+
+#include <BulletCollision/BroadphaseCollision/btDispatcher.h>
+#include <LinearMath/btThreads.h>
+
+#include <algorithm>
+
+#include "btHybridNarrowphase.h"
+#include "btHybridPairAlgorithm.h"
+
+namespace
+{
+/// Pairs that one thread takes at a time. Most are quiet and take 50 ns, so that a block is worth taking; the number of
+/// threads must not matter to it.
+const int c_block = 32;
+
+/// Fewer pairs are done before another thread has woken up.
+const int c_fewest = 128;
+
+template <class Work>
+struct BlockBody : public btIParallelForBody
+{
+	const Work& m_work;
+
+	explicit BlockBody(const Work& work)
+	    : m_work(work)
+	{
+	}
+	virtual void forLoop(int begin, int end) const
+	{
+		for (int i = begin; i < end; ++i)
+			m_work(i);
+	}
+};
+}  // namespace
+
+void btHybridForesight::setNumThreads(int threads)
+{
+	m_threads.reset(threads > 1 ? new scatter::parallel::ThreadPool(threads) : 0);
+}
+
+// Calls work(first, last) for blocks of indices.
+template <class Work>
+void btHybridForesight::forEachBlock(int count, const Work& work)
+{
+	const auto block = [&](int i)
+	{ work(i * c_block, std::min(count, (i + 1) * c_block)); };
+	const int blocks = (count + c_block - 1) / c_block;
+	if (m_scheduler)
+		m_scheduler->parallelFor(0, blocks, 1, BlockBody<decltype(block)>(block));
+	else
+		m_threads->run(blocks, block);
+}
+
+scatter::pairs::ForesightScratch* btHybridForesight::borrow()
+{
+	const std::scoped_lock lock(m_mutex);
+	if (m_free.empty())
+	{
+		m_scratches.push_back(std::make_unique<scatter::pairs::ForesightScratch>());
+		m_free.push_back(m_scratches.back().get());
+	}
+	scatter::pairs::ForesightScratch* scratch = m_free.back();
+	m_free.pop_back();
+	return scratch;
+}
+
+void btHybridForesight::giveBack(scatter::pairs::ForesightScratch* scratch)
+{
+	const std::scoped_lock lock(m_mutex);
+	m_free.push_back(scratch);
+}
+
+void btHybridForesight::collect(btHybridNarrowphase& narrowphase)
+{
+	m_pairs.clear();
+	for (const bool switches : {true, false})
+	{
+		const std::vector<btHybridPairAlgorithm*>& owners = narrowphase.getOwners(switches);
+		m_pairs.insert(m_pairs.end(), owners.begin(), owners.end());
+	}
+}
+
+void btHybridForesight::begin(btHybridNarrowphase& narrowphase, btDispatcher* dispatcher)
+{
+	m_pairs.clear();
+	if (!m_threads && !m_scheduler)
+		return;
+	collect(narrowphase);
+	if (int(m_pairs.size()) < c_fewest)
+	{
+		m_pairs.clear();
+		return;
+	}
+	m_chosen.assign(m_pairs.size(), 0);
+	const int count = int(m_pairs.size());
+	forEachBlock(count, [this](int first, int last)
+	             {
+		for (int i = first; i < last; ++i)
+			m_chosen[i] = m_pairs[i]->mayBeForeseen(); });
+	// Bodies are shared by pairs, and a shape may turn out to have changed.
+	for (int i = 0; i < count; ++i)
+		m_chosen[i] = m_chosen[i] && m_pairs[i]->follow(dispatcher);
+	forEachBlock(count, [this](int first, int last)
+	             {
+		scatter::pairs::ForesightScratch* scratch = borrow();
+		for (int i = first; i < last; ++i)
+			if (m_chosen[i])
+				m_pairs[i]->foresee(m_locks, *scratch);
+		giveBack(scratch); });
+}
+
+// Pairs that a program's callback has left out have not made use of what was found out.
+void btHybridForesight::end()
+{
+	for (size_t i = 0; i < m_pairs.size(); ++i)
+		if (m_pairs[i] && m_chosen[i])
+			m_pairs[i]->endForesight();
+	m_pairs.clear();
+	for (const auto& scratch : m_scratches)
+		scratch->used = 0;
+}
+
+void btHybridForesight::forget(const btHybridPairAlgorithm* pair)
+{
+	std::replace(m_pairs.begin(), m_pairs.end(), const_cast<btHybridPairAlgorithm*>(pair), static_cast<btHybridPairAlgorithm*>(0));
+}

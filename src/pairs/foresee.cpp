@@ -1,0 +1,133 @@
+#include "pairs/foresee.h"
+
+namespace scatter::pairs {
+
+namespace {
+
+/// Answers for the engine, and writes down what was asked.
+class PeekingKeeper final : public ContactKeeper {
+ public:
+  PeekingKeeper(const ContactPeek& peek, const PlacedBodies& bodies, BoundsLocks& locks, Foresight& foresight)
+      : peek_(peek), bodies_(bodies), locks_(locks), foresight_(foresight) {}
+
+  // Whoever is told that a contact lasts compares bounds next.
+  bool outlasts(void* contact) const override {
+    if (!peek_.wouldOutlast(contact)) return false;
+    foresight_.kept.push_back(contact);
+    locks_.compute(*bodies_.a);
+    locks_.compute(*bodies_.b);
+    return true;
+  }
+
+ private:
+  const ContactPeek& peek_;
+  const PlacedBodies& bodies_;
+  BoundsLocks& locks_;
+  Foresight& foresight_;
+};
+
+/// The child pairs of one pair, as ChildPass looks at them, as far as it needs no engine.
+class ChildForesight {
+ public:
+  ChildForesight(PartPair& parts, const PlacedBodies& bodies, const PairSteps& steps, BoundsLocks& locks,
+                 Foresight& foresight)
+      : parts_(parts), bodies_(bodies), steps_(steps), locks_(locks), foresight_(foresight) {}
+
+  void run() {
+    const std::vector<int>& wakeful = parts_.wakeful();
+    for (const int i : wakeful) {
+      if (!parts_.isAsleep(parts_.children()[static_cast<std::size_t>(i)])) foresight_.awake.push_back(i);
+    }
+    PairWork& work = foresight_.work;
+    work.childPairs += static_cast<int>(wakeful.size());
+    work.childPairsAsleep += static_cast<int>(wakeful.size() - foresight_.awake.size());
+    bool isApart = steps_.lazyManifolds;
+    for (const int i : foresight_.awake) {
+      ChildPair& child = parts_.children()[static_cast<std::size_t>(i)];
+      foresight_.looks.push_back(look(child));
+      isApart = isApart && child.contact == nullptr && isFree(foresight_.looks.back());
+    }
+    if (isApart) settle();
+  }
+
+ private:
+  static bool isFree(const ChildLook& look) {
+    return look.state != ChildLook::State::kMeasured || look.verdict == ChildVerdict::kApart;
+  }
+
+  // Without contacts, not even empty ones, a look at child pairs changes nothing but the counts.
+  void settle() {
+    for (const ChildLook& look : foresight_.looks)
+      foresight_.work.boundsRejected += look.state == ChildLook::State::kBoundsApart ? 1 : 0;
+    parts_.settle(*bodies_.a, *bodies_.b, steps_);
+    foresight_.isSettled = true;
+  }
+
+  ChildLook look(ChildPair& child) {
+    ChildLook look;
+    PartBody& a = *bodies_.a;
+    PartBody& b = *bodies_.b;
+    if (parts_.isToldApart(child, a, b, steps_, foresight_.work)) {
+      look.state = ChildLook::State::kToldApart;
+    } else if (!overlap(child)) {
+      look.state = ChildLook::State::kBoundsApart;
+    } else if (!child.touching || parts_.isExact(child, a, b)) {
+      look.state = ChildLook::State::kMeasured;
+      look.verdict = parts_.measure(child, a, b, steps_, look.contact, foresight_.work);
+    }
+    return look;
+  }
+
+  bool overlap(const ChildPair& child) {
+    if (!hasBounds_) {
+      locks_.compute(*bodies_.a);
+      locks_.compute(*bodies_.b);
+    }
+    hasBounds_ = true;
+    return bounds_.overlap(child.a, child.b);
+  }
+
+  PartPair& parts_;
+  const PlacedBodies& bodies_;
+  const PairSteps& steps_;
+  BoundsLocks& locks_;
+  Foresight& foresight_;
+  BoundsTest bounds_{*bodies_.a, *bodies_.b};
+  bool hasBounds_ = false;
+};
+
+}  // namespace
+
+Foresight& ForesightScratch::take() {
+  if (used == pool.size()) pool.push_back(std::make_unique<Foresight>());
+  Foresight& next = *pool[used++];
+  next.isAwake = next.isSettled = false;
+  next.work = {};
+  next.dropped.clear();
+  next.kept.clear();
+  next.awake.clear();
+  next.looks.clear();
+  return next;
+}
+
+bool isForeseeable(const Pair& pair, const PlacedBodies& bodies, const PairSteps& steps) {
+  return pair.versions[0] == bodies.versions[0] && pair.versions[1] == bodies.versions[1] &&
+         !pair.hasFallenBack && pair.held.empty() && pair.credit.kind == CreditKind::kNone &&
+         pair.credit.account.empty() && !(steps.recycling > 0.0F && pair.parts.touches()) &&
+         !bodies.a->parts().hasOpaque() && !bodies.b->parts().hasOpaque();
+}
+
+void foresee(Pair& pair, const PlacedBodies& bodies, const PairSteps& steps, const ContactPeek& peek,
+             BoundsLocks& locks, ForesightScratch& scratch) {
+  Foresight& foresight = scratch.take();
+  const PeekingKeeper keeper(peek, bodies, locks, foresight);
+  pair.foresight = &foresight;
+  pair.parts.followWholeBodies(false);
+  scratch.parts.keeper = &keeper;
+  foresight.isAwake = pair.parts.advance(*bodies.a, *bodies.b, steps, scratch.parts, foresight.work);
+  scratch.parts.keeper = nullptr;
+  foresight.dropped.assign(scratch.parts.dropped.begin(), scratch.parts.dropped.end());
+  if (foresight.isAwake) ChildForesight(pair.parts, bodies, steps, locks, foresight).run();
+}
+
+}  // namespace scatter::pairs

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "pairs/pair.h"
+#include "pairs/pair_engine.h"
+
+namespace scatter::pairs {
+
+/// Lets several threads ask for the world bounds of the same bodies.
+class BoundsLocks {
+ public:
+  void compute(PartBody& body) {
+    const std::scoped_lock lock(locks_[(reinterpret_cast<std::uintptr_t>(&body) / sizeof(PartBody)) % kLocks]);
+    static_cast<void>(body.worldBounds());
+  }
+
+ private:
+  static constexpr std::size_t kLocks = 64;
+  std::array<std::mutex, kLocks> locks_;
+};
+
+/// What a contact keeper can tell on any thread.
+class ContactPeek {
+ public:
+  ContactPeek() = default;
+  ContactPeek(const ContactPeek&) = delete;
+  ContactPeek& operator=(const ContactPeek&) = delete;
+  virtual ~ContactPeek() = default;
+
+  /// What ContactKeeper::outlasts() is going to return for a contact of the pair at work. Changes nothing.
+  [[nodiscard]] virtual bool wouldOutlast(const void* contact) const = 0;
+};
+
+/// Memory of one thread.
+struct ForesightScratch {
+  PairScratch parts{};
+  std::vector<std::unique_ptr<Foresight>> pool{};
+  std::size_t used = 0;
+
+  /// Empty, but with the memory of an earlier one. Good until `used` is 0 again.
+  [[nodiscard]] Foresight& take();
+};
+
+/// Whether what is found out about a pair is independent of the rest of its step: it looks for contacts of its
+/// own level, whose shapes are those of `bodies`.
+[[nodiscard]] bool isForeseeable(const Pair& pair, const PlacedBodies& bodies, const PairSteps& steps);
+
+/// Finds it out. Changes the pair and nothing else but the bodies' bounds, so that any number of pairs can be
+/// foreseen at once, in any order; the bodies must be where they are going to be in the step. Sets
+/// Pair::foresight.
+void foresee(Pair& pair, const PlacedBodies& bodies, const PairSteps& steps, const ContactPeek& peek,
+             BoundsLocks& locks, ForesightScratch& scratch);
+
+}  // namespace scatter::pairs

@@ -1,0 +1,221 @@
+#include <LinearMath/btThreads.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "../../trials.h"
+#include "PairTestWorld.h"
+
+// A world gives the same bits for any number of threads: positions, contacts, counts.
+
+namespace scatter::test {
+namespace {
+
+/// Ships and blocks that are drawn together until they are a heap, with plain bodies among them.
+class Crowd : public PairTestWorld {
+ public:
+  explicit Crowd(std::uint64_t seed, btHybridSwitchingMode mode = BT_HYBRID_PAIR_SWITCHING)
+      : PairTestWorld(mode, seed), shapes_(seed) {
+    Random& random = shapes_.random;
+    for (int i = 0; i < kBodies; ++i) {
+      const btVector3 cell(static_cast<float>(i % 4), static_cast<float>(i / 4 % 4), static_cast<float>(i / 16));
+      addBody(i % 4 == 3 ? block : ship, btTransform(random.rotation(), 2.2F * cell));
+    }
+    for (int i = 0; i < 6; ++i) {
+      btRigidBody* plain = add(1, shapes_.compound(5, 1), btVector3(static_cast<float>(i) * 2, -3, 1));
+      plain->setActivationState(DISABLE_DEACTIVATION);
+    }
+    btHybridCollisionInfo info = world.getCollisionInfo();
+    info.m_plainBodies = true;
+    world.setCollisionInfo(info);
+    for (auto& body : bodies) body->setAngularVelocity(random.inCube(2));
+  }
+
+  ~Crowd() {
+    for (auto& body : bodies) {
+      if (body->getWorldArrayIndex() >= 0) world.removeRigidBody(body.get());
+    }
+  }
+
+  void pull() {
+    for (auto& body : bodies)
+      body->applyCentralForce((btVector3(3, 3, 3) - body->getWorldTransform().getOrigin()) * 6);
+    step();
+  }
+
+  /// All that a program could see of a step.
+  [[nodiscard]] std::vector<std::uint32_t> all() const {
+    std::vector<std::uint32_t> result = bits();
+    for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
+      const btPersistentManifold& manifold = manifoldAt(i);
+      for (int k = 0; k < manifold.getNumContacts(); ++k) {
+        const float values[] = {manifold.getContactPoint(k).getDistance(), manifold.getContactPoint(k).m_appliedImpulse};
+        for (const float value : values) {
+          std::uint32_t word = 0;
+          std::memcpy(&word, &value, sizeof word);
+          result.push_back(word);
+        }
+        result.push_back(static_cast<std::uint32_t>(manifold.getContactPoint(k).getLifeTime()));
+      }
+    }
+    const btHybridCollisionCounts counts = world.getCollisionCounts();
+    for (const int count : {counts.pairs, counts.pairsSkipped, counts.rebuilds, counts.childPairs, counts.childPairsAsleep,
+                            counts.boundsRejected, counts.axisRejected, counts.gjkRuns, counts.gjkIterations,
+                            counts.detectorRuns})
+      result.push_back(static_cast<std::uint32_t>(count));
+    return result;
+  }
+
+ private:
+  static constexpr int kBodies = 48;
+  RandomShapes shapes_;
+};
+
+struct Way {
+  const char* name;
+  btHybridSwitchingMode mode = BT_HYBRID_PAIR_SWITCHING;
+  std::function<void(Crowd&, int step)> act = [](Crowd&, int) {};
+};
+
+void PrintTo(const Way& way, std::ostream* out) {
+  *out << way.name;
+}
+
+class Threads : public testing::TestWithParam<Way> {};
+
+TEST_P(Threads, GiveTheSameBits) {
+  for (const std::uint64_t seed : seeds(11, 4)) {
+    Crowd one(seed, GetParam().mode);
+    std::vector<std::unique_ptr<Crowd>> others;
+    for (const int threads : {2, 3, 8}) {
+      others.push_back(std::make_unique<Crowd>(seed, GetParam().mode));
+      ASSERT_STREQ(others.back()->world.setNumThreads(threads), nullptr);
+    }
+    for (int step = 0; step < 120; ++step) {
+      GetParam().act(one, step);
+      one.pull();
+      for (auto& other : others) {
+        GetParam().act(*other, step);
+        other->pull();
+        ASSERT_EQ(other->all(), one.all())
+            << other->world.getNumThreads() << " threads, seed " << seed << ", step " << step;
+      }
+    }
+    EXPECT_GT(one.world.getCollisionCounts().gjkRuns, 50) << "there is work to share";
+  }
+}
+
+void requestNowAndThen(Crowd& crowd, int step) {
+  if (step % 15 == 5) crowd.requestAll(1 + step / 15 % 3);
+}
+
+void giveBudgets(Crowd& crowd, int step) {
+  if (step % 20 == 10) crowd.world.setBudgetUnits(step % 40 == 10 ? 50 : 1000);
+  if (step == 60) crowd.world.addPolicy("proximity");
+}
+
+void recycle(Crowd& crowd, int step) {
+  if (step > 0) return;
+  btHybridCollisionInfo info = crowd.world.getCollisionInfo();
+  info.m_steps.recycling = 0.001F;
+  crowd.world.setCollisionInfo(info);
+}
+
+void leaveManifolds(Crowd& crowd, int step) {
+  if (step > 0) return;
+  btHybridCollisionInfo info = crowd.world.getCollisionInfo();
+  info.m_steps.lazyManifolds = false;
+  crowd.world.setCollisionInfo(info);
+}
+
+void removeAndAdd(Crowd& crowd, int step) {
+  btRigidBody* body = crowd.bodies[static_cast<std::size_t>(step) % crowd.bodies.size()].get();
+  if (step % 7 == 3) crowd.world.removeRigidBody(body);
+  if (step % 7 == 3) crowd.world.addRigidBody(body);
+}
+
+void throwFarAway(Crowd& crowd, int step) {
+  if (step % 30 != 20) return;
+  btTransform pose = crowd.bodies[5]->getWorldTransform();
+  pose.setOrigin(pose.getOrigin() + btVector3(step < 40 ? 1e9F : 3.0F, 0, 0));
+  crowd.bodies[5]->setWorldTransform(pose);
+}
+
+INSTANTIATE_TEST_SUITE_P(Ways, Threads,
+                         testing::Values(Way{.name = "Finest"}, Way{.name = "ByBodies", .mode = BT_HYBRID_BODY_SWITCHING},
+                                         Way{.name = "Requests", .act = requestNowAndThen},
+                                         Way{.name = "Budgets", .act = giveBudgets}, Way{.name = "Recycled", .act = recycle},
+                                         Way{.name = "AllManifolds", .act = leaveManifolds},
+                                         Way{.name = "BodiesComeAndGo", .act = removeAndAdd},
+                                         Way{.name = "FarAway", .act = throwFarAway}),
+                         [](const auto& way) { return way.param.name; });
+
+/// A program's scheduler: does the work backwards.
+class BackwardScheduler : public btITaskScheduler {
+ public:
+  BackwardScheduler() : btITaskScheduler("backward") {}
+  int getMaxNumThreads() const override { return 1; }
+  int getNumThreads() const override { return 1; }
+  void setNumThreads(int) override {}
+  void parallelFor(int begin, int end, int, const btIParallelForBody& body) override {
+    for (int i = end; i-- > begin; ++calls) body.forLoop(i, i + 1);
+  }
+  btScalar parallelSum(int, int, int, const btIParallelSumBody&) override { return 0; }
+
+  int calls = 0;
+};
+
+TEST(Threads, MayBeAProgramsOwn) {
+  BackwardScheduler scheduler;
+  Crowd one(3);
+  Crowd other(3);
+  ASSERT_STREQ(other.world.setTaskScheduler(&scheduler), nullptr);
+  for (int step = 0; step < 100; ++step) {
+    one.pull();
+    other.pull();
+    ASSERT_EQ(other.all(), one.all()) << "step " << step;
+  }
+  EXPECT_GT(scheduler.calls, 100);
+  ASSERT_STREQ(other.world.setTaskScheduler(nullptr), nullptr);
+  const int before = scheduler.calls;
+  other.pull();
+  EXPECT_EQ(scheduler.calls, before);
+}
+
+bool skipsNow = false;
+
+void skipSome(btBroadphasePair& pair, btCollisionDispatcher& dispatcher, const btDispatcherInfo& info) {
+  const auto* object = static_cast<const btCollisionObject*>(pair.m_pProxy0->m_clientObject);
+  if (skipsNow && object->getWorldArrayIndex() % 3 == 0) return;
+  btCollisionDispatcher::defaultNearCallback(pair, dispatcher, info);
+}
+
+// What was found out about pairs that a program leaves out is not made use of, and their manifolds do not leak.
+TEST(Threads, LetAProgramLeavePairsOut) {
+  Crowd crowd(5);
+  crowd.world.setNumThreads(3);
+  crowd.dispatcher.setNearCallback(skipSome);
+  for (int step = 0; step < 200; ++step) {
+    skipsNow = step % 4 != 0;
+    crowd.pull();
+  }
+  skipsNow = false;
+  while (!crowd.bodies.empty()) {
+    crowd.world.removeRigidBody(crowd.bodies.back().get());
+    crowd.bodies.pop_back();
+  }
+  EXPECT_EQ(crowd.dispatcher.getNumManifolds(), 0);
+}
+
+TEST(Threads, AreFrom1To64) {
+  PairTestWorld world;
+  EXPECT_EQ(world.world.getNumThreads(), 1);
+  EXPECT_STREQ(world.world.setNumThreads(4), nullptr);
+  for (const int threads : {0, -1, 65}) EXPECT_STRNE(world.world.setNumThreads(threads), nullptr);
+  EXPECT_EQ(world.world.getNumThreads(), 4);
+  EXPECT_STREQ(world.world.setNumThreads(1), nullptr);
+  EXPECT_EQ(world.world.getNumThreads(), 1);
+}
+
+}  // namespace
+}  // namespace scatter::test
