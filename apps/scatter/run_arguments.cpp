@@ -16,8 +16,6 @@ namespace {
 /// Half of the distance at which the engine drops contacts, millimetres.
 constexpr double kMostRecycling = 10.0;
 
-constexpr int kMostThreads = 64;
-
 void addCollisionArguments(CLI::App& command, RunArguments& arguments) {
   command
       .add_option("--collision", arguments.collision,
@@ -149,7 +147,7 @@ Result<RunOptions> makeRun(const RunArguments& arguments, const EngineChoice& en
   options.engine = engine.make;
   options.physics.world = spec.world.kind;
   options.physics.profiling = !arguments.noProfiling;
-  options.physics.threads = arguments.threads.value_or(1);
+  options.physics.threads = spec.threads.value_or(arguments.threads.value_or(1));
   if (spec.world.kind == WorldKind::kHybrid) {
     options.physics.switching = makeSwitching(arguments.switching, switching, spec, collision->narrowphase);
     options.physics.collision = *collision;

@@ -30,29 +30,52 @@ std::optional<BudgetDef> parseBudget(const std::string& text) {
   return std::nullopt;
 }
 
+Result<void> addBudget(WorldSpec& spec, const std::string& budget) {
+  if (spec.world.kind != WorldKind::kHybrid || spec.world.policy || spec.world.switching) {
+    return fail("the world " + spec.world.name + " takes no budget; leave out @" + budget +
+                " or use the hybrid world");
+  }
+  spec.budget = parseBudget(budget);
+  return {};
+}
+
+Result<void> addThreads(WorldSpec& spec, double number, const std::string& text) {
+  if (spec.world.kind != WorldKind::kHybrid) {
+    return fail("the world " + spec.world.name + " has one thread; leave out @" + text +
+                " or use a hybrid world");
+  }
+  if (number > kMostThreads || number != std::floor(number)) {
+    return fail("a world works on 1 to " + std::to_string(kMostThreads) + " threads, not on " + text);
+  }
+  spec.threads = static_cast<int>(number);
+  return {};
+}
+
+Result<void> addPart(WorldSpec& spec, const std::string& part) {
+  if (const auto threads = numberBefore(part, "threads")) return addThreads(spec, *threads, part);
+  if (parseBudget(part)) return addBudget(spec, part);
+  return fail("\"@" + part + "\" is not understood; write a budget like " + spec.world.name + "@5ms or " +
+              spec.world.name + "@3000units, threads like " + spec.world.name + "@2threads");
+}
+
 }  // namespace
 
 Result<WorldSpec> parseWorld(const std::string& text) {
-  const std::size_t at = text.find('@');
+  std::size_t at = text.find('@');
   auto world = choose(worldChoices(), "world", text.substr(0, at));
   if (!world) {
     return tl::unexpected(world.error());
   }
   WorldSpec spec{.world = std::move(*world), .label = text.substr(0, at)};
-  if (at == std::string::npos) {
-    return spec;
+  while (at != std::string::npos) {
+    const std::size_t next = text.find('@', at + 1);
+    const std::string part = text.substr(at + 1, next == std::string::npos ? next : next - at - 1);
+    if (auto added = addPart(spec, part); !added) {
+      return tl::unexpected(added.error());
+    }
+    spec.label += '-' + part;
+    at = next;
   }
-  const std::string budget = text.substr(at + 1);
-  spec.budget = parseBudget(budget);
-  if (!spec.budget) {
-    return fail("the budget of the world \"" + text + "\" is not understood; write it like " +
-                spec.world.name + "@5ms or " + spec.world.name + "@3000units");
-  }
-  if (spec.world.kind != WorldKind::kHybrid || spec.world.policy || spec.world.switching) {
-    return fail("the world " + spec.world.name + " takes no budget; leave out @" + budget +
-                " or use the hybrid world");
-  }
-  spec.label += '-' + budget;
   return spec;
 }
 

@@ -98,6 +98,30 @@ class ChildForesight {
 
 }  // namespace
 
+namespace {
+
+// Whether two parts touch depends on no engine, but for what the engine's own detector has to say.
+void judgeAll(PartPair& parts, const PartBody& region, const PartBody& body, const PairSteps& steps,
+              Foresight& foresight) {
+  const std::vector<int>& wakeful = parts.wakeful();
+  foresight.work.childPairs += static_cast<int>(wakeful.size());
+  for (const int i : wakeful) {
+    ChildPair& child = parts.children()[static_cast<std::size_t>(i)];
+    if (parts.isAsleep(child)) {
+      ++foresight.work.childPairsAsleep;
+      continue;
+    }
+    ChildLook look;
+    look.state = ChildLook::State::kMeasured;
+    look.verdict = parts.judge(child, region, body, steps, look.contact, foresight.work);
+    if (look.verdict == ChildVerdict::kApart) continue;
+    foresight.awake.push_back(i);
+    foresight.looks.push_back(look);
+  }
+}
+
+}  // namespace
+
 Foresight& ForesightScratch::take() {
   if (used == pool.size()) pool.push_back(std::make_unique<Foresight>());
   Foresight& next = *pool[used++];
@@ -128,6 +152,26 @@ void foresee(Pair& pair, const PlacedBodies& bodies, const PairSteps& steps, con
   scratch.parts.keeper = nullptr;
   foresight.dropped.assign(scratch.parts.dropped.begin(), scratch.parts.dropped.end());
   if (foresight.isAwake) ChildForesight(pair.parts, bodies, steps, locks, foresight).run();
+}
+
+bool isForeseeable(const GroundPair& pair, const PlacedBody& placed, int level, const Frame& ground,
+                   int groundVersion) {
+  const bool isSame = pair.level == level && pair.versions[0] == placed.version && pair.versions[1] == groundVersion;
+  if (!isSame || pair.hasFallenBack || pair.isTooFine || placed.body->parts().hasOpaque()) return false;
+  const Frame bodyInGround = relativeFrame(ground, placed.body->frame());
+  return !(pair.region.room(placed.body->parts(), bodyInGround) < 0.0F) && !pair.region.empty();
+}
+
+void foresee(GroundPair& pair, const PlacedBody& placed, const Frame& ground, const PairSteps& steps,
+             ForesightScratch& scratch) {
+  Foresight& foresight = scratch.take();
+  pair.foresight = &foresight;
+  PartBody& region = pair.region.moveTo(ground);
+  foresight.isAwake = pair.parts.advance(region, *placed.body, steps, scratch.parts, foresight.work);
+  if (!foresight.isAwake) return;
+  judgeAll(pair.parts, region, *placed.body, steps, foresight);
+  pair.parts.settle(region, *placed.body, steps);
+  foresight.isSettled = true;
 }
 
 }  // namespace scatter::pairs

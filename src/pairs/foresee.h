@@ -6,6 +6,7 @@
 #include <mutex>
 #include <vector>
 
+#include "pairs/ground_pair.h"
 #include "pairs/pair.h"
 #include "pairs/pair_engine.h"
 
@@ -55,5 +56,12 @@ struct ForesightScratch {
 /// Pair::foresight.
 void foresee(Pair& pair, const PlacedBodies& bodies, const PairSteps& steps, const ContactPeek& peek,
              BoundsLocks& locks, ForesightScratch& scratch);
+
+/// The same of a body and its ground, which is at `ground`: not of half-spaces, and only while the pieces that are near are
+/// known. `level`: that the pair is going to look at.
+[[nodiscard]] bool isForeseeable(const GroundPair& pair, const PlacedBody& placed, int level, const Frame& ground,
+                                 int groundVersion);
+void foresee(GroundPair& pair, const PlacedBody& placed, const Frame& ground, const PairSteps& steps,
+             ForesightScratch& scratch);
 
 }  // namespace scatter::pairs

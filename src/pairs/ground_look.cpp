@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace scatter::pairs {
 
@@ -46,6 +47,7 @@ float heightOf(const PartList::Part& part, const Below& below) {
 void GroundLook::atLevel(int level) {
   pair_.restarted = false;
   if (!place(level)) return;
+  foresight_ = std::exchange(pair_.foresight, nullptr);
   pair_.ground = engine_.groundFrame();
   pair_.jumps = body_->jumps();
   pair_.quietUntil = Pair::kAwake;
@@ -169,16 +171,27 @@ void GroundLook::lookAtPieces() {
     return;
   }
   PartBody& region = pair_.region.moveTo(pair_.ground);
-  if (pair_.parts.advance(region, *body_, steps_, parts_, work_)) {
+  if (advance(region)) {
     judge(region);
     addFound(region.frame());
-    pair_.parts.settle(region, *body_, steps_);
+    if (foresight_ == nullptr) pair_.parts.settle(region, *body_, steps_);
   }
   staysQuietFor(std::min(room, pair_.parts.quietUntil() - region.travel() - body_->travel()));
 }
 
+bool GroundLook::advance(PartBody& region) {
+  if (foresight_ == nullptr) return pair_.parts.advance(region, *body_, steps_, parts_, work_);
+  work_ += foresight_->work;
+  return foresight_->isAwake;
+}
+
 void GroundLook::judge(const PartBody& region) {
   scratch_.found.clear();
+  if (foresight_ != nullptr) {
+    for (std::size_t i = 0; i < foresight_->awake.size(); ++i)
+      consider(foresight_->awake[i], foresight_->looks[i].verdict, foresight_->looks[i].contact, region.frame());
+    return;
+  }
   std::vector<ChildPair>& children = pair_.parts.children();
   const std::vector<int>& wakeful = pair_.parts.wakeful();
   work_.childPairs += static_cast<int>(wakeful.size());
@@ -190,16 +203,22 @@ void GroundLook::judge(const PartBody& region) {
     }
     PartContact contact;
     const ChildVerdict verdict = pair_.parts.judge(child, region, *body_, steps_, contact, work_);
-    if (verdict == ChildVerdict::kApart) continue;
-    if (!engine_.mayMeet(pair_.region.pieces(), child)) {
-      ++work_.boundsRejected;
-      continue;
-    }
-    const bool isKnown = verdict == ChildVerdict::kContact || asks(child, region.frame(), contact);
-    if (isKnown || pair_.region.pieces().kind != PartKind::kTriangle) {
-      scratch_.found.push_back({i, child.b, contact.distance, isKnown, contact});
-    }
+    consider(i, verdict, contact, region.frame());
   }
+}
+
+// A piece and a part of the body of which it is known how near they are.
+void GroundLook::consider(int index, ChildVerdict verdict, const PartContact& contact, const Frame& region) {
+  if (verdict == ChildVerdict::kApart) return;
+  const ChildPair& child = pair_.parts.children()[static_cast<std::size_t>(index)];
+  if (!engine_.mayMeet(pair_.region.pieces(), child)) {
+    ++work_.boundsRejected;
+    return;
+  }
+  PartContact found = contact;
+  const bool isKnown = verdict == ChildVerdict::kContact || asks(child, region, found);
+  if (isKnown || pair_.region.pieces().kind != PartKind::kTriangle)
+    scratch_.found.push_back({index, child.b, found.distance, isKnown, found});
 }
 
 // Whether the engine's own detector finds a contact of a triangle. What it adds by itself is of one piece.

@@ -50,7 +50,9 @@ class GroundLook {
   void lookAtHalfSpace(const HalfSpace& solid);
   void lookAtPieces();
   bool hasRegion(const Frame& bodyInGround);
+  [[nodiscard]] bool advance(PartBody& region);
   void judge(const PartBody& region);
+  void consider(int index, ChildVerdict verdict, const PartContact& contact, const Frame& region);
   bool asks(const ChildPair& child, const Frame& region, PartContact& contact);
   void addFound(const Frame& region);
   void* manifoldOf(int part);
@@ -63,6 +65,7 @@ class GroundLook {
   GroundScratch& scratch_;
   PairWork& work_;
   PartBody* body_ = nullptr;
+  const Foresight* foresight_ = nullptr;
 };
 
 }  // namespace scatter::pairs

@@ -9,6 +9,7 @@ void GroundPair::restart(float threshold, Manifolds& engine) {
   region.forget();
   quietUntil = Pair::kAwake;
   restarted = true;
+  foresight = nullptr;
 }
 
 void GroundPair::renew() {
@@ -22,6 +23,7 @@ void GroundPair::renew() {
   hasFallenBack = false;
   isTooFine = false;
   restarted = false;
+  foresight = nullptr;
 }
 
 }  // namespace scatter::pairs

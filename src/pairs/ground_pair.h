@@ -34,6 +34,9 @@ struct GroundPair {
       false;  ///< It does so because there are too many pieces, and is not disturbed while it has contacts.
   bool restarted = false;  ///< It began without contacts in its last step.
 
+  /// Of the step under way, until it has been made use of. Has no contacts.
+  Foresight* foresight = nullptr;
+
   /// Gives the manifolds back, and forgets what was known of distances.
   void restart(float threshold, Manifolds& engine);
 

@@ -5,6 +5,7 @@
 
 #include "BulletHybrid/btHybridObservation.h"
 #include "btHybridFallback.h"
+#include "pairs/foresee.h"
 
 /// The narrowphase of a pair of objects of which at least one is a list of convex parts, owned by their broadphase pair.
 class btHybridAlgorithm : public btCollisionAlgorithm
@@ -29,6 +30,18 @@ public:
 	    : btCollisionAlgorithm(info)
 	{
 	}
+
+	/// Whether its step is likely to be one that can be foreseen. Changes nothing.
+	virtual bool mayBeForeseen() const = 0;
+
+	/// Moves its bodies to where its objects are, if its step is going to come. Whether they are there.
+	virtual bool follow(btDispatcher* dispatcher) = 0;
+
+	/// Finds out about its step what needs nothing of Bullet. Any number of pairs at once.
+	virtual void foresee(scatter::pairs::BoundsLocks& locks, scatter::pairs::ForesightScratch& scratch) = 0;
+
+	/// Its step has not come, or has made use of what was found out.
+	virtual void endForesight() = 0;
 
 	/// In the planner; -1 if the pair does not switch.
 	virtual int getPlanIndex() const = 0;

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
+#include "btHybridAlgorithm.h"
 #include "btHybridNarrowphase.h"
-#include "btHybridPairAlgorithm.h"
 
 namespace
 {
@@ -71,22 +71,12 @@ void btHybridForesight::giveBack(scatter::pairs::ForesightScratch* scratch)
 	m_free.push_back(scratch);
 }
 
-void btHybridForesight::collect(btHybridNarrowphase& narrowphase)
-{
-	m_pairs.clear();
-	for (const bool switches : {true, false})
-	{
-		const std::vector<btHybridPairAlgorithm*>& owners = narrowphase.getOwners(switches);
-		m_pairs.insert(m_pairs.end(), owners.begin(), owners.end());
-	}
-}
-
 void btHybridForesight::begin(btHybridNarrowphase& narrowphase, btDispatcher* dispatcher)
 {
 	m_pairs.clear();
 	if (!m_threads && !m_scheduler)
 		return;
-	collect(narrowphase);
+	narrowphase.collectOwners(m_pairs);
 	if (int(m_pairs.size()) < c_fewest)
 	{
 		m_pairs.clear();
@@ -121,7 +111,7 @@ void btHybridForesight::end()
 		scratch->used = 0;
 }
 
-void btHybridForesight::forget(const btHybridPairAlgorithm* pair)
+void btHybridForesight::forget(const btHybridAlgorithm* pair)
 {
-	std::replace(m_pairs.begin(), m_pairs.end(), const_cast<btHybridPairAlgorithm*>(pair), static_cast<btHybridPairAlgorithm*>(0));
+	std::replace(m_pairs.begin(), m_pairs.end(), const_cast<btHybridAlgorithm*>(pair), static_cast<btHybridAlgorithm*>(0));
 }

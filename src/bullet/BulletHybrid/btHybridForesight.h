@@ -10,7 +10,7 @@
 
 class btDispatcher;
 class btHybridNarrowphase;
-class btHybridPairAlgorithm;
+class btHybridAlgorithm;
 class btITaskScheduler;
 
 /// Finds out on several threads, before the pairs of a step are dispatched, what of them needs nothing of Bullet: which stay
@@ -20,7 +20,7 @@ class btHybridForesight
 {
 	std::unique_ptr<scatter::parallel::ThreadPool> m_threads;
 	btITaskScheduler* m_scheduler;
-	std::vector<btHybridPairAlgorithm*> m_pairs;  ///< of the step
+	std::vector<btHybridAlgorithm*> m_pairs;  ///< of the step
 	std::vector<char> m_chosen;
 	scatter::pairs::BoundsLocks m_locks;
 	std::mutex m_mutex;
@@ -34,7 +34,6 @@ class btHybridForesight
 	void forEachBlock(int count, const Work& work);
 	scatter::pairs::ForesightScratch* borrow();
 	void giveBack(scatter::pairs::ForesightScratch* scratch);
-	void collect(btHybridNarrowphase& narrowphase);
 
 public:
 	btHybridForesight()
@@ -64,7 +63,7 @@ public:
 	void end();
 
 	/// Of a pair that is gone.
-	void forget(const btHybridPairAlgorithm* pair);
+	void forget(const btHybridAlgorithm* pair);
 };
 
 #endif  // BT_HYBRID_FORESIGHT_H

@@ -19,10 +19,10 @@ btHybridGroundAlgorithm::btHybridGroundAlgorithm(const btCollisionAlgorithmConst
 	btHybridPlanner* planner = m_narrowphase->getPlanner();
 	btHybridLevelBodies* body = objects.acquire(wraps[side]->getCollisionObject(), planner);
 	const bool switches = planner && body->getNumLevels() > 0;
-	m_bodies = new btHybridGroundBodies(body, side, switches);
+	m_bodies = new btHybridGroundBodies(body, wraps[1 - side]->getCollisionObject(), side, switches);
 	m_bodies->take(body->getNumLevels(), objects);
 	m_narrowphase->addUser();
-	m_narrowphase->getGrounds().add(&m_index);
+	m_narrowphase->addGround(this, &m_index);
 	if (!switches)
 		return;
 	m_ground = objects.acquire(wraps[1 - side]->getCollisionObject(), false);
@@ -35,7 +35,7 @@ btHybridGroundAlgorithm::~btHybridGroundAlgorithm()
 	for (const GroundContact& contact : getPair().contacts)
 		m_dispatcher->releaseManifold(btHybridContacts::at(contact.manifold));
 	m_fallback.release(m_dispatcher);
-	m_narrowphase->getGrounds().remove(m_index);
+	m_narrowphase->removeGround(this, m_index);
 	if (m_ground)
 	{
 		m_narrowphase->getPlanner()->removePair(m_planIndex);
@@ -64,6 +64,50 @@ bool btHybridGroundAlgorithm::staysQuiet(btHybridGroundEngine& engine) const
 	if (!(pair.quietUntil >= 0) || (m_planIndex >= 0 && !m_narrowphase->getPlanner()->isSettled(m_planIndex)))
 		return false;
 	return engine.follow(body) && scatter::pairs::staysQuiet(pair, body, engine.groundFrame(), engine.groundVersion());
+}
+
+bool btHybridGroundAlgorithm::mayBeForeseen() const
+{
+	if (!m_bodies->m_object->getObject()->isActive() && !m_bodies->m_groundObject->isActive())
+		return false;
+	return m_planIndex < 0 || m_narrowphase->getPlanner()->isForeseeable(m_planIndex, m_bodies->m_level);
+}
+
+bool btHybridGroundAlgorithm::follow(btDispatcher* dispatcher)
+{
+	const btCollisionObject* object = m_bodies->m_object->getObject();
+	if (!dispatcher->needsCollision(object, m_bodies->m_groundObject))
+		return false;
+	const btCollisionShape* shape = m_bodies->m_switches ? m_bodies->m_body->getShapeNow() : object->getCollisionShape();
+	if (!m_narrowphase->getObjects().update(m_bodies->m_body, shape, object->getWorldTransform()))
+		return false;
+	m_bodies->m_ground.follow(m_bodies->m_groundObject->getCollisionShape(), m_bodies->m_body->getBody().parts().radius());
+	return m_bodies->m_ground.getKind() != BT_HYBRID_NO_GROUND && m_bodies->m_ground.getKind() != BT_HYBRID_HALF_SPACE;
+}
+
+scatter::pairs::PlacedBody btHybridGroundAlgorithm::getPlaced() const
+{
+	scatter::pairs::PlacedBody placed;
+	placed.body = &m_bodies->m_body->getBody();
+	placed.version = m_bodies->m_body->getVersion();
+	return placed;
+}
+
+void btHybridGroundAlgorithm::foresee(scatter::pairs::BoundsLocks&, scatter::pairs::ForesightScratch& scratch)
+{
+	GroundPair& pair = getPair();
+	const scatter::pairs::PlacedBody placed = getPlaced();
+	const scatter::Frame ground = btHybridFrameOf(m_bodies->m_groundObject->getWorldTransform());
+	const int version = m_bodies->m_ground.getVersion();
+	if (pair.quietUntil >= 0 && scatter::pairs::staysQuiet(pair, placed, ground, version))
+		return;
+	if (scatter::pairs::isForeseeable(pair, placed, m_bodies->m_level, ground, version))
+		scatter::pairs::foresee(pair, placed, ground, m_narrowphase->getSteps(), scratch);
+}
+
+void btHybridGroundAlgorithm::endForesight()
+{
+	getPair().foresight = 0;
 }
 
 void btHybridGroundAlgorithm::processCollision(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut)

@@ -19,6 +19,7 @@ class btHybridGroundAlgorithm : public btHybridAlgorithm
 	int m_planIndex;
 
 	scatter::pairs::GroundPair& getPair() const;
+	scatter::pairs::PlacedBody getPlaced() const;
 	bool staysQuiet(btHybridGroundEngine& engine) const;
 
 public:
@@ -35,6 +36,11 @@ public:
 		return false;
 	}
 	virtual bool hasRestarted() const;
+
+	virtual bool mayBeForeseen() const;
+	virtual bool follow(btDispatcher* dispatcher);
+	virtual void foresee(scatter::pairs::BoundsLocks& locks, scatter::pairs::ForesightScratch& scratch);
+	virtual void endForesight();
 
 	virtual void processCollision(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut);
 	virtual void getAllContactManifolds(btManifoldArray& manifoldArray);

@@ -18,14 +18,15 @@ struct btDispatcherInfo;
 struct btHybridGroundBodies
 {
 	btHybridLevelBodies* m_object;
+	const btCollisionObject* m_groundObject;
 	btHybridPartBody* m_body;  ///< with the shape of the level that the pair has looked at last
 	btHybridGround m_ground;
 	int m_level;
 	int m_side;  ///< of the body in the pair of objects, 0 or 1
 	bool m_switches;
 
-	btHybridGroundBodies(btHybridLevelBodies* object, int side, bool switches)
-	    : m_object(object), m_body(0), m_level(-1), m_side(side), m_switches(switches)
+	btHybridGroundBodies(btHybridLevelBodies* object, const btCollisionObject* ground, int side, bool switches)
+	    : m_object(object), m_groundObject(ground), m_body(0), m_level(-1), m_side(side), m_switches(switches)
 	{
 	}
 

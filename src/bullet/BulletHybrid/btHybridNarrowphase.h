@@ -12,7 +12,7 @@
 #include "pairs/pair_step.h"
 #include "pairs/pair_table.h"
 
-class btHybridPairAlgorithm;
+class btHybridAlgorithm;
 class btHybridPlanner;
 
 /// What the pair algorithms of a dispatcher share: the pairs, their objects, settings, counts. Counted by its owner and by the
@@ -27,7 +27,8 @@ class btHybridNarrowphase
 	scatter::pairs::PairTable m_pairs;
 	scatter::pairs::PairTable m_plainPairs;
 	scatter::pairs::GroundTable m_grounds;
-	std::vector<btHybridPairAlgorithm*> m_owners[2];  ///< of the pairs that do not switch, and of those that do, as in their tables
+	std::vector<btHybridAlgorithm*> m_owners[2];  ///< of the pairs that do not switch, and of those that do, as in their tables
+	std::vector<btHybridAlgorithm*> m_groundOwners;
 	btHybridForesight m_foresight;
 	std::vector<std::unique_ptr<scatter::pairs::StepScratch>> m_scratches;
 	std::vector<std::unique_ptr<std::vector<btHybridPartBounds>>> m_bounds;
@@ -99,12 +100,13 @@ public:
 	}
 
 	/// Adds a pair to its table, whose index it keeps in `index`.
-	void addPair(btHybridPairAlgorithm* owner, bool switches, int* index);
-	void removePair(btHybridPairAlgorithm* owner, bool switches, int index);
-	const std::vector<btHybridPairAlgorithm*>& getOwners(bool switches) const
-	{
-		return m_owners[switches];
-	}
+	void addPair(btHybridAlgorithm* owner, bool switches, int* index);
+	void removePair(btHybridAlgorithm* owner, bool switches, int index);
+	void addGround(btHybridAlgorithm* owner, int* index);
+	void removeGround(btHybridAlgorithm* owner, int index);
+
+	/// Adds the owners of all pairs.
+	void collectOwners(std::vector<btHybridAlgorithm*>& owners) const;
 
 	btHybridForesight& getForesight()
 	{

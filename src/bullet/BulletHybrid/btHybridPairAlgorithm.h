@@ -34,17 +34,10 @@ public:
 
 	virtual void processCollision(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut);
 
-	/// Whether its step is likely to be one that can be foreseen. Changes nothing.
-	bool mayBeForeseen() const;
-
-	/// Moves its bodies to where its objects are, if its step is going to come. Whether both are there.
-	bool follow(btDispatcher* dispatcher);
-
-	/// Finds out about its step what needs nothing of Bullet. Any number of pairs at once.
-	void foresee(scatter::pairs::BoundsLocks& locks, scatter::pairs::ForesightScratch& scratch);
-
-	/// Its step has not come, or has made use of what was found out.
-	void endForesight();
+	virtual bool mayBeForeseen() const;
+	virtual bool follow(btDispatcher* dispatcher);
+	virtual void foresee(scatter::pairs::BoundsLocks& locks, scatter::pairs::ForesightScratch& scratch);
+	virtual void endForesight();
 
 	virtual void getAllContactManifolds(btManifoldArray& manifoldArray);
 	virtual void getManifolds(btAlignedObjectArray<btHybridManifoldView>& manifolds) const;

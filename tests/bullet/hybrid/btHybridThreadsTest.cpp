@@ -37,6 +37,24 @@ class Crowd : public PairTestWorld {
     }
   }
 
+  /// A net of triangles with hills below, and a large box beside it that leans.
+  void addGrounds() {
+    const auto at = [](int x, int z) {
+      const auto fx = static_cast<float>(x);
+      const auto fz = static_cast<float>(z);
+      return btVector3(fx, -1 + 0.4F * std::sin(1.3F * fx) * std::cos(0.9F * fz), fz);
+    };
+    for (int x = -12; x < 18; ++x) {
+      for (int z = -12; z < 18; ++z) {
+        hills_.addTriangle(at(x, z), at(x, z + 1), at(x + 1, z));
+        hills_.addTriangle(at(x + 1, z), at(x, z + 1), at(x + 1, z + 1));
+      }
+    }
+    add(0, shape<btBvhTriangleMeshShape>(&hills_, true), btVector3(0, 0, 0));
+    btRigidBody* box = add(0, shape<btBoxShape>(btVector3(60, 1, 60)), btVector3(0, -2, 0));
+    box->setWorldTransform(btTransform(btQuaternion(btVector3(0, 0, 1), 0.05F), btVector3(0, -1.6F, 0)));
+  }
+
   void pull() {
     for (auto& body : bodies)
       body->applyCentralForce((btVector3(3, 3, 3) - body->getWorldTransform().getOrigin()) * 6);
@@ -69,6 +87,7 @@ class Crowd : public PairTestWorld {
  private:
   static constexpr int kBodies = 48;
   RandomShapes shapes_;
+  btTriangleMesh hills_;
 };
 
 struct Way {
@@ -134,6 +153,12 @@ void removeAndAdd(Crowd& crowd, int step) {
   if (step % 7 == 3) crowd.world.addRigidBody(body);
 }
 
+void layGrounds(Crowd& crowd, int step) {
+  if (step == 0) crowd.addGrounds();
+  for (auto& body : crowd.bodies) body->applyCentralForce(btVector3(0, -30, 0));
+  if (step % 40 == 20) crowd.requestAll(1 + step / 40);
+}
+
 void throwFarAway(Crowd& crowd, int step) {
   if (step % 30 != 20) return;
   btTransform pose = crowd.bodies[5]->getWorldTransform();
@@ -147,7 +172,7 @@ INSTANTIATE_TEST_SUITE_P(Ways, Threads,
                                          Way{.name = "Budgets", .act = giveBudgets}, Way{.name = "Recycled", .act = recycle},
                                          Way{.name = "AllManifolds", .act = leaveManifolds},
                                          Way{.name = "BodiesComeAndGo", .act = removeAndAdd},
-                                         Way{.name = "FarAway", .act = throwFarAway}),
+                                         Way{.name = "OnGrounds", .act = layGrounds}, Way{.name = "FarAway", .act = throwFarAway}),
                          [](const auto& way) { return way.param.name; });
 
 /// A program's scheduler: does the work backwards.
