@@ -197,9 +197,10 @@ void addRunArguments(CLI::App& command, RunArguments& arguments) {
       ->type_name("N");
   addFidelityArgument(command, arguments.fidelityEvery);
   command
-      .add_option("--threads", arguments.threads,
-                  "Threads that a hybrid world works on, for the same results; processor times are of the main "
-                  "thread alone [1]")
+      .add_option(
+          "--threads", arguments.threads,
+          "Threads that a hybrid world works on, for the same results; processor times are of the main "
+          "thread alone [1]")
       ->check(CLI::Range(1, kMostThreads))
       ->type_name("N");
   command.add_flag("--no-profiling", arguments.noProfiling, "Do not time the stages of a step");

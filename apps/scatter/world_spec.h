@@ -22,8 +22,8 @@ struct WorldSpec {
   std::string label;  ///< Such as "hybrid-5ms".
 };
 
-/// Fails on an unknown world, on what is neither a budget nor a number of threads, and on one for a world that
-/// takes none.
+/// Fails on an unknown world, on what is neither a budget nor a number of threads, and on one for a world
+/// that takes none.
 [[nodiscard]] Result<WorldSpec> parseWorld(const std::string& text);
 
 }  // namespace scatter::app

@@ -10,7 +10,8 @@ void ChildPass::run(std::vector<int>& awake) {
     if (child.touching) engine_.prefetch(child.contact);
   }
   for (std::size_t i = 0; i < awake.size(); ++i)
-    collide(children[static_cast<std::size_t>(awake[i])], foresight_ != nullptr ? &foresight_->looks[i] : nullptr);
+    collide(children[static_cast<std::size_t>(awake[i])],
+            foresight_ != nullptr ? &foresight_->looks[i] : nullptr);
 }
 
 void ChildPass::findAwake(std::vector<int>& awake) {
@@ -41,9 +42,8 @@ void ChildPass::collide(ChildPair& child, const ChildLook* seen) {
     return;
   }
   // Before the bounds, as it tells for how long they stay apart.
-  const bool isToldApart = seen != nullptr
-                               ? seen->state == ChildLook::State::kToldApart
-                               : parts_.isToldApart(child, *bodies_.a, *bodies_.b, steps_, work_);
+  const bool isToldApart = seen != nullptr ? seen->state == ChildLook::State::kToldApart
+                                           : parts_.isToldApart(child, *bodies_.a, *bodies_.b, steps_, work_);
   if (isToldApart) return;
   if (!overlap(child, seen) || !engine_.letsThrough(child)) {
     ++work_.boundsRejected;

@@ -156,7 +156,8 @@ void foresee(Pair& pair, const PlacedBodies& bodies, const PairSteps& steps, con
 
 bool isForeseeable(const GroundPair& pair, const PlacedBody& placed, int level, const Frame& ground,
                    int groundVersion) {
-  const bool isSame = pair.level == level && pair.versions[0] == placed.version && pair.versions[1] == groundVersion;
+  const bool isSame =
+      pair.level == level && pair.versions[0] == placed.version && pair.versions[1] == groundVersion;
   if (!isSame || pair.hasFallenBack || pair.isTooFine || placed.body->parts().hasOpaque()) return false;
   const Frame bodyInGround = relativeFrame(ground, placed.body->frame());
   return !(pair.region.room(placed.body->parts(), bodyInGround) < 0.0F) && !pair.region.empty();

@@ -16,7 +16,8 @@ namespace scatter::pairs {
 class BoundsLocks {
  public:
   void compute(PartBody& body) {
-    const std::scoped_lock lock(locks_[(reinterpret_cast<std::uintptr_t>(&body) / sizeof(PartBody)) % kLocks]);
+    const std::scoped_lock lock(
+        locks_[(reinterpret_cast<std::uintptr_t>(&body) / sizeof(PartBody)) % kLocks]);
     static_cast<void>(body.worldBounds());
   }
 
@@ -47,8 +48,8 @@ struct ForesightScratch {
   [[nodiscard]] Foresight& take();
 };
 
-/// Whether what is found out about a pair is independent of the rest of its step: it looks for contacts of its
-/// own level, whose shapes are those of `bodies`.
+/// Whether what is found out about a pair is independent of the rest of its step: it looks for contacts of
+/// its own level, whose shapes are those of `bodies`.
 [[nodiscard]] bool isForeseeable(const Pair& pair, const PlacedBodies& bodies, const PairSteps& steps);
 
 /// Finds it out. Changes the pair and nothing else but the bodies' bounds, so that any number of pairs can be
@@ -57,10 +58,10 @@ struct ForesightScratch {
 void foresee(Pair& pair, const PlacedBodies& bodies, const PairSteps& steps, const ContactPeek& peek,
              BoundsLocks& locks, ForesightScratch& scratch);
 
-/// The same of a body and its ground, which is at `ground`: not of half-spaces, and only while the pieces that are near are
-/// known. `level`: that the pair is going to look at.
-[[nodiscard]] bool isForeseeable(const GroundPair& pair, const PlacedBody& placed, int level, const Frame& ground,
-                                 int groundVersion);
+/// The same of a body and its ground, which is at `ground`: not of half-spaces, and only while the pieces
+/// that are near are known. `level`: that the pair is going to look at.
+[[nodiscard]] bool isForeseeable(const GroundPair& pair, const PlacedBody& placed, int level,
+                                 const Frame& ground, int groundVersion);
 void foresee(GroundPair& pair, const PlacedBody& placed, const Frame& ground, const PairSteps& steps,
              ForesightScratch& scratch);
 

@@ -23,12 +23,12 @@ struct ChildLook {
 /// What is found out about a pair before its step, beside other pairs, by foresee(): its neighbours and the
 /// distances of its parts. Its step does the rest, to the same bits as if it had done everything.
 struct Foresight {
-  bool isAwake = false;           ///< What PartPair::advance() returned.
-  bool isSettled = false;         ///< Nothing touches or is going to: the look at the pair has been ended, too.
-  PairWork work{};                ///< What it took.
-  std::vector<void*> dropped{};   ///< Contacts of child pairs that are no neighbours any more.
-  std::vector<void*> kept{};      ///< Of others that are none, and have contacts that last.
-  std::vector<int> awake{};       ///< The child pairs that are to be looked at.
+  bool isAwake = false;    ///< What PartPair::advance() returned.
+  bool isSettled = false;  ///< Nothing touches or is going to: the look at the pair has been ended, too.
+  PairWork work{};         ///< What it took.
+  std::vector<void*> dropped{};    ///< Contacts of child pairs that are no neighbours any more.
+  std::vector<void*> kept{};       ///< Of others that are none, and have contacts that last.
+  std::vector<int> awake{};        ///< The child pairs that are to be looked at.
   std::vector<ChildLook> looks{};  ///< One for each of them.
 };
 

@@ -189,7 +189,8 @@ void GroundLook::judge(const PartBody& region) {
   scratch_.found.clear();
   if (foresight_ != nullptr) {
     for (std::size_t i = 0; i < foresight_->awake.size(); ++i)
-      consider(foresight_->awake[i], foresight_->looks[i].verdict, foresight_->looks[i].contact, region.frame());
+      consider(foresight_->awake[i], foresight_->looks[i].verdict, foresight_->looks[i].contact,
+               region.frame());
     return;
   }
   std::vector<ChildPair>& children = pair_.parts.children();

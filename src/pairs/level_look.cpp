@@ -76,7 +76,8 @@ void LevelLook::useForesight(const PlacedBodies& bodies, bool mayAudit) {
   pair_.closeForesight(engine_);
   work_ += foresight.work;
   if (!foresight.isAwake || foresight.isSettled) return;
-  ChildPass(pair_.parts, bodies, steps_, engine_, work_, nullptr, mayAudit, false, &foresight).run(scratch_.looked);
+  ChildPass(pair_.parts, bodies, steps_, engine_, work_, nullptr, mayAudit, false, &foresight)
+      .run(scratch_.looked);
   pair_.parts.settle(*bodies.a, *bodies.b, steps_);
 }
 

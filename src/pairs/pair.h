@@ -89,7 +89,8 @@ struct Pair {
     for (const ChildPair& child : parts.children()) {
       if (child.contact != nullptr) use(child.contact);
     }
-    for (void* manifold : foresight != nullptr ? std::span<void* const>(foresight->dropped) : std::span<void* const>())
+    for (void* manifold :
+         foresight != nullptr ? std::span<void* const>(foresight->dropped) : std::span<void* const>())
       use(manifold);
   }
 

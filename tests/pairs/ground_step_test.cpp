@@ -32,8 +32,7 @@ std::vector<std::vector<PartDef>> threeLevelsOverGround() {
 
 /// A body over a ground, and what its planner knows of it.
 struct LivingGround {
-  explicit LivingGround(bool isNet,
-                        const std::vector<std::vector<PartDef>>& levels = threeLevelsOverGround())
+  explicit LivingGround(bool isNet, const std::vector<std::vector<PartDef>>& levels = threeLevelsOverGround())
       : engine(levels, isNet) {
     plan.view.finest = kFinestLevel;
     plan.target = kFinestLevel;

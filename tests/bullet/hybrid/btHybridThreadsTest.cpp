@@ -18,7 +18,8 @@ class Crowd : public PairTestWorld {
       : PairTestWorld(mode, seed), shapes_(seed) {
     Random& random = shapes_.random;
     for (int i = 0; i < kBodies; ++i) {
-      const btVector3 cell(static_cast<float>(i % 4), static_cast<float>(i / 4 % 4), static_cast<float>(i / 16));
+      const btVector3 cell(static_cast<float>(i % 4), static_cast<float>(i / 4 % 4),
+                           static_cast<float>(i / 16));
       addBody(i % 4 == 3 ? block : ship, btTransform(random.rotation(), 2.2F * cell));
     }
     for (int i = 0; i < 6; ++i) {
@@ -67,7 +68,8 @@ class Crowd : public PairTestWorld {
     for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
       const btPersistentManifold& manifold = manifoldAt(i);
       for (int k = 0; k < manifold.getNumContacts(); ++k) {
-        const float values[] = {manifold.getContactPoint(k).getDistance(), manifold.getContactPoint(k).m_appliedImpulse};
+        const float values[] = {manifold.getContactPoint(k).getDistance(),
+                                manifold.getContactPoint(k).m_appliedImpulse};
         for (const float value : values) {
           std::uint32_t word = 0;
           std::memcpy(&word, &value, sizeof word);
@@ -77,9 +79,9 @@ class Crowd : public PairTestWorld {
       }
     }
     const btHybridCollisionCounts counts = world.getCollisionCounts();
-    for (const int count : {counts.pairs, counts.pairsSkipped, counts.rebuilds, counts.childPairs, counts.childPairsAsleep,
-                            counts.boundsRejected, counts.axisRejected, counts.gjkRuns, counts.gjkIterations,
-                            counts.detectorRuns})
+    for (const int count : {counts.pairs, counts.pairsSkipped, counts.rebuilds, counts.childPairs,
+                            counts.childPairsAsleep, counts.boundsRejected, counts.axisRejected,
+                            counts.gjkRuns, counts.gjkIterations, counts.detectorRuns})
       result.push_back(static_cast<std::uint32_t>(count));
     return result;
   }
@@ -166,14 +168,15 @@ void throwFarAway(Crowd& crowd, int step) {
   crowd.bodies[5]->setWorldTransform(pose);
 }
 
-INSTANTIATE_TEST_SUITE_P(Ways, Threads,
-                         testing::Values(Way{.name = "Finest"}, Way{.name = "ByBodies", .mode = BT_HYBRID_BODY_SWITCHING},
-                                         Way{.name = "Requests", .act = requestNowAndThen},
-                                         Way{.name = "Budgets", .act = giveBudgets}, Way{.name = "Recycled", .act = recycle},
-                                         Way{.name = "AllManifolds", .act = leaveManifolds},
-                                         Way{.name = "BodiesComeAndGo", .act = removeAndAdd},
-                                         Way{.name = "OnGrounds", .act = layGrounds}, Way{.name = "FarAway", .act = throwFarAway}),
-                         [](const auto& way) { return way.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    Ways, Threads,
+    testing::Values(Way{.name = "Finest"}, Way{.name = "ByBodies", .mode = BT_HYBRID_BODY_SWITCHING},
+                    Way{.name = "Requests", .act = requestNowAndThen},
+                    Way{.name = "Budgets", .act = giveBudgets}, Way{.name = "Recycled", .act = recycle},
+                    Way{.name = "AllManifolds", .act = leaveManifolds},
+                    Way{.name = "BodiesComeAndGo", .act = removeAndAdd},
+                    Way{.name = "OnGrounds", .act = layGrounds}, Way{.name = "FarAway", .act = throwFarAway}),
+    [](const auto& way) { return way.param.name; });
 
 /// A program's scheduler: does the work backwards.
 class BackwardScheduler : public btITaskScheduler {
@@ -215,7 +218,8 @@ void skipSome(btBroadphasePair& pair, btCollisionDispatcher& dispatcher, const b
   btCollisionDispatcher::defaultNearCallback(pair, dispatcher, info);
 }
 
-// What was found out about pairs that a program leaves out is not made use of, and their manifolds do not leak.
+// What was found out about pairs that a program leaves out is not made use of, and their manifolds do not
+// leak.
 TEST(Threads, LetAProgramLeavePairsOut) {
   Crowd crowd(5);
   crowd.world.setNumThreads(3);
