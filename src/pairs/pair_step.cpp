@@ -188,8 +188,16 @@ class PairStep {
 
   void findContacts() {
     pair_.origin = returns_ ? ContactOrigin::kGivenBack : ContactOrigin::kFound;
-    pair_.held.refresh(engine_);
+    refreshHeld();
     look_.atLevel(level_, returns_, plan_.mayAudit);
+  }
+
+  // Once none is left a look is due: small bodies lose theirs when they have slid a little.
+  void refreshHeld() {
+    if (pair_.held.countPoints(engine_) == 0) return;
+    pair_.held.refresh(engine_);
+    if (pair_.held.countPoints(engine_) == 0)
+      credit_.freshUntil = std::min(credit_.freshUntil, pair_.parts.motion());
   }
 
   void shrinkCredit() {

@@ -127,6 +127,22 @@ TEST(PairStep, LivesFromTheFirstLookToTheLast) {
   EXPECT_TRUE(living.isQuiet());
 }
 
+TEST(PairStep, LooksAgainOnceNoContactIsLeftThatIsHeld) {
+  LivingPair living;
+  living.step(1.61F);
+  living.step(1.599F);
+  living.plan.target = 2;
+  living.step(1.599F);
+  ASSERT_GT(living.pair.held.countPoints(living.engine), 0);
+  // So far that a look is not due for a while.
+  for (int i = 1; i <= 30; ++i) living.step(1.599F - (i % 2 == 0 ? 0.001F : 0.0F));
+  ASSERT_FALSE(living.step(1.5985F).audited);
+  living.engine.losesPoints = true;
+  EXPECT_TRUE(living.step(1.5984F).audited);
+  living.engine.losesPoints = false;
+  EXPECT_FALSE(living.step(1.5984F).audited) << "not in every step";
+}
+
 TEST(PairStep, IsQuietWhileBothBodiesMoveTogether) {
   LivingPair living;
   living.step(2.0F);
