@@ -20,7 +20,7 @@ struct ContactBody {
 };
 
 /// A contact of bodies a and b.
-struct ContactPoint {
+struct ProblemPoint {
   Quad onA{};     ///< Place on a; w: distance, less than 0 in each other, metres.
   Quad onB{};     ///< Place on b; w: combined friction.
   Quad normal{};  ///< From b to a; w: combined restitution.
@@ -38,7 +38,7 @@ struct ContactPair {
 /// What is to be solved, in plain numbers: an engine fills it in each step.
 struct ContactProblem {
   std::vector<ContactBody> bodies;
-  std::vector<ContactPoint> points;  ///< In any order.
+  std::vector<ProblemPoint> points;  ///< In any order.
   std::vector<ContactPair> pairs;    ///< No two of the same bodies.
   std::vector<int> order;            ///< The points of the pairs, one pair's after another's.
 

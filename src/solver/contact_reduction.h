@@ -25,8 +25,8 @@ class ContactReduction {
 
  private:
   struct Cluster {
-    Quad normal;
-    std::vector<int> members;
+    Quad normal{};
+    std::vector<int> members{};
   };
 
   void cluster(std::span<ReducibleContact> contacts);

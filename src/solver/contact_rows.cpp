@@ -15,7 +15,7 @@ constexpr float kStill = std::numeric_limits<float>::epsilon();
 constexpr float kHalfRoot = 0.70710678F;
 
 // A lane without a contact: what comes of it is 0.
-constexpr ContactPoint kNothing{};
+constexpr ProblemPoint kNothing{};
 
 /// The bodies of one side of four pairs.
 struct BodyLanes {
@@ -58,7 +58,7 @@ void gather(const std::array<const ContactBody*, kLanes>& bodies, BodyLanes& all
   all.angular = vectorOf(bodies, &ContactBody::angular);
 }
 
-LaneQuad gather(const std::array<const ContactPoint*, kLanes>& points, Quad ContactPoint::*field) {
+LaneQuad gather(const std::array<const ProblemPoint*, kLanes>& points, Quad ProblemPoint::*field) {
   return transposed(lanes(points[0]->*field), lanes(points[1]->*field), lanes(points[2]->*field),
                     lanes(points[3]->*field));
 }
@@ -122,7 +122,7 @@ class BatchBuilder {
       if (pairs_.pairs[lane] == PairBatch::kNoPair) continue;
       const ContactPair& pair = problem_.pairs[static_cast<std::size_t>(pairs_.pairs[lane])];
       if (row >= pair.count) continue;
-      const int point = problem_.order[static_cast<std::size_t>(pair.first + row)];
+      const int point = problem_.order[static_cast<std::size_t>(pair.first) + static_cast<std::size_t>(row)];
       points_[lane] = &problem_.points[static_cast<std::size_t>(point)];
     }
   }
@@ -149,10 +149,10 @@ class BatchBuilder {
 
   void buildNormal(NormalRow& row) {
     const Lanes zero{};
-    const LaneQuad onA = gather(points_, &ContactPoint::onA);
-    const LaneQuad onB = gather(points_, &ContactPoint::onB);
-    const LaneQuad normal = gather(points_, &ContactPoint::normal);
-    const LaneQuad law = gather(points_, &ContactPoint::law);
+    const LaneQuad onA = gather(points_, &ProblemPoint::onA);
+    const LaneQuad onB = gather(points_, &ProblemPoint::onB);
+    const LaneQuad normal = gather(points_, &ProblemPoint::normal);
+    const LaneQuad law = gather(points_, &ProblemPoint::law);
     isContact_ = law.w > zero;
     armA_ = onA.v - a_.center;
     armB_ = onB.v - b_.center;
@@ -240,14 +240,14 @@ class BatchBuilder {
   ContactRows& rows_;
   BatchRows& batch_;
   Lanes perSecond_;
-  BodyLanes a_;
-  BodyLanes b_;
-  std::array<const ContactPoint*, kLanes> points_;
-  LaneMask isContact_;
-  LaneVector armA_;
-  LaneVector armB_;
-  LaneVector between_;  ///< Velocity of a as seen from b, this step's forces included.
-  Lanes speed_;         ///< Of it, along the normal.
+  BodyLanes a_{};
+  BodyLanes b_{};
+  std::array<const ProblemPoint*, kLanes> points_{};
+  LaneMask isContact_{};
+  LaneVector armA_{};
+  LaneVector armB_{};
+  LaneVector between_{};  ///< Velocity of a as seen from b, this step's forces included.
+  Lanes speed_{};         ///< Of it, along the normal.
 };
 
 }  // namespace

@@ -36,8 +36,8 @@ struct NormalRow : Row {
 
 /// The rows of a batch of pairs, and its bodies.
 struct BatchRows {
-  LaneVector massA;  ///< What an impulse of 1 adds to the velocity of a.
-  LaneVector massB;
+  LaneVector massA{};  ///< What an impulse of 1 adds to the velocity of a.
+  LaneVector massB{};
   std::array<int, kLanes> a{};  ///< Of the velocities.
   std::array<int, kLanes> b{};
   std::size_t first = 0;  ///< Of the normal rows, and, times the directions, of those of friction.

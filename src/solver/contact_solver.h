@@ -61,7 +61,7 @@ void ContactSolver::forEachImpulse(const ContactProblem& problem, Take take) con
       if (index == PairBatch::kNoPair) continue;
       const ContactPair& pair = problem.pairs[static_cast<std::size_t>(index)];
       for (int k = 0; k < pair.count; ++k)
-        take(problem.order[static_cast<std::size_t>(pair.first + k)],
+        take(problem.order[static_cast<std::size_t>(pair.first) + static_cast<std::size_t>(k)],
              impulseOf(rows_.batches[i].first + static_cast<std::size_t>(k), lane));
     }
   }

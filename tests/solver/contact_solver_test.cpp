@@ -22,8 +22,8 @@ ContactBody ball(float mass, Quad center, Quad velocity) {
   return body;
 }
 
-ContactPoint touch(Quad place, Quad normal, float distance, float friction, float restitution) {
-  ContactPoint point;
+ProblemPoint touch(Quad place, Quad normal, float distance, float friction, float restitution) {
+  ProblemPoint point;
   point.onA = point.onB = place;
   point.onA.w = distance;
   point.onB.w = friction;

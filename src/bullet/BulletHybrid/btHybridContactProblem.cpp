@@ -7,9 +7,9 @@
 
 using scatter::solver::ContactBody;
 using scatter::solver::ContactPair;
-using scatter::solver::ContactPoint;
 using scatter::solver::ContactSettings;
 using scatter::solver::ContactSolver;
+using scatter::solver::ProblemPoint;
 using scatter::solver::ReducibleContact;
 
 namespace
@@ -45,14 +45,14 @@ void findLaw(const btManifoldPoint& point, const btContactSolverInfo& info, btSc
 	}
 }
 
-ContactPoint contactOf(const btManifoldPoint& point, bool swaps, const btContactSolverInfo& info)
+ProblemPoint contactOf(const btManifoldPoint& point, bool swaps, const btContactSolverInfo& info)
 {
 	btScalar cfm, erp;
 	findLaw(point, info, cfm, erp);
 	const bool warm = (info.m_solverMode & SOLVER_USE_WARMSTARTING) != 0;
 	const btVector3& placeA = point.m_positionWorldOnA;
 	const btVector3& placeB = point.m_positionWorldOnB;
-	ContactPoint contact;
+	ProblemPoint contact;
 	contact.onA = btHybridQuad(swaps ? placeB : placeA, point.getDistance());
 	contact.onB = btHybridQuad(swaps ? placeA : placeB, point.m_combinedFriction);
 	contact.normal = btHybridQuad(swaps ? -point.m_normalWorldOnB : point.m_normalWorldOnB, point.m_combinedRestitution);
@@ -202,7 +202,7 @@ void btHybridContactProblem::reduce(ContactPair& pair, int mostAlike)
 			m_problem.order[pair.first + left++] = index;
 			continue;
 		}
-		const ContactPoint& point = m_problem.points[index];
+		const ProblemPoint& point = m_problem.points[index];
 		ReducibleContact contact;
 		contact.place = point.onB;
 		contact.place.w = point.onA.w;
