@@ -192,11 +192,12 @@ class PairStep {
     look_.atLevel(level_, returns_, plan_.mayAudit);
   }
 
-  // Once none is left a look is due: small bodies lose theirs when they have slid a little.
+  // Once none is left a look is due: small bodies lose theirs when they have slid a little. Not in the step of
+  // a switch, which is to find what the level before had.
   void refreshHeld() {
-    if (pair_.held.countPoints(engine_) == 0) return;
+    const bool hadPoints = pair_.held.countPoints(engine_) > 0;
     pair_.held.refresh(engine_);
-    if (pair_.held.countPoints(engine_) == 0)
+    if (hadPoints && !hasSwitched_ && pair_.held.countPoints(engine_) == 0)
       credit_.freshUntil = std::min(credit_.freshUntil, pair_.parts.motion());
   }
 
