@@ -61,6 +61,8 @@ void btHybridContactSolver::convertContacts(btPersistentManifold** manifolds, in
 		convertContact(manifold, info);
 		++m_problem->m_bulletManifolds;
 	}
+	if (m_problem->empty())
+		return;
 	m_problem->begin(m_tmpSolverBodyPool, info, m_clampsFriction, m_reduces ? &m_reduction : 0);
 	addWarmStart();
 }
@@ -81,7 +83,7 @@ bool btHybridContactSolver::hasBulletRows() const
 	return m_tmpSolverNonContactConstraintPool.size() > 0 || m_problem->m_bulletManifolds > 0;
 }
 
-// Joints without rows may add bodies to Bullet's later on.
+// Joints without rows may add bodies to Bullet's later on. Without contacts of ours there are none.
 int btHybridContactSolver::countBodies() const
 {
 	return int(m_problem->problem().bodies.size());
@@ -153,7 +155,7 @@ void btHybridContactSolver::solveGroupCacheFriendlySplitImpulseIterations(btColl
 			residual = solveBulletPushes();
 			takePushes();
 		}
-		if (m_problem->solver().pushes())
+		if (!m_problem->empty() && m_problem->solver().pushes())
 			residual = btMax(residual, btScalar(m_problem->solver().solvePushes()));
 		if (residual <= info.m_leastSquaresResidualThreshold)
 			break;
@@ -175,13 +177,15 @@ btScalar btHybridContactSolver::solveSingleIteration(int iteration, btCollisionO
 		residual = solveBulletRows(iteration, constraints, numConstraints, info);
 		takeVelocities();
 	}
-	if (iteration < info.m_numIterations)
+	if (!m_problem->empty() && iteration < info.m_numIterations)
 		residual = btMax(residual, btScalar(m_problem->solver().solveVelocities()));
 	return residual;
 }
 
 btScalar btHybridContactSolver::solveGroupCacheFriendlyFinish(btCollisionObject** bodies, int numBodies, const btContactSolverInfo& info)
 {
+	if (m_problem->empty())
+		return btSequentialImpulseConstraintSolver::solveGroupCacheFriendlyFinish(bodies, numBodies, info);
 	m_problem->finish(info);
 	giveVelocities();
 	if (info.m_splitImpulse)
@@ -194,10 +198,12 @@ btHybridContactSolverInfo btHybridContactSolver::getContactSolverInfo() const
 	btHybridContactSolverInfo info;
 	info.m_pairs = int(m_problem->problem().pairs.size());
 	info.m_points = int(m_problem->problem().points.size());
+	info.m_bulletManifolds = m_problem->m_bulletManifolds;
+	if (m_problem->empty())
+		return info;
 	info.m_colours = m_problem->solver().colouring().colours();
 	for (const PairBatch& batch : m_problem->solver().colouring().batches())
 		info.m_rows += batch.rows;
-	info.m_bulletManifolds = m_problem->m_bulletManifolds;
 	info.m_reduced = m_problem->m_reduced;
 	return info;
 }
