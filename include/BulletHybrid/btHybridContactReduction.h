@@ -8,7 +8,7 @@ class btHybridReducedContacts;
 /// What is left out of the contacts of two bodies, see btHybridContactReduction.
 struct btHybridContactReductionInfo
 {
-	/// How many contacts stay of those of two bodies whose normals are within 5 degrees. Less than 1 is 1; less than 4 lets bodies rock.
+	/// How many contacts stay of those of two bodies whose normals are within 5 degrees. Less than 1 is 1.
 	int m_mostAlike;
 
 	/// Two bodies that have fewer contacts keep them all. Less than 1 is 1.

@@ -192,8 +192,8 @@ class PairStep {
     look_.atLevel(level_, returns_, plan_.mayAudit);
   }
 
-  // Once none is left a look is due: small bodies lose theirs when they have slid a little. Not in the step of
-  // a switch, which is to find what the level before had.
+  // Once none is left a look is due: small bodies lose theirs when they have slid a little. Not in the step
+  // of a switch, which is to find what the level before had.
   void refreshHeld() {
     const bool hadPoints = pair_.held.countPoints(engine_) > 0;
     pair_.held.refresh(engine_);
