@@ -33,12 +33,14 @@ struct btHybridContactReductionCount
 	}
 };
 
-/// A constraint solver that hands contacts to another one, without those that others of the same two bodies stand for: a wheel
-/// of 37 hulls that lies on a floor has 100 contacts, of which 8 bear it as well, in a fraction of the time. Give it to the constructor of
-/// any btDiscreteDynamicsWorld or of one that is made of it; the solver behind it must be one that the world would take itself, and outlive it.
+/// A constraint solver that hands contacts to another one, without those that others of the same two bodies stand
+/// for: a wheel of 37 hulls that lies on a floor has 100 contacts, of which 8 bear it as well, in a fraction of the
+/// time. Give it to the constructor of any btDiscreteDynamicsWorld or of one that is made of it; the solver behind
+/// it must be one that the world would take itself, and outlive it.
 ///
-/// The contacts stay in their manifolds, where callbacks and drawing see all of them; what was left out has no impulse, and what it bore is borne by
-/// the nearest that is left. Contacts with a cfm or erp of their own, with a friction anchor or rolling friction all stay.
+/// The contacts stay in their manifolds, where callbacks and drawing see all of them; what was left out has no
+/// impulse, and what it bore is borne by the nearest that is left. Contacts with a cfm or erp of their own, with a
+/// friction anchor or rolling friction all stay.
 class btHybridContactReduction : public btConstraintSolver
 {
 	btConstraintSolver* m_own;
@@ -55,8 +57,10 @@ public:
 	virtual ~btHybridContactReduction();
 
 	virtual void prepareSolve(int numBodies, int numManifolds);
-	virtual btScalar solveGroup(btCollisionObject** bodies, int numBodies, btPersistentManifold** manifolds, int numManifolds, btTypedConstraint** constraints,
-	                            int numConstraints, const btContactSolverInfo& info, btIDebugDraw* debugDrawer, btDispatcher* dispatcher);
+	virtual btScalar solveGroup(btCollisionObject** bodies, int numBodies, btPersistentManifold** manifolds,
+	                            int numManifolds, btTypedConstraint** constraints, int numConstraints,
+	                            const btContactSolverInfo& info, btIDebugDraw* debugDrawer,
+	                            btDispatcher* dispatcher);
 	virtual void allSolved(const btContactSolverInfo& info, btIDebugDraw* debugDrawer);
 	virtual void reset();
 	virtual btConstraintSolverType getSolverType() const;

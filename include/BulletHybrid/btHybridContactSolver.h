@@ -13,7 +13,7 @@ struct btHybridContactSolverInfo
 	int m_pairs;            ///< of bodies, whose contacts are solved four pairs at a time
 	int m_points;           ///< their contacts
 	int m_colours;          ///< sets of pairs without a moving body in common, which are solved one after another
-	int m_rows;             ///< the places that the contacts take: not less than a quarter of them, as some lanes stay empty
+	int m_rows;             ///< the places of four that the contacts take; some have fewer in them
 	int m_bulletManifolds;  ///< whose contacts are Bullet's own business, see btHybridContactSolver
 	btHybridContactReductionCount m_reduced;
 
@@ -23,17 +23,20 @@ struct btHybridContactSolverInfo
 	}
 };
 
-/// A btSequentialImpulseConstraintSolver that solves contacts four pairs of bodies at a time, for any btDiscreteDynamicsWorld:
-/// give it to the constructor in the place of Bullet's. It finds the same impulses as Bullet's with another order of
-/// contacts, so motions differ as they do between two orders of Bullet's. The same bits, run after run, on one machine.
+/// A btSequentialImpulseConstraintSolver that solves contacts four pairs of bodies at a time, for any
+/// btDiscreteDynamicsWorld: give it to the constructor in the place of Bullet's. It finds the same impulses as
+/// Bullet's with another order of contacts, so motions differ as they do between two orders of Bullet's. The same
+/// bits, run after run, on one machine.
 ///
-/// It heeds all of btContactSolverInfo: restitution, warm starting, split impulses, both friction directions, per-contact cfm, erp,
-/// stiffness and damping, locked axes, kinematic bodies, iterations and residual. Joints are solved by Bullet, before the
-/// contacts in each iteration. So are the contacts of a manifold that has rolling friction, a friction anchor, friction
-/// directions set by the program (SOLVER_ENABLE_FRICTION_DIRECTION_CACHING) or a body with anisotropic friction, and all
-/// contacts with SOLVER_RANDMIZE_ORDER or SOLVER_INTERLEAVE_CONTACT_AND_FRICTION_CONSTRAINTS: right, and no faster.
+/// It heeds all of btContactSolverInfo: restitution, warm starting, split impulses, both friction directions,
+/// per-contact cfm, erp, stiffness and damping, locked axes, kinematic bodies, iterations and residual. Joints are
+/// solved by Bullet, before the contacts in each iteration. So are the contacts of a manifold that has rolling
+/// friction, a friction anchor, friction directions set by the program (SOLVER_ENABLE_FRICTION_DIRECTION_CACHING)
+/// or a body with anisotropic friction, and all contacts with SOLVER_RANDMIZE_ORDER or
+/// SOLVER_INTERLEAVE_CONTACT_AND_FRICTION_CONSTRAINTS: right, and no faster.
 ///
-/// Not for btMultiBodyDynamicsWorld and what is made of it, which need a btMultiBodyConstraintSolver. One solver a world.
+/// Not for btMultiBodyDynamicsWorld and what is made of it, which need a btMultiBodyConstraintSolver. One solver a
+/// world.
 ATTRIBUTE_ALIGNED16(class)
 btHybridContactSolver : public btSequentialImpulseConstraintSolver
 {
@@ -55,17 +58,23 @@ btHybridContactSolver : public btSequentialImpulseConstraintSolver
 	btScalar solveBulletPushes();
 
 protected:
-	virtual void convertContacts(btPersistentManifold * *manifolds, int numManifolds, const btContactSolverInfo& info);
-	virtual void solveGroupCacheFriendlySplitImpulseIterations(btCollisionObject * *bodies, int numBodies, btPersistentManifold** manifolds, int numManifolds,
-	                                                           btTypedConstraint** constraints, int numConstraints, const btContactSolverInfo& info,
-	                                                           btIDebugDraw* debugDrawer);
-	virtual btScalar solveSingleIteration(int iteration, btCollisionObject** bodies, int numBodies, btPersistentManifold** manifolds, int numManifolds,
-	                                      btTypedConstraint** constraints, int numConstraints, const btContactSolverInfo& info, btIDebugDraw* debugDrawer);
+	virtual void convertContacts(btPersistentManifold * *manifolds, int numManifolds,
+	                             const btContactSolverInfo& info);
+	virtual void solveGroupCacheFriendlySplitImpulseIterations(
+	    btCollisionObject * *bodies, int numBodies, btPersistentManifold** manifolds, int numManifolds,
+	    btTypedConstraint** constraints, int numConstraints, const btContactSolverInfo& info,
+	    btIDebugDraw* debugDrawer);
+	virtual btScalar solveSingleIteration(int iteration, btCollisionObject** bodies, int numBodies,
+	                                      btPersistentManifold** manifolds, int numManifolds,
+	                                      btTypedConstraint** constraints, int numConstraints,
+	                                      const btContactSolverInfo& info, btIDebugDraw* debugDrawer);
 
 	/// One iteration of joints and of the contacts that are Bullet's own business.
-	virtual btScalar solveBulletRows(int iteration, btTypedConstraint** constraints, int numConstraints, const btContactSolverInfo& info);
+	virtual btScalar solveBulletRows(int iteration, btTypedConstraint** constraints, int numConstraints,
+	                                 const btContactSolverInfo& info);
 
-	virtual btScalar solveGroupCacheFriendlyFinish(btCollisionObject * *bodies, int numBodies, const btContactSolverInfo& info);
+	virtual btScalar solveGroupCacheFriendlyFinish(btCollisionObject * *bodies, int numBodies,
+	                                               const btContactSolverInfo& info);
 
 public:
 	BT_DECLARE_ALIGNED_ALLOCATOR();
@@ -73,8 +82,9 @@ public:
 	btHybridContactSolver();
 	virtual ~btHybridContactSolver();
 
-	/// Whether a contact that bears nothing has no friction: true unless set otherwise. Bullet's solver leaves such a contact
-	/// the friction of the iteration before: a slab that lies on many contacts sticks on slopes that are too steep for it.
+	/// Whether a contact that bears nothing has no friction: true unless set otherwise. Bullet's solver leaves such
+	/// a contact the friction of the iteration before: a slab that lies on many contacts sticks on slopes that are
+	/// too steep for it.
 	void setFrictionClamp(bool clamps)
 	{
 		m_clampsFriction = clamps;
@@ -84,8 +94,9 @@ public:
 		return m_clampsFriction;
 	}
 
-	/// Leaves out contacts as btHybridContactReduction does, but for next to nothing where no two bodies have many: the solver knows
-	/// anyway which contacts are whose. Not unless called, and no more after removeContactReduction().
+	/// Leaves out contacts as btHybridContactReduction does, but for next to nothing where no two bodies have many:
+	/// the solver knows anyway which contacts are whose. Not unless called, and no more after
+	/// removeContactReduction().
 	void setContactReduction(const btHybridContactReductionInfo& info);
 	void removeContactReduction()
 	{

@@ -20,10 +20,12 @@ bool needsBullet(const btManifoldPoint& point, const btContactSolverInfo& info)
 {
 	const bool hasDirections = (info.m_solverMode & SOLVER_ENABLE_FRICTION_DIRECTION_CACHING) &&
 	                           (point.m_contactPointFlags & BT_CONTACT_FLAG_LATERAL_FRICTION_INITIALIZED);
-	return point.m_combinedRollingFriction > 0 || (point.m_contactPointFlags & BT_CONTACT_FLAG_FRICTION_ANCHOR) || hasDirections;
+	return point.m_combinedRollingFriction > 0 || (point.m_contactPointFlags & BT_CONTACT_FLAG_FRICTION_ANCHOR) ||
+	       hasDirections;
 }
 
-// Softness and error reduction of a contact, as btSequentialImpulseConstraintSolver::setupContactConstraint finds them.
+// Softness and error reduction of a contact, as btSequentialImpulseConstraintSolver::setupContactConstraint finds
+// them.
 void findLaw(const btManifoldPoint& point, const btContactSolverInfo& info, btScalar& cfm, btScalar& erp)
 {
 	cfm = info.m_globalCfm;
@@ -55,8 +57,10 @@ ProblemPoint contactOf(const btManifoldPoint& point, bool swaps, const btContact
 	ProblemPoint contact;
 	contact.onA = btHybridQuad(swaps ? placeB : placeA, point.getDistance());
 	contact.onB = btHybridQuad(swaps ? placeA : placeB, point.m_combinedFriction);
-	contact.normal = btHybridQuad(swaps ? -point.m_normalWorldOnB : point.m_normalWorldOnB, point.m_combinedRestitution);
-	contact.law = btHybridQuad(btVector3(warm ? point.m_appliedImpulse * info.m_warmstartingFactor : btScalar(0), cfm, erp), 1);
+	contact.normal =
+	    btHybridQuad(swaps ? -point.m_normalWorldOnB : point.m_normalWorldOnB, point.m_combinedRestitution);
+	contact.law = btHybridQuad(
+	    btVector3(warm ? point.m_appliedImpulse * info.m_warmstartingFactor : btScalar(0), cfm, erp), 1);
 	return contact;
 }
 
@@ -87,7 +91,8 @@ void btHybridContactProblem::clear()
 	m_reduced = btHybridContactReductionCount();
 }
 
-bool btHybridContactProblem::add(btPersistentManifold* manifold, Side side0, Side side1, const btContactSolverInfo& info)
+bool btHybridContactProblem::add(btPersistentManifold* manifold, Side side0, Side side1,
+                                 const btContactSolverInfo& info)
 {
 	// A pair's manifolds may name its bodies in either order.
 	const bool swaps = !side0.m_moves || (side1.m_moves && side1.m_id < side0.m_id);
@@ -225,7 +230,9 @@ void btHybridContactProblem::reduce(ContactPair& pair, int mostAlike)
 	pair.count = left;
 }
 
-void btHybridContactProblem::begin(const btAlignedObjectArray<btSolverBody>& bodies, const btContactSolverInfo& info, bool clampsFriction, const btHybridContactReductionInfo* reduction)
+void btHybridContactProblem::begin(const btAlignedObjectArray<btSolverBody>& bodies,
+                                   const btContactSolverInfo& info, bool clampsFriction,
+                                   const btHybridContactReductionInfo* reduction)
 {
 	for (int i = 0; i < bodies.size(); ++i)
 		takeBody(bodies[i]);
@@ -242,17 +249,19 @@ void btHybridContactProblem::finish(const btContactSolverInfo& info)
 {
 	const bool warm = (info.m_solverMode & SOLVER_USE_WARMSTARTING) != 0;
 	const bool two = (info.m_solverMode & SOLVER_USE_2_FRICTION_DIRECTIONS) != 0;
-	m_solver.forEachImpulse(m_problem, [&](int index, const ContactSolver::Impulse& impulse)
+	m_solver.forEachImpulse(m_problem,
+	                        [&](int index, const ContactSolver::Impulse& impulse)
 	                        {
-		btManifoldPoint& point = *m_sources[index].m_point;
-		const btScalar sign = m_sources[index].m_isSwapped ? btScalar(-1) : btScalar(1);
-		point.m_lateralFrictionDir1 = sign * btHybridVectorOf(impulse.directions[0]);
-		if (two)
-			point.m_lateralFrictionDir2 = sign * btHybridVectorOf(impulse.directions[1]);
-		if (!warm)
-			return;
-		point.m_appliedImpulse = impulse.normal;
-		point.m_appliedImpulseLateral1 = impulse.friction[0];
-		if (two)
-			point.m_appliedImpulseLateral2 = impulse.friction[1]; });
+		                        btManifoldPoint& point = *m_sources[index].m_point;
+		                        const btScalar sign = m_sources[index].m_isSwapped ? btScalar(-1) : btScalar(1);
+		                        point.m_lateralFrictionDir1 = sign * btHybridVectorOf(impulse.directions[0]);
+		                        if (two)
+			                        point.m_lateralFrictionDir2 = sign * btHybridVectorOf(impulse.directions[1]);
+		                        if (!warm)
+			                        return;
+		                        point.m_appliedImpulse = impulse.normal;
+		                        point.m_appliedImpulseLateral1 = impulse.friction[0];
+		                        if (two)
+			                        point.m_appliedImpulseLateral2 = impulse.friction[1];
+	                        });
 }

@@ -25,11 +25,13 @@ public:
 		bool m_moves;
 	};
 
-	/// Takes the contacts of a manifold, one of whose bodies moves. False, and nothing taken, if some contact needs rows of Bullet's.
+	/// Takes the contacts of a manifold, one of whose bodies moves. False, and nothing taken, if some contact needs
+	/// rows of Bullet's.
 	bool add(btPersistentManifold* manifold, Side side0, Side side1, const btContactSolverInfo& info);
 
 	/// After all manifolds: takes the bodies, and begins to solve. `reduction`: what is left out; 0: nothing.
-	void begin(const btAlignedObjectArray<btSolverBody>& bodies, const btContactSolverInfo& info, bool clampsFriction, const btHybridContactReductionInfo* reduction);
+	void begin(const btAlignedObjectArray<btSolverBody>& bodies, const btContactSolverInfo& info,
+	           bool clampsFriction, const btHybridContactReductionInfo* reduction);
 
 	/// Writes impulses and friction directions into the manifolds' points.
 	void finish(const btContactSolverInfo& info);

@@ -111,7 +111,8 @@ void btHybridReducedContacts::collect(const Pair& pair, btPersistentManifold** m
 			if (!(point.getDistance() <= manifold.getContactProcessingThreshold()) || !btHybridIsReducible(point))
 				continue;
 			m_points.push_back(&point);
-			m_contacts.push_back({btHybridQuad(point.m_positionWorldOnB, point.getDistance()), btHybridQuad(sign * point.m_normalWorldOnB, point.m_appliedImpulse), -1});
+			m_contacts.push_back({btHybridQuad(point.m_positionWorldOnB, point.getDistance()),
+			                      btHybridQuad(sign * point.m_normalWorldOnB, point.m_appliedImpulse), -1});
 		}
 	}
 }
@@ -131,7 +132,8 @@ void btHybridReducedContacts::hide()
 	}
 }
 
-void btHybridReducedContacts::hide(btPersistentManifold** manifolds, int numManifolds, const btHybridContactReductionInfo& info)
+void btHybridReducedContacts::hide(btPersistentManifold** manifolds, int numManifolds,
+                                   const btHybridContactReductionInfo& info)
 {
 	m_count = btHybridContactReductionCount();
 	m_hidden.clear();
@@ -156,7 +158,9 @@ void btHybridReducedContacts::show()
 }
 
 btHybridContactReduction::btHybridContactReduction(btConstraintSolver* solver)
-    : m_own(solver ? 0 : new btSequentialImpulseConstraintSolver()), m_solver(solver ? solver : m_own), m_reduced(new btHybridReducedContacts())
+    : m_own(solver ? 0 : new btSequentialImpulseConstraintSolver()),
+      m_solver(solver ? solver : m_own),
+      m_reduced(new btHybridReducedContacts())
 {
 }
 
@@ -171,12 +175,15 @@ void btHybridContactReduction::prepareSolve(int numBodies, int numManifolds)
 	m_solver->prepareSolve(numBodies, numManifolds);
 }
 
-btScalar btHybridContactReduction::solveGroup(btCollisionObject** bodies, int numBodies, btPersistentManifold** manifolds, int numManifolds,
-                                              btTypedConstraint** constraints, int numConstraints, const btContactSolverInfo& info, btIDebugDraw* debugDrawer,
+btScalar btHybridContactReduction::solveGroup(btCollisionObject** bodies, int numBodies,
+                                              btPersistentManifold** manifolds, int numManifolds,
+                                              btTypedConstraint** constraints, int numConstraints,
+                                              const btContactSolverInfo& info, btIDebugDraw* debugDrawer,
                                               btDispatcher* dispatcher)
 {
 	m_reduced->hide(manifolds, numManifolds, m_info);
-	const btScalar result = m_solver->solveGroup(bodies, numBodies, manifolds, numManifolds, constraints, numConstraints, info, debugDrawer, dispatcher);
+	const btScalar result = m_solver->solveGroup(bodies, numBodies, manifolds, numManifolds, constraints,
+	                                             numConstraints, info, debugDrawer, dispatcher);
 	m_reduced->show();
 	return result;
 }

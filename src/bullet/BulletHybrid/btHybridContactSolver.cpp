@@ -39,7 +39,8 @@ btHybridContactSolver::~btHybridContactSolver()
 	delete m_problem;
 }
 
-void btHybridContactSolver::convertContacts(btPersistentManifold** manifolds, int numManifolds, const btContactSolverInfo& info)
+void btHybridContactSolver::convertContacts(btPersistentManifold** manifolds, int numManifolds,
+                                            const btContactSolverInfo& info)
 {
 	m_problem->clear();
 	const bool leavesAll = ordersRows(info);
@@ -73,8 +74,10 @@ void btHybridContactSolver::addWarmStart()
 	for (int i = 0; m_problem->m_bulletManifolds > 0 && i < m_tmpSolverBodyPool.size(); ++i)
 	{
 		BodyVelocity& velocity = m_problem->solver().velocities()[i];
-		velocity.linear = btHybridQuad(btHybridVectorOf(velocity.linear) + m_tmpSolverBodyPool[i].m_deltaLinearVelocity);
-		velocity.angular = btHybridQuad(btHybridVectorOf(velocity.angular) + m_tmpSolverBodyPool[i].m_deltaAngularVelocity);
+		velocity.linear =
+		    btHybridQuad(btHybridVectorOf(velocity.linear) + m_tmpSolverBodyPool[i].m_deltaLinearVelocity);
+		velocity.angular =
+		    btHybridQuad(btHybridVectorOf(velocity.angular) + m_tmpSolverBodyPool[i].m_deltaAngularVelocity);
 	}
 }
 
@@ -135,14 +138,18 @@ btScalar btHybridContactSolver::solveBulletPushes()
 	for (int i = 0; i < m_tmpSolverContactConstraintPool.size(); ++i)
 	{
 		const btSolverConstraint& row = m_tmpSolverContactConstraintPool[m_orderTmpConstraintPool[i]];
-		const btScalar residual = resolveSplitPenetrationImpulse(m_tmpSolverBodyPool[row.m_solverBodyIdA], m_tmpSolverBodyPool[row.m_solverBodyIdB], row);
+		const btScalar residual = resolveSplitPenetrationImpulse(m_tmpSolverBodyPool[row.m_solverBodyIdA],
+		                                                         m_tmpSolverBodyPool[row.m_solverBodyIdB], row);
 		most = btMax(most, residual * residual);
 	}
 	return most;
 }
 
-void btHybridContactSolver::solveGroupCacheFriendlySplitImpulseIterations(btCollisionObject**, int, btPersistentManifold**, int, btTypedConstraint**, int,
-                                                                          const btContactSolverInfo& info, btIDebugDraw*)
+void btHybridContactSolver::solveGroupCacheFriendlySplitImpulseIterations(btCollisionObject**, int,
+                                                                          btPersistentManifold**, int,
+                                                                          btTypedConstraint**, int,
+                                                                          const btContactSolverInfo& info,
+                                                                          btIDebugDraw*)
 {
 	if (!info.m_splitImpulse)
 		return;
@@ -162,13 +169,17 @@ void btHybridContactSolver::solveGroupCacheFriendlySplitImpulseIterations(btColl
 	}
 }
 
-btScalar btHybridContactSolver::solveBulletRows(int iteration, btTypedConstraint** constraints, int numConstraints, const btContactSolverInfo& info)
+btScalar btHybridContactSolver::solveBulletRows(int iteration, btTypedConstraint** constraints, int numConstraints,
+                                                const btContactSolverInfo& info)
 {
-	return btSequentialImpulseConstraintSolver::solveSingleIteration(iteration, 0, 0, 0, 0, constraints, numConstraints, info, 0);
+	return btSequentialImpulseConstraintSolver::solveSingleIteration(iteration, 0, 0, 0, 0, constraints,
+	                                                                 numConstraints, info, 0);
 }
 
-btScalar btHybridContactSolver::solveSingleIteration(int iteration, btCollisionObject**, int, btPersistentManifold**, int, btTypedConstraint** constraints,
-                                                     int numConstraints, const btContactSolverInfo& info, btIDebugDraw*)
+btScalar btHybridContactSolver::solveSingleIteration(int iteration, btCollisionObject**, int,
+                                                     btPersistentManifold**, int, btTypedConstraint** constraints,
+                                                     int numConstraints, const btContactSolverInfo& info,
+                                                     btIDebugDraw*)
 {
 	btScalar residual = 0;
 	if (numConstraints > 0 || hasBulletRows())
@@ -182,7 +193,8 @@ btScalar btHybridContactSolver::solveSingleIteration(int iteration, btCollisionO
 	return residual;
 }
 
-btScalar btHybridContactSolver::solveGroupCacheFriendlyFinish(btCollisionObject** bodies, int numBodies, const btContactSolverInfo& info)
+btScalar btHybridContactSolver::solveGroupCacheFriendlyFinish(btCollisionObject** bodies, int numBodies,
+                                                              const btContactSolverInfo& info)
 {
 	if (m_problem->empty())
 		return btSequentialImpulseConstraintSolver::solveGroupCacheFriendlyFinish(bodies, numBodies, info);

@@ -10,8 +10,8 @@
 
 namespace
 {
-/// Pairs that one thread takes at a time. Most are quiet and take 50 ns, so that a block is worth taking; the number of
-/// threads must not matter to it.
+/// Pairs that one thread takes at a time. Most are quiet and take 50 ns, so that a block is worth taking; the
+/// number of threads must not matter to it.
 const int c_block = 32;
 
 /// Fewer pairs are done before another thread has woken up.
@@ -84,20 +84,24 @@ void btHybridForesight::begin(btHybridNarrowphase& narrowphase, btDispatcher* di
 	}
 	m_chosen.assign(m_pairs.size(), 0);
 	const int count = int(m_pairs.size());
-	forEachBlock(count, [this](int first, int last)
+	forEachBlock(count,
+	             [this](int first, int last)
 	             {
-		for (int i = first; i < last; ++i)
-			m_chosen[i] = m_pairs[i]->mayBeForeseen(); });
+		             for (int i = first; i < last; ++i)
+			             m_chosen[i] = m_pairs[i]->mayBeForeseen();
+	             });
 	// Bodies are shared by pairs, and a shape may turn out to have changed.
 	for (int i = 0; i < count; ++i)
 		m_chosen[i] = m_chosen[i] && m_pairs[i]->follow(dispatcher);
-	forEachBlock(count, [this](int first, int last)
+	forEachBlock(count,
+	             [this](int first, int last)
 	             {
-		scatter::pairs::ForesightScratch* scratch = borrow();
-		for (int i = first; i < last; ++i)
-			if (m_chosen[i])
-				m_pairs[i]->foresee(m_locks, *scratch);
-		giveBack(scratch); });
+		             scatter::pairs::ForesightScratch* scratch = borrow();
+		             for (int i = first; i < last; ++i)
+			             if (m_chosen[i])
+				             m_pairs[i]->foresee(m_locks, *scratch);
+		             giveBack(scratch);
+	             });
 }
 
 // Pairs that a program's callback has left out have not made use of what was found out.
@@ -113,5 +117,6 @@ void btHybridForesight::end()
 
 void btHybridForesight::forget(const btHybridAlgorithm* pair)
 {
-	std::replace(m_pairs.begin(), m_pairs.end(), const_cast<btHybridAlgorithm*>(pair), static_cast<btHybridAlgorithm*>(0));
+	std::replace(m_pairs.begin(), m_pairs.end(), const_cast<btHybridAlgorithm*>(pair),
+	             static_cast<btHybridAlgorithm*>(0));
 }

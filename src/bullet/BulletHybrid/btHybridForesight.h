@@ -13,9 +13,9 @@ class btHybridNarrowphase;
 class btHybridAlgorithm;
 class btITaskScheduler;
 
-/// Finds out on several threads, before the pairs of a step are dispatched, what of them needs nothing of Bullet: which stay
-/// quiet, and of the others the neighbours and distances of their parts. All that Bullet is asked or told stays on the
-/// caller's thread, in today's order, and results are the same bits for any number of threads.
+/// Finds out on several threads, before the pairs of a step are dispatched, what of them needs nothing of Bullet:
+/// which stay quiet, and of the others the neighbours and distances of their parts. All that Bullet is asked or
+/// told stays on the caller's thread, in today's order, and results are the same bits for any number of threads.
 class btHybridForesight
 {
 	std::unique_ptr<scatter::parallel::ThreadPool> m_threads;
