@@ -1,4 +1,4 @@
-// Box3D with its own settings, but for: no sleeping, one worker, friction and restitution multiplied as the
+// Box3D with its own settings, but for: only what may rest in the scene sleeps, one worker, friction and restitution multiplied as the
 // scenes mean them, mass and inertia those of the finest level.
 
 #include <box3d/box3d.h>
@@ -39,13 +39,17 @@ struct HullDeleter {
 };
 using Hull = std::unique_ptr<b3HullData, HullDeleter>;
 
+struct MeshDeleter {
+  void operator()(b3MeshData* mesh) const { b3DestroyMesh(mesh); }
+};
+using Mesh = std::unique_ptr<b3MeshData, MeshDeleter>;
+
 class Box3dPhysics final : public EnginePhysics {
  public:
-  explicit Box3dPhysics(const EngineOptions& options)
+  Box3dPhysics(const EngineOptions& options, const Vec3& gravity)
       : EnginePhysics(options), subSteps_(options.subSteps.value_or(kSubSteps)) {
     b3WorldDef def = b3DefaultWorldDef();
-    def.gravity = {0.0F, 0.0F, 0.0F};
-    def.enableSleep = false;
+    def.gravity = toBox3d(gravity);
     def.workerCount = 1;
     def.frictionCallback = product;
     def.restitutionCallback = product;
@@ -66,6 +70,7 @@ class Box3dPhysics final : public EnginePhysics {
     state.centerOfMass = state.pose(centers_[indexOf(body)]);
     state.linearVelocity = fromBox3d(b3Body_GetLinearVelocity(id));
     state.angularVelocity = fromBox3d(b3Body_GetAngularVelocity(id));
+    state.asleep = !b3Body_IsAwake(id);
     return state;
   }
 
@@ -79,22 +84,54 @@ class Box3dPhysics final : public EnginePhysics {
   Result<void> addBody(const EngineBodyDef& body) override {
     b3BodyDef def = b3DefaultBodyDef();
     def.type = b3_dynamicBody;
-    def.position = toBox3d(body.def.pose.position);
-    def.rotation = toBox3d(body.def.pose.rotation);
     def.linearDamping = body.def.material.linearDamping;
     def.angularDamping = body.def.material.angularDamping;
-    def.enableSleep = false;
-    const b3BodyId id = b3CreateBody(world_, &def);
-    bodies_.push_back(id);
-    centers_.push_back(body.mass.centerOfMass);
+    def.enableSleep = body.def.mayRest;
+    const bool isStill = body.def.motion == Motion::kStatic;
+    const b3BodyId id =
+        isStill ? createStill(body.def) : create(def, body.def.pose, body.mass.centerOfMass);
     for (const ConvexPart& part : body.parts) {
       if (auto added = addPart(id, part, body); !added) return added;
     }
+    if (isStill) return {};
     b3Body_SetMassData(id, {.mass = body.def.mass,
                             .center = toBox3d(body.mass.centerOfMass),
                             .inertia = toBox3d(body.mass.inertia * body.def.mass)});
     b3Body_SetLinearVelocity(id, toBox3d(body.def.linearVelocity));
     b3Body_SetAngularVelocity(id, toBox3d(body.def.angularVelocity));
+    return {};
+  }
+
+  /// A box whose upper side is the plane: Box3D has no half-spaces.
+  Result<void> addGround(const BodyDef& def, const Plane& plane) override {
+    constexpr float kReach = 1000.0F;  // metres
+    constexpr float kThickness = 10.0F;
+    const Vec3 up(0.0F, 1.0F, 0.0F);
+    if (plane.normal != up) return fail("body \"" + def.name + "\": Box3D's measurement has level planes");
+    const b3Transform pose{toBox3d(up * (plane.offset - kThickness)), toBox3d(kNoRotation)};
+    const b3BoxHull made = b3MakeTransformedBoxHull(kReach, kThickness, kReach, pose);
+    const b3ShapeDef shape = shapeDef(def.material);
+    b3CreateHullShape(createStill(def), &shape, &made.base);
+    return {};
+  }
+
+  Result<void> addGround(const BodyDef& def, const TriangleMesh& triangles) override {
+    std::vector<b3Vec3> vertices;
+    for (const Vec3& v : triangles.vertices) vertices.push_back(toBox3d(v));
+    std::vector<std::int32_t> indices;
+    for (const auto& triangle : triangles.triangles) {
+      for (const std::uint32_t i : triangle) indices.push_back(static_cast<std::int32_t>(i));
+    }
+    b3MeshDef mesh{};
+    mesh.vertices = vertices.data();
+    mesh.indices = indices.data();
+    mesh.vertexCount = static_cast<int>(vertices.size());
+    mesh.triangleCount = static_cast<int>(triangles.triangles.size());
+    mesh.identifyEdges = true;
+    meshes_.emplace_back(b3CreateMesh(&mesh, nullptr, 0));
+    if (!meshes_.back()) return fail("body \"" + def.name + "\": Box3D refuses its triangles");
+    const b3ShapeDef shape = shapeDef(def.material);
+    b3CreateMeshShape(createStill(def), &shape, meshes_.back().get(), {1.0F, 1.0F, 1.0F});
     return {};
   }
 
@@ -113,6 +150,24 @@ class Box3dPhysics final : public EnginePhysics {
   }
 
  private:
+  b3BodyId create(b3BodyDef def, const Transform& pose, const Vec3& centerOfMass) {
+    def.position = toBox3d(pose.position);
+    def.rotation = toBox3d(pose.rotation);
+    bodies_.push_back(b3CreateBody(world_, &def));
+    centers_.push_back(centerOfMass);
+    return bodies_.back();
+  }
+
+  b3BodyId createStill(const BodyDef& def) { return create(b3DefaultBodyDef(), def.pose, Vec3(0.0F)); }
+
+  static b3ShapeDef shapeDef(const Material& material) {
+    b3ShapeDef def = b3DefaultShapeDef();
+    def.baseMaterial.friction = material.friction;
+    def.baseMaterial.restitution = material.restitution;
+    def.updateBodyMass = false;
+    return def;
+  }
+
   static void addContact(const b3ContactData& data, Contacts& contacts) {
     for (int i = 0; i < data.manifoldCount; ++i) {
       const b3Manifold& manifold = data.manifolds[i];
@@ -125,10 +180,7 @@ class Box3dPhysics final : public EnginePhysics {
   }
 
   Result<void> addPart(b3BodyId id, const ConvexPart& part, const EngineBodyDef& body) {
-    b3ShapeDef def = b3DefaultShapeDef();
-    def.baseMaterial.friction = body.def.material.friction;
-    def.baseMaterial.restitution = body.def.material.restitution;
-    def.updateBodyMass = false;
+    const b3ShapeDef def = shapeDef(body.def.material);
     if (const auto* hull = std::get_if<ConvexHull>(&part.shape)) {
       const b3HullData* made = hullOf(*hull, part.pose);
       if (made == nullptr) return fail("body \"" + body.def.name + "\": Box3D refuses one of its hulls");
@@ -164,6 +216,7 @@ class Box3dPhysics final : public EnginePhysics {
   int subSteps_;
   b3WorldId world_{};
   std::map<const ConvexHull*, Hull> hulls_;
+  std::vector<Mesh> meshes_;
   std::vector<b3BodyId> bodies_;
   std::vector<Vec3> centers_;  ///< Of mass, in the model's frame, by body.
 };
@@ -174,11 +227,12 @@ EngineInfo engineInfo() {
   return {.program = "engine_box3d"};
 }
 
-Result<std::unique_ptr<Physics>> makeEngine(const EngineOptions& options) {
-  if (options.convexRadius || options.iterations || options.boxes || options.pairAlgorithm) {
+Result<std::unique_ptr<Physics>> makeEngine(const EngineOptions& options, const PhysicsDef& def) {
+  if (options.convexRadius || options.iterations || options.boxes || options.pairAlgorithm || options.lean ||
+      options.threads > 1) {
     return fail("Box3D's measurement has only --coarsest and --sub-steps");
   }
-  return std::make_unique<Box3dPhysics>(options);
+  return std::make_unique<Box3dPhysics>(options, def.gravity);
 }
 
 }  // namespace scatter::bench

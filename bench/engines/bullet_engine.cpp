@@ -8,19 +8,29 @@
 namespace scatter::bench {
 
 EngineInfo engineInfo() {
-  return {.program = "engine_bullet", .hullMargin = 0.02F};
+  return {.program = "engine_bullet", .hasMargins = true};
 }
 
-Result<std::unique_ptr<Physics>> makeEngine(const EngineOptions& options) {
+Result<std::unique_ptr<Physics>> makeEngine(const EngineOptions& options, const PhysicsDef& scene) {
   if (options.convexRadius || options.subSteps || options.boxes) {
-    return fail("Bullet's measurement has only --coarsest, --pair-algorithm and --iterations");
+    return fail("Bullet's measurement has only --coarsest, --pair-algorithm, --lean, --iterations and --threads");
   }
-  if (options.coarsest && options.pairAlgorithm) return fail("choose --coarsest or --pair-algorithm");
-  PhysicsDef def;
-  if (options.coarsest || options.pairAlgorithm) def.world = WorldKind::kHybrid;
-  if (options.coarsest) def.collision.narrowphase = Narrowphase::kEngine;
-  def.switching.switching = Switching::kBody;
+  if (options.coarsest + options.pairAlgorithm + options.lean > 1) {
+    return fail("choose one of --coarsest, --pair-algorithm and --lean");
+  }
+  PhysicsDef def = scene;
+  if (options.coarsest || options.pairAlgorithm || options.lean) def.world = WorldKind::kHybrid;
+  if (options.coarsest) {
+    def.collision.narrowphase = Narrowphase::kEngine;
+    def.switching.switching = Switching::kBody;
+  }
   def.switching.policy = options.coarsest ? Policy::kCoarsest : Policy::kFinest;
+  if (options.lean) {
+    def.solver = ContactSolver::kWide;
+    def.contactsPerDirection = kUsualContactsPerDirection;
+    def.collision.pairAlgorithm.recycling = kUsualRecycling;
+  }
+  def.threads = options.threads;
   def.solverIterations = options.iterations.value_or(def.solverIterations);
   return makeBulletPhysics(def);
 }

@@ -15,19 +15,22 @@ struct EngineOptions {
   std::optional<float> convexRadius;  ///< How far hulls are shrunk and rounded again, metres.
   std::optional<int> subSteps;        ///< Of one step of 1/60 s.
   std::optional<int> iterations;      ///< Of the velocity solver.
+  int threads = 1;
   bool pairAlgorithm = false;         ///< The pair algorithm of a hybrid world, all at the finest level.
+  bool lean = false;                  ///< The same as the lab's world `lean` has it.
   bool boxes = false;                 ///< The bounding boxes of hulls instead of the hulls.
 };
 
 struct EngineInfo {
   const char* program = "";  ///< The measuring program's name.
 
-  /// How far the solid reaches beyond a hull's vertices, metres.
-  float hullMargin = 0.0F;
+  /// Whether the solid of a hull reaches beyond its vertices by the margin of its levels.
+  bool hasMargins = false;
 };
 
-/// Each program links one engine, which defines these.
+/// Each program links one engine, which defines these. Of `def` an engine takes the gravity.
 [[nodiscard]] EngineInfo engineInfo();
-[[nodiscard]] Result<std::unique_ptr<Physics>> makeEngine(const EngineOptions& options);
+[[nodiscard]] Result<std::unique_ptr<Physics>> makeEngine(const EngineOptions& options,
+                                                            const PhysicsDef& def);
 
 }  // namespace scatter::bench

@@ -28,6 +28,12 @@ std::optional<ConvexShape> convexOf(const Shape& shape) {
       shape);
 }
 
+bool isGround(const Shape& shape) {
+  return std::holds_alternative<Plane>(shape) ||
+         std::holds_alternative<std::shared_ptr<const TriangleMesh>>(shape) ||
+         std::holds_alternative<std::shared_ptr<const HeightField>>(shape);
+}
+
 class Hash {
  public:
   void add(float value) {
@@ -47,9 +53,12 @@ class Hash {
 }  // namespace
 
 Result<EnginePhysics::Record> EnginePhysics::makeRecord(const BodyDef& def) const {
-  if (def.motion != Motion::kDynamic) return fail("body \"" + def.name + "\" must be dynamic");
+  if (def.motion == Motion::kKinematic) {
+    return fail("body \"" + def.name + "\" must be dynamic or static");
+  }
   Record record;
-  record.mass = def.mass;
+  if (isGround(def.shape)) return record;
+  record.mass = def.motion == Motion::kDynamic ? def.mass : 0.0F;
   if (const auto* levels = std::get_if<std::shared_ptr<const LevelSet>>(&def.shape)) {
     record.levels = *levels;
     record.properties = (*levels)->mass();
@@ -64,6 +73,25 @@ Result<EnginePhysics::Record> EnginePhysics::makeRecord(const BodyDef& def) cons
   return record;
 }
 
+Result<void> EnginePhysics::add(const BodyDef& def, const Record& record) {
+  if (const auto* plane = std::get_if<Plane>(&def.shape)) return addGround(def, *plane);
+  if (const auto* mesh = std::get_if<std::shared_ptr<const TriangleMesh>>(&def.shape)) {
+    return addGround(def, **mesh);
+  }
+  if (const auto* field = std::get_if<std::shared_ptr<const HeightField>>(&def.shape)) {
+    return addGround(def, trianglesOf(**field));
+  }
+  return addBody({.def = def, .parts = partsOf(record), .mass = record.properties});
+}
+
+Result<void> EnginePhysics::addGround(const BodyDef& def, const Plane&) {
+  return fail("body \"" + def.name + "\": this engine's measurement has no planes");
+}
+
+Result<void> EnginePhysics::addGround(const BodyDef& def, const TriangleMesh&) {
+  return fail("body \"" + def.name + "\": this engine's measurement has no triangles");
+}
+
 const std::vector<ConvexPart>& EnginePhysics::partsOf(const Record& record) const {
   if (record.own) return *record.own;
   return coarsest_ ? record.levels->coarsest().parts : record.levels->finest().parts;
@@ -72,8 +100,7 @@ const std::vector<ConvexPart>& EnginePhysics::partsOf(const Record& record) cons
 Result<BodyId> EnginePhysics::createBody(const BodyDef& def) {
   Result<Record> record = makeRecord(def);
   if (!record) return tl::unexpected(record.error());
-  const EngineBodyDef body{.def = def, .parts = partsOf(*record), .mass = record->properties};
-  if (auto added = addBody(body); !added) return tl::unexpected(added.error());
+  if (auto added = add(def, *record); !added) return tl::unexpected(added.error());
   hybrids_ += record->levels ? 1 : 0;
   records_.push_back(std::move(*record));
   return static_cast<BodyId>(records_.size() - 1);

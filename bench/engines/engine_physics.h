@@ -10,15 +10,15 @@
 
 namespace scatter::bench {
 
-/// What an engine needs to make a body.
+/// What an engine needs to make a body of convex parts, dynamic or static.
 struct EngineBodyDef {
   const BodyDef& def;
   const std::vector<ConvexPart>& parts;  ///< Outlive the world, at the same address for all that share them.
   const MassProperties& mass;
 };
 
-/// As much of a Physics as the scenes of the engine measurement need: dynamic bodies of convex parts under
-/// central forces. The rest asserts.
+/// As much of a Physics as the scenes of the engine measurement need: dynamic and static bodies of convex
+/// parts, grounds that are a plane or triangles, gravity and central forces. The rest asserts.
 class EnginePhysics : public Physics {
  public:
   explicit EnginePhysics(const EngineOptions& options) : coarsest_(options.coarsest) {}
@@ -60,6 +60,11 @@ class EnginePhysics : public Physics {
 
   /// Bodies come in the order of their ids, which count from 0.
   [[nodiscard]] virtual Result<void> addBody(const EngineBodyDef& body) = 0;
+
+  /// A static body that is not convex. An engine that does not override it has none.
+  [[nodiscard]] virtual Result<void> addGround(const BodyDef& def, const Plane& plane);
+  [[nodiscard]] virtual Result<void> addGround(const BodyDef& def, const TriangleMesh& triangles);
+
   [[nodiscard]] virtual Contacts countContacts() const = 0;
 
   static std::size_t indexOf(BodyId body) { return static_cast<std::size_t>(body); }
@@ -73,6 +78,7 @@ class EnginePhysics : public Physics {
   };
 
   [[nodiscard]] Result<Record> makeRecord(const BodyDef& def) const;
+  [[nodiscard]] Result<void> add(const BodyDef& def, const Record& record);
   [[nodiscard]] const std::vector<ConvexPart>& partsOf(const Record& record) const;
 
   bool coarsest_;

@@ -1,4 +1,4 @@
-// Jolt with its own settings, but for: no sleeping, no damping but the scene's, friction and restitution
+// Jolt with its own settings, but for: only what may rest in the scene sleeps, no damping but the scene's, friction and restitution
 // multiplied as the scenes mean them, mass and inertia those of the finest level.
 
 #include <Jolt/Jolt.h>
@@ -6,6 +6,7 @@
 #include <Jolt/ConfigurationString.h>
 #include <Jolt/Core/Factory.h>
 #include <Jolt/Core/JobSystemSingleThreaded.h>
+#include <Jolt/Core/JobSystemThreadPool.h>
 #include <Jolt/Core/TempAllocator.h>
 #include <Jolt/Physics/Body/BodyCreationSettings.h>
 #include <Jolt/Physics/Collision/BroadPhase/BroadPhaseLayerInterfaceTable.h>
@@ -14,7 +15,9 @@
 #include <Jolt/Physics/Collision/ObjectLayerPairFilterTable.h>
 #include <Jolt/Physics/Collision/Shape/BoxShape.h>
 #include <Jolt/Physics/Collision/Shape/ConvexHullShape.h>
+#include <Jolt/Physics/Collision/Shape/MeshShape.h>
 #include <Jolt/Physics/Collision/Shape/OffsetCenterOfMassShape.h>
+#include <Jolt/Physics/Collision/Shape/PlaneShape.h>
 #include <Jolt/Physics/Collision/Shape/SphereShape.h>
 #include <Jolt/Physics/Collision/Shape/StaticCompoundShape.h>
 #include <Jolt/Physics/PhysicsSystem.h>
@@ -33,7 +36,10 @@ namespace scatter::bench {
 namespace {
 
 constexpr JPH::ObjectLayer kMoving = 0;
+constexpr JPH::ObjectLayer kStill = 1;
+constexpr JPH::uint kLayers = 2;
 constexpr JPH::BroadPhaseLayer kMovingPhase(0);
+constexpr JPH::BroadPhaseLayer kStillPhase(1);
 constexpr JPH::uint kMostBodies = 4096;
 constexpr JPH::uint kMostPairs = 65536;
 constexpr JPH::uint kMostContacts = 65536;
@@ -47,6 +53,12 @@ JPH::Quat toJolt(const Quat& q) {
 }
 Vec3 fromJolt(const JPH::Vec3& v) {
   return {v.GetX(), v.GetY(), v.GetZ()};
+}
+
+std::unique_ptr<JPH::JobSystem> makeJobs(int threads) {
+  if (threads == 1) return std::make_unique<JPH::JobSystemSingleThreaded>(JPH::cMaxPhysicsJobs);
+  return std::make_unique<JPH::JobSystemThreadPool>(JPH::cMaxPhysicsJobs, JPH::cMaxPhysicsBarriers,
+                                                    threads - 1);
 }
 
 /// Jolt's types are registered once in a process.
@@ -102,23 +114,25 @@ float combinedRestitution(const JPH::Body& a, const JPH::SubShapeID&, const JPH:
 
 class JoltPhysics final : public EnginePhysics {
  public:
-  explicit JoltPhysics(const EngineOptions& options)
+  JoltPhysics(const EngineOptions& options, const Vec3& gravity)
       : EnginePhysics(options),
         convexRadius_(options.convexRadius.value_or(JPH::cDefaultConvexRadius)),
         collisionSteps_(options.subSteps.value_or(1)),
         scratch_(kScratchBytes),
-        jobs_(JPH::cMaxPhysicsJobs),
-        phases_(1, 1),
-        layers_(1) {
+        jobs_(makeJobs(options.threads)),
+        phases_(kLayers, kLayers),
+        layers_(kLayers) {
     phases_.MapObjectToBroadPhaseLayer(kMoving, kMovingPhase);
+    phases_.MapObjectToBroadPhaseLayer(kStill, kStillPhase);
     layers_.EnableCollision(kMoving, kMoving);
-    phaseFilter_ = std::make_unique<JPH::ObjectVsBroadPhaseLayerFilterTable>(phases_, 1, layers_, 1);
+    layers_.EnableCollision(kMoving, kStill);
+    phaseFilter_ =
+        std::make_unique<JPH::ObjectVsBroadPhaseLayerFilterTable>(phases_, kLayers, layers_, kLayers);
     system_.Init(kMostBodies, 0, kMostPairs, kMostContacts, phases_, *phaseFilter_, layers_);
     JPH::PhysicsSettings settings;
-    settings.mAllowSleeping = false;
     if (options.iterations) settings.mNumVelocitySteps = static_cast<JPH::uint>(*options.iterations);
     system_.SetPhysicsSettings(settings);
-    system_.SetGravity(JPH::Vec3::sZero());
+    system_.SetGravity(toJolt(gravity));
     system_.SetCombineFriction(combinedFriction);
     system_.SetCombineRestitution(combinedRestitution);
     if (options.countContacts) system_.SetContactListener(&counter_);
@@ -147,6 +161,7 @@ class JoltPhysics final : public EnginePhysics {
     state.centerOfMass = fromJolt(interface().GetCenterOfMassPosition(id));
     state.linearVelocity = fromJolt(interface().GetLinearVelocity(id));
     state.angularVelocity = fromJolt(interface().GetAngularVelocity(id));
+    state.asleep = !interface().IsActive(id);
     return state;
   }
 
@@ -160,7 +175,7 @@ class JoltPhysics final : public EnginePhysics {
       optimized_ = true;
     }
     counter_.reset();
-    const JPH::EPhysicsUpdateError error = system_.Update(seconds, collisionSteps_, &scratch_, &jobs_);
+    const JPH::EPhysicsUpdateError error = system_.Update(seconds, collisionSteps_, &scratch_, jobs_.get());
     if (error == JPH::EPhysicsUpdateError::None) return;
     std::fprintf(stderr, "engine_jolt: a buffer was too small and contacts were lost (error %u)\n",
                  static_cast<unsigned>(error));
@@ -171,6 +186,7 @@ class JoltPhysics final : public EnginePhysics {
   Result<void> addBody(const EngineBodyDef& body) override {
     Result<JPH::ShapeRefC> shape = shapeOf(body);
     if (!shape) return tl::unexpected(shape.error());
+    if (body.def.motion == Motion::kStatic) return addStill(body.def, *shape);
     JPH::BodyCreationSettings settings(*shape, toJolt(body.def.pose.position), toJolt(body.def.pose.rotation),
                                        JPH::EMotionType::Dynamic, kMoving);
     settings.mFriction = body.def.material.friction;
@@ -179,7 +195,7 @@ class JoltPhysics final : public EnginePhysics {
     settings.mAngularDamping = body.def.material.angularDamping;
     settings.mLinearVelocity = toJolt(body.def.linearVelocity);
     settings.mAngularVelocity = toJolt(body.def.angularVelocity);
-    settings.mAllowSleeping = false;
+    settings.mAllowSleeping = body.def.mayRest;
     settings.mOverrideMassProperties = JPH::EOverrideMassProperties::MassAndInertiaProvided;
     settings.mMassPropertiesOverride.mMass = body.def.mass;
     const Mat3 inertia = body.mass.inertia * body.def.mass;
@@ -191,6 +207,22 @@ class JoltPhysics final : public EnginePhysics {
     return {};
   }
 
+  Result<void> addGround(const BodyDef& def, const Plane& plane) override {
+    constexpr float kReach = 1000.0F;  // metres
+    return addStill(
+        def, new JPH::PlaneShape(JPH::Plane(toJolt(plane.normal), -plane.offset), nullptr, kReach));
+  }
+
+  Result<void> addGround(const BodyDef& def, const TriangleMesh& triangles) override {
+    JPH::VertexList vertices;
+    for (const Vec3& v : triangles.vertices) vertices.emplace_back(v.x, v.y, v.z);
+    JPH::IndexedTriangleList faces;
+    for (const auto& [a, b, c] : triangles.triangles) faces.emplace_back(a, b, c, 0U);
+    const auto made = JPH::MeshShapeSettings(std::move(vertices), std::move(faces)).Create();
+    if (made.HasError()) return fail("body \"" + def.name + "\": " + std::string(made.GetError().c_str()));
+    return addStill(def, made.Get());
+  }
+
   Contacts countContacts() const override {
     return {.manifolds = counter_.manifolds,
             .points = counter_.points,
@@ -199,6 +231,15 @@ class JoltPhysics final : public EnginePhysics {
 
  private:
   JPH::BodyInterface& interface() const { return system_.GetBodyInterfaceNoLock(); }
+
+  Result<void> addStill(const BodyDef& def, const JPH::ShapeRefC& shape) {
+    JPH::BodyCreationSettings settings(shape, toJolt(def.pose.position), toJolt(def.pose.rotation),
+                                       JPH::EMotionType::Static, kStill);
+    settings.mFriction = def.material.friction;
+    settings.mRestitution = def.material.restitution;
+    bodies_.push_back(interface().CreateAndAddBody(settings, JPH::EActivation::DontActivate));
+    return {};
+  }
 
   Result<JPH::ShapeRefC> shapeOf(const EngineBodyDef& body) {
     JPH::ShapeRefC& shared = shapes_[&body.parts];
@@ -256,7 +297,7 @@ class JoltPhysics final : public EnginePhysics {
   float convexRadius_;
   int collisionSteps_;
   JPH::TempAllocatorImpl scratch_;
-  JPH::JobSystemSingleThreaded jobs_;
+  std::unique_ptr<JPH::JobSystem> jobs_;
   JPH::BroadPhaseLayerInterfaceTable phases_;
   JPH::ObjectLayerPairFilterTable layers_;
   std::unique_ptr<JPH::ObjectVsBroadPhaseLayerFilterTable> phaseFilter_;
@@ -273,12 +314,12 @@ EngineInfo engineInfo() {
   return {.program = "engine_jolt"};
 }
 
-Result<std::unique_ptr<Physics>> makeEngine(const EngineOptions& options) {
-  if (options.boxes || options.pairAlgorithm) {
-    return fail("Jolt's measurement has no --boxes and no --pair-algorithm");
+Result<std::unique_ptr<Physics>> makeEngine(const EngineOptions& options, const PhysicsDef& def) {
+  if (options.boxes || options.pairAlgorithm || options.lean) {
+    return fail("Jolt's measurement has no --boxes, no --pair-algorithm and no --lean");
   }
   static Library library;
-  return std::make_unique<JoltPhysics>(options);
+  return std::make_unique<JoltPhysics>(options, def.gravity);
 }
 
 }  // namespace scatter::bench

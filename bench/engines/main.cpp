@@ -85,13 +85,13 @@ Result<void> measure(const Options& options) {
   run.scene = options.scene;
   run.summary = (*info)->summary;
   run.makeScene = [&] { return std::make_unique<ObservedScene>((*info)->make(), world); };
-  run.engine = [&](const PhysicsDef&) { return makeEngine(options.engine); };
+  run.engine = [&](const PhysicsDef& def) { return makeEngine(options.engine, def); };
   run.frames = options.frames == 0 ? (*info)->frames : options.frames;
   run.seed = options.seed;
   run.label = engineInfo().program;
   if (!options.out.empty()) run.out = options.out;
 
-  PileProbe probe(engineInfo().hullMargin);
+  PileProbe probe(engineInfo().hasMargins);
   std::vector<PileFrame> piles;
   const auto done = runScene(run, [&](const RunProgress& progress) {
     if (options.pileEvery == 0 || progress.frame % options.pileEvery != 0) return;
@@ -103,7 +103,7 @@ Result<void> measure(const Options& options) {
 }
 
 void addOptions(CLI::App& app, Options& options) {
-  app.add_option("--scene", options.scene, "registered scene")->capture_default_str();
+  app.add_option("--scene", options.scene, "the scene's name, as `scatter list` shows it, or a file")->capture_default_str();
   app.add_option("--out", options.out, "write frames.csv, summary.json and pile.csv into this folder");
   app.add_option("--frames", options.frames, "steps of 1/60 s; 0: as many as the scene's story takes")
       ->check(CLI::NonNegativeNumber)
@@ -119,6 +119,10 @@ void addOptions(CLI::App& app, Options& options) {
                "also where counting costs time in the step (Jolt)");
   app.add_flag("--pair-algorithm", options.engine.pairAlgorithm,
                "a hybrid world, all at the finest level (Bullet)");
+  app.add_flag("--lean", options.engine.lean, "the world lean (Bullet)");
+  app.add_option("--threads", options.engine.threads, "of a step (Bullet, Jolt)")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   app.add_flag("--boxes", options.engine.boxes, "the bounding boxes of hulls instead of the hulls (ODE)");
   app.add_option("--convex-radius", options.engine.convexRadius, "of hulls, metres (Jolt)")
       ->check(CLI::NonNegativeNumber);

@@ -66,13 +66,13 @@ Result<OdeHull> makeHull(const ConvexHull& source, const Transform& pose) {
 
 class OdePhysics final : public EnginePhysics {
  public:
-  explicit OdePhysics(const EngineOptions& options)
+  OdePhysics(const EngineOptions& options, const Vec3& gravity)
       : EnginePhysics(options),
         boxes_(options.boxes),
         world_(dWorldCreate()),
         space_(dHashSpaceCreate(nullptr)),
         contactGroup_(dJointGroupCreate(0)) {
-    dWorldSetGravity(world_, 0.0, 0.0, 0.0);
+    dWorldSetGravity(world_, wide(gravity.x), wide(gravity.y), wide(gravity.z));
     dWorldSetAutoDisableFlag(world_, 0);
     dWorldSetContactSurfaceLayer(world_, kSurfaceLayer);
     if (options.iterations) dWorldSetQuickStepNumIterations(world_, *options.iterations);
@@ -113,6 +113,7 @@ class OdePhysics final : public EnginePhysics {
 
  protected:
   Result<void> addBody(const EngineBodyDef& body) override {
+    if (body.def.motion != Motion::kDynamic) return fail("ODE's measurement has no static bodies");
     const Vec3 center = body.def.pose(body.mass.centerOfMass);
     const Quat& turn = body.def.pose.rotation;
     const Body record{dBodyCreate(world_), body.mass.centerOfMass, wide(body.def.material.friction),
@@ -254,12 +255,12 @@ EngineInfo engineInfo() {
   return {.program = "engine_ode"};
 }
 
-Result<std::unique_ptr<Physics>> makeEngine(const EngineOptions& options) {
-  if (options.convexRadius || options.subSteps || options.pairAlgorithm) {
+Result<std::unique_ptr<Physics>> makeEngine(const EngineOptions& options, const PhysicsDef& def) {
+  if (options.convexRadius || options.subSteps || options.pairAlgorithm || options.lean || options.threads > 1) {
     return fail("ODE's measurement has only --coarsest, --iterations and --boxes");
   }
   if (dInitODE2(0) == 0) return fail("ODE does not start");
-  return std::make_unique<OdePhysics>(options);
+  return std::make_unique<OdePhysics>(options, def.gravity);
 }
 
 }  // namespace scatter::bench

@@ -35,6 +35,7 @@ btTransform toBullet(const Transform& t) {
 double radiusOf(const World& world) {
   std::vector<double> distances;
   for (const auto& object : world.objects()) {
+    if (object->def().motion != Motion::kDynamic) continue;
     distances.push_back(static_cast<double>(glm::length(object->state().centerOfMass)));
   }
   if (distances.empty()) return 0.0;
@@ -73,21 +74,26 @@ class PileProbe::Shapes {
       shape = std::make_unique<btCompoundShape>();
       if (levels != nullptr) {
         for (const ConvexPart& part : (*levels)->finest().parts) add(*shape, part.shape, part.pose);
-      } else {
-        const auto* sphere = std::get_if<Sphere>(&object.def().shape);
-        assert(sphere != nullptr);
+        margins_[shape.get()] = (*levels)->hullMargin();
+      } else if (const auto* sphere = std::get_if<Sphere>(&object.def().shape)) {
         add(*shape, *sphere, Transform{});
+      } else {
+        const auto* box = std::get_if<Box>(&object.def().shape);
+        assert(box != nullptr);
+        add(*shape, *box, Transform{});
       }
     }
     return shape.get();
   }
 
   /// How much closer the solids of the measured engine are than a contact of two such parts says.
-  static double correction(const btCollisionObject& body, int part, float hullMargin) {
+  [[nodiscard]] double correction(const btCollisionObject& body, int part, bool hasMargins) const {
     const auto& compound = static_cast<const btCompoundShape&>(*body.getCollisionShape());
     const bool isHull =
         compound.getChildShape(std::max(part, 0))->getShapeType() == CONVEX_HULL_SHAPE_PROXYTYPE;
-    return isHull ? static_cast<double>(hullMargin - kProbeMargin) : 0.0;
+    if (!isHull) return 0.0;
+    const float margin = hasMargins ? margins_.at(&compound) : 0.0F;
+    return static_cast<double>(margin - kProbeMargin);
   }
 
  private:
@@ -98,6 +104,7 @@ class PileProbe::Shapes {
 
   std::vector<std::unique_ptr<btConvexShape>> parts_;
   std::map<const void*, std::unique_ptr<btCompoundShape>> compounds_;
+  std::map<const btCompoundShape*, float> margins_;  ///< Of the hulls of levels, metres.
 };
 
 namespace {
@@ -121,7 +128,7 @@ Pile summarise(const Overlaps& overlaps) {
 
 }  // namespace
 
-PileProbe::PileProbe(float hullMargin) : hullMargin_(hullMargin), shapes_(std::make_unique<Shapes>()) {}
+PileProbe::PileProbe(bool hasMargins) : hasMargins_(hasMargins), shapes_(std::make_unique<Shapes>()) {}
 PileProbe::~PileProbe() = default;
 
 Pile PileProbe::measure(const World& world) {
@@ -132,6 +139,7 @@ Pile PileProbe::measure(const World& world) {
   btCollisionWorld probe(&dispatcher, &broadphase, &configuration);
   std::vector<std::unique_ptr<btCollisionObject>> objects;
   for (const auto& object : world.objects()) {
+    if (object->def().motion != Motion::kDynamic) continue;
     auto copy = std::make_unique<btCollisionObject>();
     copy->setCollisionShape(shapes_->of(*object));
     copy->setWorldTransform(toBullet(object->state().pose));
@@ -149,8 +157,8 @@ Pile PileProbe::measure(const World& world) {
     for (int j = 0; j < manifold.getNumContacts(); ++j) {
       const btManifoldPoint& point = manifold.getContactPoint(j);
       const double overlap = -static_cast<double>(point.getDistance()) +
-                             Shapes::correction(a, point.m_index0, hullMargin_) +
-                             Shapes::correction(b, point.m_index1, hullMargin_);
+                             shapes_->correction(a, point.m_index0, hasMargins_) +
+                             shapes_->correction(b, point.m_index1, hasMargins_);
       const std::pair<int, int> key = std::minmax({a.getUserIndex(), b.getUserIndex()});
       const auto [found, added] = overlaps.emplace(key, overlap);
       if (!added) found->second = std::max(found->second, overlap);

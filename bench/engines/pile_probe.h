@@ -18,18 +18,18 @@ struct Pile {
 /// Finds every contact of a world's finest shapes afresh with Bullet's detector.
 class PileProbe {
  public:
-  /// `hullMargin` is how far the measured engine's solids reach beyond their hulls: overlaps are those of the
-  /// solids that the engine itself keeps apart.
-  explicit PileProbe(float hullMargin);
+  /// `hasMargins`: the measured engine's solids reach beyond hulls by their levels' margin. Overlaps are those
+  /// of the solids that the engine itself keeps apart.
+  explicit PileProbe(bool hasMargins);
   ~PileProbe();
 
-  /// The world must hold bodies of spheres, boxes and hulls alone.
+  /// Of the dynamic bodies, which must be spheres, boxes or have levels of spheres, boxes and hulls.
   [[nodiscard]] Pile measure(const World& world);
 
  private:
   class Shapes;
 
-  float hullMargin_;
+  bool hasMargins_;
   std::unique_ptr<Shapes> shapes_;
 };
 
