@@ -4,13 +4,6 @@
 
 namespace scatter::pairs {
 
-namespace {
-
-/// One degree: normals of contacts are wrong by no more than that.
-constexpr float kMostTurned = 0.0175F;
-
-}  // namespace
-
 bool ContactRecycling::run(std::vector<int>& touching) {
   touching.clear();
   bool isDone = parts_.hasNoNewcomers(*bodies_.a, *bodies_.b);
@@ -33,7 +26,7 @@ bool ContactRecycling::run(std::vector<int>& touching) {
 }
 
 bool ContactRecycling::isStale(const ChildPair& child, float slid) const {
-  return !child.settled || !(slid < tolerance_) || !(parts_.turn() - child.turnAt < kMostTurned);
+  return !child.settled || !(slid < tolerance_) || !(parts_.turn() - child.turnAt < kMostRecycledTurn);
 }
 
 }  // namespace scatter::pairs

@@ -6,6 +6,10 @@
 
 namespace scatter::pairs {
 
+/// Contacts that have turned by more than this are found anew, radians: one degree. Normals are wrong by no
+/// more than that.
+inline constexpr float kMostRecycledTurn = 0.0175F;
+
 /// Lets the contacts of two bodies move along with them, in the place of finding them anew, while the bodies
 /// move little against each other (PairSteps::recycling). Contacts of parts are let alone only when a look
 /// has found no more of them than there were: engines gather the points of a manifold one in a step.

@@ -1,5 +1,7 @@
 #include "pairs/foresee.h"
 
+#include "pairs/ground_look.h"
+
 namespace scatter::pairs {
 
 namespace {
@@ -155,10 +157,11 @@ void foresee(Pair& pair, const PlacedBodies& bodies, const PairSteps& steps, con
 }
 
 bool isForeseeable(const GroundPair& pair, const PlacedBody& placed, int level, const Frame& ground,
-                   int groundVersion) {
+                   int groundVersion, const PairSteps& steps) {
   const bool isSame =
       pair.level == level && pair.versions[0] == placed.version && pair.versions[1] == groundVersion;
   if (!isSame || pair.hasFallenBack || pair.isTooFine || placed.body->parts().hasOpaque()) return false;
+  if (mayRecycle(pair, *placed.body, ground, steps)) return false;
   const Frame bodyInGround = relativeFrame(ground, placed.body->frame());
   return !(pair.region.room(placed.body->parts(), bodyInGround) < 0.0F) && !pair.region.empty();
 }

@@ -61,7 +61,7 @@ void foresee(Pair& pair, const PlacedBodies& bodies, const PairSteps& steps, con
 /// The same of a body and its ground, which is at `ground`: not of half-spaces, and only while the pieces
 /// that are near are known. `level`: that the pair is going to look at.
 [[nodiscard]] bool isForeseeable(const GroundPair& pair, const PlacedBody& placed, int level,
-                                 const Frame& ground, int groundVersion);
+                                 const Frame& ground, int groundVersion, const PairSteps& steps);
 void foresee(GroundPair& pair, const PlacedBody& placed, const Frame& ground, const PairSteps& steps,
              ForesightScratch& scratch);
 

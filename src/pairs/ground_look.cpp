@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "pairs/contact_recycling.h"
+
 namespace scatter::pairs {
 
 namespace {
@@ -44,20 +46,56 @@ float heightOf(const PartList::Part& part, const Below& below) {
 
 }  // namespace
 
+bool mayRecycle(const GroundPair& pair, const PartBody& body, const Frame& ground, const PairSteps& steps) {
+  if (!(steps.recycling > 0.0F) || !pair.isSettled || pair.contacts.empty()) return false;
+  if (ground != pair.ground || body.jumps() != pair.jumps) return false;
+  // What is on credit is settled by contacts that have just been found.
+  if (std::ranges::any_of(pair.contacts, [](const GroundContact& contact) { return contact.credit > 0.0F; }))
+    return false;
+  const Displacement moved = displacementBound(pair.looked, relativeFrame(ground, body.frame()),
+                                               body.parts().center(), body.parts().radius());
+  return moved.length < std::min(steps.recycling, 0.25F * pair.parts.threshold()) &&
+         moved.turn < kMostRecycledTurn;
+}
+
 void GroundLook::atLevel(int level) {
-  pair_.restarted = false;
+  pair_.restarted = pair_.hasRecycled = false;
   if (!place(level)) return;
+  pair_.hasRecycled = steps_.recycling > 0.0F && !pair_.restarted;
   foresight_ = std::exchange(pair_.foresight, nullptr);
+  if (foresight_ == nullptr && mayRecycle(pair_, *body_, engine_.groundFrame(), steps_)) {
+    carry();
+    return;
+  }
   pair_.ground = engine_.groundFrame();
   pair_.jumps = body_->jumps();
   pair_.quietUntil = Pair::kAwake;
+  pair_.looked = relativeFrame(pair_.ground, body_->frame());
   refresh();
+  const int before = steps_.recycling > 0.0F ? countPoints() : 0;
   if (const auto solid = engine_.halfSpace()) {
     lookAtHalfSpace(*solid);
   } else {
     lookAtPieces();
   }
   releaseEmpty();
+  pair_.isSettled = steps_.recycling > 0.0F && countPoints() <= before;
+}
+
+// Without a look: as the bodies move on, so do the contacts.
+void GroundLook::carry() {
+  pair_.quietUntil = Pair::kAwake;
+  std::erase_if(pair_.contacts, [this](const GroundContact& contact) {
+    return !engine_.outlasts(contact.manifold) && drop(contact);
+  });
+  ++work_.pairs;
+  work_.recycled += static_cast<int>(pair_.contacts.size());
+}
+
+int GroundLook::countPoints() const {
+  int count = 0;
+  for (const GroundContact& contact : pair_.contacts) count += engine_.countPoints(contact.manifold);
+  return count;
 }
 
 bool GroundLook::place(int level) {

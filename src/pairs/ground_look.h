@@ -30,6 +30,13 @@ struct GroundScratch {
   std::vector<float> allowed{};  ///< How deep each contact of a new level may press.
 };
 
+/// Whether the contacts of a body and its ground may move along with the body in the place of being found anew
+/// (PairSteps::recycling): it has moved that little since the last look, and the ground has not. A contact that
+/// begins may be found so late, at most a quarter of the distance at which contacts begin. `body` has the parts
+/// of the last look.
+[[nodiscard]] bool mayRecycle(const GroundPair& pair, const PartBody& body, const Frame& ground,
+                              const PairSteps& steps);
+
 /// One look for the contacts of a body's parts with its ground.
 class GroundLook {
  public:
@@ -46,6 +53,8 @@ class GroundLook {
   bool fallBack();
   void refresh();
   void releaseEmpty();
+  void carry();
+  [[nodiscard]] int countPoints() const;
   bool drop(const GroundContact& contact);
   void lookAtHalfSpace(const HalfSpace& solid);
   void lookAtPieces();

@@ -8,6 +8,7 @@ void GroundPair::restart(float threshold, Manifolds& engine) {
   parts.reset(threshold);
   region.forget();
   quietUntil = Pair::kAwake;
+  isSettled = hasRecycled = false;
   restarted = true;
   foresight = nullptr;
 }
@@ -22,7 +23,7 @@ void GroundPair::renew() {
   versions[0] = versions[1] = Pair::kNoParts;
   hasFallenBack = false;
   isTooFine = false;
-  restarted = false;
+  isSettled = hasRecycled = restarted = false;
   foresight = nullptr;
 }
 

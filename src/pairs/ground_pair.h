@@ -34,6 +34,12 @@ struct GroundPair {
       false;  ///< It does so because there are too many pieces, and is not disturbed while it has contacts.
   bool restarted = false;  ///< It began without contacts in its last step.
 
+  /// Where the body was in the ground's frame at the last look for contacts, and whether it found no more of
+  /// them than there were.
+  Frame looked{};
+  bool isSettled = false;
+  bool hasRecycled = false;  ///< In its last step it did not look for all contacts (PairSteps::recycling).
+
   /// Of the step under way, until it has been made use of. Has no contacts.
   Foresight* foresight = nullptr;
 

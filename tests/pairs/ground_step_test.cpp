@@ -254,6 +254,69 @@ TEST_P(GroundStep, StartsAnewWhenTheGroundChanges) {
   EXPECT_EQ(body.pair.contacts.size(), 8U);
 }
 
+TEST_P(GroundStep, LetsContactsMoveAlongWithABodyThatHardlyMoves) {
+  body.steps.recycling = 0.001F;
+  body.stepAt(0.79F);
+  body.stepAt(0.79F);
+  EXPECT_EQ(body.work.recycled, 0) << "a look must have found nothing new";
+  body.stepAt(0.7895F);
+  EXPECT_EQ(body.work.recycled, 8);
+  EXPECT_EQ(body.work.detectorRuns + body.work.gjkRuns, 0);
+  EXPECT_TRUE(body.pair.hasRecycled);
+  EXPECT_NEAR(body.press(), 0.0105F, 1e-5F);
+  body.stepAt(0.7885F);
+  EXPECT_EQ(body.work.recycled, 0) << "further than the tolerance from the last look";
+  EXPECT_NEAR(body.press(), 0.0115F, 1e-5F);
+  body.stepAt(0.83F);
+  EXPECT_TRUE(body.pair.contacts.empty());
+}
+
+TEST_P(GroundStep, RecyclesNothingWithoutBeingAsked) {
+  for (int i = 0; i < 5; ++i) body.stepAt(0.81F);
+  EXPECT_EQ(body.work.recycled, 0);
+  EXPECT_FALSE(body.pair.hasRecycled);
+}
+
+TEST_P(GroundStep, RecyclesNothingOnCredit) {
+  body.steps.recycling = 0.001F;
+  body.stepAt(0.8F);
+  body.plan.target = 2;
+  for (int i = 0; i < 5; ++i) {
+    EXPECT_TRUE(body.stepAt(0.8F).credited);
+    EXPECT_EQ(body.work.recycled, 0);
+  }
+}
+
+TEST_P(GroundStep, RecyclesNothingOnAGroundThatHasChanged) {
+  body.steps.recycling = 0.001F;
+  for (int i = 0; i < 3; ++i) body.stepAt(0.81F);
+  EXPECT_EQ(body.work.recycled, 8);
+  ++body.engine.version;
+  body.stepAt(0.81F);
+  EXPECT_EQ(body.work.recycled, 0);
+}
+
+// A random walk: what begins is found a quarter of the threshold or a millimetre late, whichever is less.
+TEST_P(GroundStep, FindsWhatBeginsHardlyLaterWhenItRecycles) {
+  constexpr float kLate = 0.001F;
+  body.steps.recycling = kLate;
+  testing::Random random(11);
+  Vec3 position(0.0F, 0.9F, 0.0F);
+  int recycled = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const float stride = i % 3 == 0 ? 0.02F : 0.0004F;
+    for (int axis = 0; axis < 3; ++axis) position[axis] += random.uniform(-stride, stride);
+    position.y = std::clamp(position.y, 0.75F, 0.85F);
+    body.step(position);
+    recycled += body.work.recycled;
+    std::size_t near = 0;
+    for (int part = 0; part < body.engine.countParts(); ++part)
+      near += body.engine.heightOf(part) < 0.0199F - kLate ? 1 : 0;
+    ASSERT_GE(body.pair.contacts.size(), near) << "step " << i;
+  }
+  EXPECT_GT(recycled, 1000);
+}
+
 INSTANTIATE_TEST_SUITE_P(Grounds, GroundStep, ::testing::Bool(),
                          [](const auto& kind) { return kind.param ? "Net" : "HalfSpace"; });
 

@@ -51,6 +51,11 @@ GroundPair& btHybridGroundAlgorithm::getPair() const
 	return m_narrowphase->getGrounds()[m_index];
 }
 
+bool btHybridGroundAlgorithm::hasReused() const
+{
+	return getPair().hasRecycled;
+}
+
 bool btHybridGroundAlgorithm::hasRestarted() const
 {
 	return getPair().restarted;
@@ -101,7 +106,7 @@ void btHybridGroundAlgorithm::foresee(scatter::pairs::BoundsLocks&, scatter::pai
 	const int version = m_bodies->m_ground.getVersion();
 	if (pair.quietUntil >= 0 && scatter::pairs::staysQuiet(pair, placed, ground, version))
 		return;
-	if (scatter::pairs::isForeseeable(pair, placed, m_bodies->m_level, ground, version))
+	if (scatter::pairs::isForeseeable(pair, placed, m_bodies->m_level, ground, version, m_narrowphase->getSteps()))
 		scatter::pairs::foresee(pair, placed, ground, m_narrowphase->getSteps(), scratch);
 }
 

@@ -31,10 +31,7 @@ public:
 	{
 		return m_planIndex;
 	}
-	virtual bool hasReused() const
-	{
-		return false;
-	}
+	virtual bool hasReused() const;
 	virtual bool hasRestarted() const;
 
 	virtual bool mayBeForeseen() const;
