@@ -72,9 +72,10 @@ void print(const char* scene, const std::vector<std::vector<Cost>>& costs, std::
   const double detection = median(ratio([](const Cost& cost) { return cost.detection; }));
   const double each = median(ratio([](const Cost& cost) { return cost.total / cost.bodySteps; }));
   const Cost& last = costs.back()[world];
-  std::printf("%-12s %-9s %8.0f %6.3f %6.3f-%5.3f %6.3f %6.3f %6.3f %7.0f %6.1f %5d\n", scene,
+  std::printf("%-12s %-9s %8.0f %6.3f %6.3f-%5.3f %6.3f %6.3f %6.3f %7.0f %6.2f %6.1f %5d\n", scene,
               kWorlds[world].name, last.total, totals[totals.size() / 2], totals.front(), totals.back(), p99,
-              detection, each, last.contacts, 1e3 * static_cast<double>(last.deepest), last.sunk);
+              detection, each, last.contacts, last.asked / last.bodySteps,
+              1e3 * static_cast<double>(last.deepest), last.sunk);
   std::fflush(stdout);
 }
 
@@ -98,8 +99,8 @@ void compareAll(const Arguments& arguments) {
 }
 
 void runAll(const Arguments& arguments) {
-  std::printf("%-12s %-9s %8s %6s %12s %6s %6s %6s %7s %6s %5s\n", "scene", "world", "total ms", "total",
-              "from-to", "p99", "detect", "awake", "points", "mm", "sunk");
+  std::printf("%-12s %-9s %8s %6s %12s %6s %6s %6s %7s %6s %6s %5s\n", "scene", "world", "total ms", "total",
+              "from-to", "p99", "detect", "awake", "points", "asked", "mm", "sunk");
   for (const Scene& scene : scenesOf(arguments)) {
     if (!arguments.only.empty() && std::string(scene.name).find(arguments.only) == std::string::npos)
       continue;

@@ -84,6 +84,7 @@ class Stage {
     cost.p99 = steps[steps.size() * 99 / 100];
     cost.detection = world_.detection;
     cost.contacts /= trial_.steps;
+    if (installation_) cost.asked = installation_->takeCollisionCounts().detectorRuns;
     look(cost);
     return cost;
   }
