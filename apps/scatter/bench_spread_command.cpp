@@ -1,10 +1,13 @@
 #include <scatter/lab/spread_study.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "bench_arguments.h"
+#include "family_arguments.h"
 
 namespace scatter::app {
 
@@ -13,32 +16,73 @@ namespace {
 struct BenchSpreadArguments {
   BenchArguments bench;
   std::string scene = "fleet";
+  std::optional<std::string> family;
+  double scale = 1.0;
   std::vector<std::string> worlds{"standard", "finest"};
   int seeds = 10;
 };
 
-Result<SpreadOptions> makeStudy(const BenchSpreadArguments& arguments) {
+// A scene of the family for each seed, in the folder.
+Result<void> addFamily(const BenchSpreadArguments& arguments, const std::filesystem::path& folder,
+                       SpreadOptions& options) {
+  const auto files =
+      writeFamilies({*arguments.family}, {.seeds = options.seeds, .scale = arguments.scale}, folder);
+  if (!files) {
+    return tl::unexpected(files.error());
+  }
+  // Seeds count from 1.
+  options.sceneOf = [files = *files](std::uint64_t seed) {
+    return files[static_cast<std::size_t>(seed) - 1].string();
+  };
+  return {};
+}
+
+Result<SpreadOptions> makeStudy(const BenchSpreadArguments& arguments, const std::filesystem::path& folder) {
   SpreadOptions options;
+  options.seeds = seedsUpTo(arguments.seeds);
+  if (arguments.family) {
+    if (auto added = addFamily(arguments, folder, options); !added) {
+      return tl::unexpected(added.error());
+    }
+  }
+  const std::string scene = arguments.family ? options.sceneOf(1) : arguments.scene;
   for (const std::string& world : arguments.worlds) {
-    auto run = makeBenchRun(arguments.bench, arguments.scene, world);
+    auto run = makeBenchRun(arguments.bench, scene, world);
     if (!run) {
       return tl::unexpected(run.error());
     }
     options.worlds.push_back(std::move(*run));
   }
-  options.seeds = seedsUpTo(arguments.seeds);
   return options;
 }
 
-ExitStatus study(const BenchSpreadArguments& arguments) {
-  const auto options = makeStudy(arguments);
+Result<void> checkMeaning(const CLI::App& command) {
+  if (command.count("--scale") > 0 && command.count("--family") == 0) {
+    return fail("--scale has no meaning here; it goes with --family");
+  }
+  if (command.count("--scene") > 0 && command.count("--family") > 0) {
+    return fail("--scene and --family exclude each other; leave one of them out");
+  }
+  return {};
+}
+
+ExitStatus study(const CLI::App& command, const BenchSpreadArguments& arguments) {
+  if (auto meaningful = checkMeaning(command); !meaningful) {
+    return refuse(meaningful.error());
+  }
+  const auto folder = makeFamilyFolder(arguments.family.has_value());
+  if (!folder) {
+    return refuse(folder.error());
+  }
+  const auto options = makeStudy(arguments, *folder ? (*folder)->path() : std::filesystem::path());
   if (!options) {
     return refuse(options.error());
   }
   if (auto writable = prepareCsv(arguments.bench); !writable) {
     return refuse(writable.error());
   }
-  const auto result = studySpread(*options, benchProgress(arguments.bench, arguments.scene));
+  const auto result =
+      studySpread(*options, benchProgress(arguments.bench, arguments.family.value_or(arguments.scene)));
   if (!result) {
     return failed(result.error());
   }
@@ -54,6 +98,13 @@ Command addBenchSpreadCommand(CLI::App& bench) {
   auto arguments = std::make_shared<BenchSpreadArguments>();
   addSceneArgument(*command, arguments->scene);
   command
+      ->add_option(
+          "--family", arguments->family,
+          "In the place of --scene: for each seed another scene of this family, as `scatter families` "
+          "writes them")
+      ->type_name("NAME");
+  addScaleArgument(*command, arguments->scale);
+  command
       ->add_option("--worlds", arguments->worlds, "What to compare; the first one's extremes are the measure")
       ->type_name("NAME,NAME")
       ->delimiter(',')
@@ -63,7 +114,7 @@ Command addBenchSpreadCommand(CLI::App& bench) {
       ->type_name("N")
       ->capture_default_str();
   addBenchArguments(*command, arguments->bench);
-  return {command, [arguments] { return study(*arguments); }};
+  return {command, [command, arguments] { return study(*command, *arguments); }};
 }
 
 }  // namespace scatter::app

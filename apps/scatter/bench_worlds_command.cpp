@@ -90,26 +90,11 @@ Result<std::vector<CompareOptions>> makeComparisons(const BenchWorldsArguments& 
   return comparisons;
 }
 
-// Removed at the end, unlike what is committed.
-Result<std::optional<StagedFolder>> makeFolder(const BenchWorldsArguments& arguments) {
-  if (!asksForFamilies(arguments)) {
-    return std::nullopt;
-  }
-  std::error_code error;
-  const auto place = std::filesystem::temp_directory_path(error);
-  if (error) {
-    return fail("there is no folder for temporary files (" + error.message() + "); set TMPDIR");
-  }
-  return StagedFolder::create(place / "families").map([](StagedFolder folder) {
-    return std::optional(std::move(folder));
-  });
-}
-
 ExitStatus measure(const CLI::App& command, const BenchWorldsArguments& arguments) {
   if (auto meaningful = checkFamilies(command, arguments); !meaningful) {
     return refuse(meaningful.error());
   }
-  const auto folder = makeFolder(arguments);
+  const auto folder = makeFamilyFolder(asksForFamilies(arguments));
   if (!folder) {
     return refuse(folder.error());
   }

@@ -10,18 +10,35 @@
 
 namespace scatter::app {
 
+void addScaleArgument(CLI::App& command, double& scale) {
+  command
+      .add_option("--scale", scale, "Times the number of bodies and the area of terrains, from 0.001 to 10")
+      ->check(CLI::Range(0.001, 10.0))
+      ->type_name("X")
+      ->capture_default_str();
+}
+
 void addFamilyArguments(CLI::App& command, FamilyArguments& arguments) {
   command.add_option("--seeds", arguments.seeds, "A scene of each family for each of these seeds")
       ->check(wholeNumber<std::uint64_t>(0))
       ->type_name("N,N")
       ->delimiter(',')
       ->capture_default_str();
-  command
-      .add_option("--scale", arguments.scale,
-                  "Times the number of bodies and the area of terrains, from 0.001 to 10")
-      ->check(CLI::Range(0.001, 10.0))
-      ->type_name("X")
-      ->capture_default_str();
+  addScaleArgument(command, arguments.scale);
+}
+
+Result<std::optional<StagedFolder>> makeFamilyFolder(bool asked) {
+  if (!asked) {
+    return std::nullopt;
+  }
+  std::error_code error;
+  const auto place = std::filesystem::temp_directory_path(error);
+  if (error) {
+    return fail("there is no folder for temporary files (" + error.message() + "); set TMPDIR");
+  }
+  return StagedFolder::create(place / "families").map([](StagedFolder folder) {
+    return std::optional(std::move(folder));
+  });
 }
 
 std::vector<std::string> familyNames() {

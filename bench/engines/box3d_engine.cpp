@@ -1,5 +1,5 @@
-// Box3D with its own settings, but for: only what may rest in the scene sleeps, one worker, friction and restitution multiplied as the
-// scenes mean them, mass and inertia those of the finest level.
+// Box3D with its own settings, but for: only what may rest in the scene sleeps, one worker, friction and
+// restitution multiplied as the scenes mean them, mass and inertia those of the finest level.
 
 #include <box3d/box3d.h>
 
@@ -88,8 +88,7 @@ class Box3dPhysics final : public EnginePhysics {
     def.angularDamping = body.def.material.angularDamping;
     def.enableSleep = body.def.mayRest;
     const bool isStill = body.def.motion == Motion::kStatic;
-    const b3BodyId id =
-        isStill ? createStill(body.def) : create(def, body.def.pose, body.mass.centerOfMass);
+    const b3BodyId id = isStill ? createStill(body.def) : create(def, body.def.pose, body.mass.centerOfMass);
     for (const ConvexPart& part : body.parts) {
       if (auto added = addPart(id, part, body); !added) return added;
     }

@@ -13,7 +13,8 @@ EngineInfo engineInfo() {
 
 Result<std::unique_ptr<Physics>> makeEngine(const EngineOptions& options, const PhysicsDef& scene) {
   if (options.convexRadius || options.subSteps || options.boxes) {
-    return fail("Bullet's measurement has only --coarsest, --pair-algorithm, --lean, --iterations and --threads");
+    return fail(
+        "Bullet's measurement has only --coarsest, --pair-algorithm, --lean, --iterations and --threads");
   }
   if (options.coarsest + options.pairAlgorithm + options.lean > 1) {
     return fail("choose one of --coarsest, --pair-algorithm and --lean");

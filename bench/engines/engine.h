@@ -16,9 +16,9 @@ struct EngineOptions {
   std::optional<int> subSteps;        ///< Of one step of 1/60 s.
   std::optional<int> iterations;      ///< Of the velocity solver.
   int threads = 1;
-  bool pairAlgorithm = false;         ///< The pair algorithm of a hybrid world, all at the finest level.
-  bool lean = false;                  ///< The same as the lab's world `lean` has it.
-  bool boxes = false;                 ///< The bounding boxes of hulls instead of the hulls.
+  bool pairAlgorithm = false;  ///< The pair algorithm of a hybrid world, all at the finest level.
+  bool lean = false;           ///< The same as the lab's world `lean` has it.
+  bool boxes = false;          ///< The bounding boxes of hulls instead of the hulls.
 };
 
 struct EngineInfo {
@@ -31,6 +31,6 @@ struct EngineInfo {
 /// Each program links one engine, which defines these. Of `def` an engine takes the gravity.
 [[nodiscard]] EngineInfo engineInfo();
 [[nodiscard]] Result<std::unique_ptr<Physics>> makeEngine(const EngineOptions& options,
-                                                            const PhysicsDef& def);
+                                                          const PhysicsDef& def);
 
 }  // namespace scatter::bench

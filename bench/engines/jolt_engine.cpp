@@ -1,5 +1,5 @@
-// Jolt with its own settings, but for: only what may rest in the scene sleeps, no damping but the scene's, friction and restitution
-// multiplied as the scenes mean them, mass and inertia those of the finest level.
+// Jolt with its own settings, but for: only what may rest in the scene sleeps, no damping but the scene's,
+// friction and restitution multiplied as the scenes mean them, mass and inertia those of the finest level.
 
 #include <Jolt/Jolt.h>
 // Jolt's header must come first.
@@ -209,8 +209,8 @@ class JoltPhysics final : public EnginePhysics {
 
   Result<void> addGround(const BodyDef& def, const Plane& plane) override {
     constexpr float kReach = 1000.0F;  // metres
-    return addStill(
-        def, new JPH::PlaneShape(JPH::Plane(toJolt(plane.normal), -plane.offset), nullptr, kReach));
+    return addStill(def,
+                    new JPH::PlaneShape(JPH::Plane(toJolt(plane.normal), -plane.offset), nullptr, kReach));
   }
 
   Result<void> addGround(const BodyDef& def, const TriangleMesh& triangles) override {

@@ -103,7 +103,8 @@ Result<void> measure(const Options& options) {
 }
 
 void addOptions(CLI::App& app, Options& options) {
-  app.add_option("--scene", options.scene, "the scene's name, as `scatter list` shows it, or a file")->capture_default_str();
+  app.add_option("--scene", options.scene, "the scene's name, as `scatter list` shows it, or a file")
+      ->capture_default_str();
   app.add_option("--out", options.out, "write frames.csv, summary.json and pile.csv into this folder");
   app.add_option("--frames", options.frames, "steps of 1/60 s; 0: as many as the scene's story takes")
       ->check(CLI::NonNegativeNumber)

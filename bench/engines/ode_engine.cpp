@@ -256,7 +256,8 @@ EngineInfo engineInfo() {
 }
 
 Result<std::unique_ptr<Physics>> makeEngine(const EngineOptions& options, const PhysicsDef& def) {
-  if (options.convexRadius || options.subSteps || options.pairAlgorithm || options.lean || options.threads > 1) {
+  if (options.convexRadius || options.subSteps || options.pairAlgorithm || options.lean ||
+      options.threads > 1) {
     return fail("ODE's measurement has only --coarsest, --iterations and --boxes");
   }
   if (dInitODE2(0) == 0) return fail("ODE does not start");

@@ -18,8 +18,8 @@ struct Pile {
 /// Finds every contact of a world's finest shapes afresh with Bullet's detector.
 class PileProbe {
  public:
-  /// `hasMargins`: the measured engine's solids reach beyond hulls by their levels' margin. Overlaps are those
-  /// of the solids that the engine itself keeps apart.
+  /// `hasMargins`: the measured engine's solids reach beyond hulls by their levels' margin. Overlaps are
+  /// those of the solids that the engine itself keeps apart.
   explicit PileProbe(bool hasMargins);
   ~PileProbe();
 

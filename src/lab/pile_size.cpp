@@ -10,6 +10,21 @@
 
 namespace scatter::lab {
 
+namespace {
+
+double meanHeight(const World& world) {
+  double sum = 0.0;
+  int count = 0;
+  for (const auto& object : world.objects()) {
+    if (object->def().motion != Motion::kDynamic) continue;
+    sum += static_cast<double>(object->state().centerOfMass.y);
+    ++count;
+  }
+  return count > 0 ? sum / count : 0.0;
+}
+
+}  // namespace
+
 PileSize pileSize(const World& world) {
   std::vector<glm::dvec3> centers;
   glm::dvec3 mean(0.0);
@@ -19,8 +34,9 @@ PileSize pileSize(const World& world) {
       mean += centers.back();
     }
   }
+  const double height = meanHeight(world);
   if (centers.empty()) {
-    return {};
+    return {.meanHeight = height};
   }
   mean /= static_cast<double>(centers.size());
   std::vector<double> distances;
@@ -30,7 +46,8 @@ PileSize pileSize(const World& world) {
     squares += distances.back() * distances.back();
   }
   return {.radius = std::sqrt(squares / static_cast<double>(centers.size())),
-          .medianDistance = medianOf(std::move(distances))};
+          .medianDistance = medianOf(std::move(distances)),
+          .meanHeight = height};
 }
 
 }  // namespace scatter::lab

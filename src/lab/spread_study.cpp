@@ -17,12 +17,21 @@ using Cells = std::vector<std::string>;
 enum Quantity : std::size_t {
   kDeepest,
   kP99,
+  kDepthEnd,
   kEnergyPeak,
   kEnergyEnd,
   kRadius,
   kMedianDistance,
+  kHeight,
+  kAsleepFrom,
   kQuantityCount
 };
+
+// Counted from 1, as frames are.
+double asleepFrom(const std::vector<double>& awake) {
+  const auto last = std::find_if(awake.rbegin(), awake.rend(), [](double bodies) { return bodies > 0.0; });
+  return static_cast<double>(awake.rend() - last) + 1.0;
+}
 
 std::vector<double> measure(const Run& run, const lab::PileSize& pile) {
   const auto& depths = run.table.values("max_penetration");
@@ -32,8 +41,11 @@ std::vector<double> measure(const Run& run, const lab::PileSize& pile) {
   values[kP99] = nearestRank(depths, 0.99);
   values[kEnergyPeak] = nearestRank(energies, 1.0);
   values[kEnergyEnd] = meanOfLast(energies);
+  values[kDepthEnd] = meanOfLast(depths);
   values[kRadius] = pile.radius;
   values[kMedianDistance] = pile.medianDistance;
+  values[kHeight] = pile.meanHeight;
+  values[kAsleepFrom] = asleepFrom(run.table.values("awake_bodies"));
   return values;
 }
 
@@ -81,16 +93,25 @@ std::string spreadText(const Spread& spread) {
          lab::readableNumber(spread.max) + ")";
 }
 
+std::string withinText(const SpreadStudy& study, std::size_t world, std::size_t quantity) {
+  const auto [above, below] = study.aboveAndBelow(world, quantity);
+  return std::string(study.isWithin(world, quantity) ? "yes" : "no") + ", +" + std::to_string(above) + " -" +
+         std::to_string(below);
+}
+
 }  // namespace
 
 const std::vector<SpreadQuantity>& spreadQuantities() {
   static const std::vector<SpreadQuantity> quantities{
       {"deepest_penetration", "m", "deepest penetration"},
       {"p99_penetration", "m", "deepest of a frame, p99"},
+      {"penetration_end", "m", "deepest of a frame, last 100"},
       {"kinetic_energy_peak", "J", "kinetic energy, peak"},
       {"kinetic_energy_end", "J", "kinetic energy, last 100"},
       {"pile_radius", "m", "pile radius (RMS)"},
       {"pile_median_distance", "m", "pile radius (median)"},
+      {"mean_height", "m", "height of the bodies, mean"},
+      {"asleep_from", "frame", "all asleep from"},
   };
   return quantities;
 }
@@ -99,6 +120,17 @@ bool SpreadStudy::isWithin(std::size_t world, std::size_t quantity) const {
   const Spread& first = worlds.front().spreads[quantity];
   const double median = worlds[world].spreads[quantity].median;
   return median >= first.min && median <= first.max;
+}
+
+std::pair<int, int> SpreadStudy::aboveAndBelow(std::size_t world, std::size_t quantity) const {
+  std::pair<int, int> counts{0, 0};
+  for (std::size_t seed = 0; seed < seeds.size(); ++seed) {
+    const double own = worlds[world].values[seed][quantity];
+    const double first = worlds.front().values[seed][quantity];
+    counts.first += own > first ? 1 : 0;
+    counts.second += own < first ? 1 : 0;
+  }
+  return counts;
 }
 
 Result<SpreadStudy> studySpread(const SpreadOptions& options,
@@ -115,7 +147,12 @@ Result<SpreadStudy> studySpread(const SpreadOptions& options,
     for (std::size_t i = 0; i < options.worlds.size(); ++i) {
       WorldSpread& world = study->worlds[i];
       report.label = world.label;
-      auto values = runOnce(options.worlds[i], seed, [&](const RunProgress& inside) {
+      RunOptions run = options.worlds[i];
+      if (options.sceneOf) {
+        run.scene = options.sceneOf(seed);
+        run.makeScene = {};
+      }
+      auto values = runOnce(run, seed, [&](const RunProgress& inside) {
         report.inside = inside;
         if (progress) {
           progress(report);
@@ -149,14 +186,15 @@ std::string formatSpread(const SpreadStudy& study) {
     for (std::size_t i = 0; i < study.worlds.size(); ++i) {
       cells.push_back(spreadText(study.worlds[i].spreads[quantity]));
       if (i > 0) {
-        cells.emplace_back(study.isWithin(i, quantity) ? "yes" : "no");
+        cells.emplace_back(withinText(study, i, quantity));
       }
     }
     lines.push_back(std::move(cells));
   }
   return lab::textTable(lines) +
          lab::fitTerminal("Median (smallest-largest). Within: the median lies between the extremes of the " +
-                          study.worlds.front().label + " world.");
+                          study.worlds.front().label +
+                          " world; +a -b: in a seeds it is above that world's, in b below.");
 }
 
 std::string spreadCsv(const SpreadStudy& study) {

@@ -30,10 +30,10 @@ struct GroundScratch {
   std::vector<float> allowed{};  ///< How deep each contact of a new level may press.
 };
 
-/// Whether the contacts of a body and its ground may move along with the body in the place of being found anew
-/// (PairSteps::recycling): it has moved that little since the last look, and the ground has not. A contact that
-/// begins may be found so late, at most a quarter of the distance at which contacts begin. `body` has the parts
-/// of the last look.
+/// Whether the contacts of a body and its ground may move along with the body in the place of being found
+/// anew (PairSteps::recycling): it has moved that little since the last look, and the ground has not. A
+/// contact that begins may be found so late, at most a quarter of the distance at which contacts begin.
+/// `body` has the parts of the last look.
 [[nodiscard]] bool mayRecycle(const GroundPair& pair, const PartBody& body, const Frame& ground,
                               const PairSteps& steps);
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace scatter {
@@ -16,15 +17,20 @@ struct SpreadQuantity {
   std::string what;  ///< A few words.
 };
 
-/// deepest_penetration and p99_penetration over the frames; kinetic_energy_peak and kinetic_energy_end
-/// (the mean of the last hundred frames); pile_radius and pile_median_distance: the root mean square and the
-/// median distance of the hybrids' centres of mass from their mean after the last frame, zero without
-/// hybrids.
+/// deepest_penetration and p99_penetration over the frames; penetration_end, kinetic_energy_end (means of the
+/// last hundred frames) and kinetic_energy_peak; pile_radius and pile_median_distance: the root mean square
+/// and the median distance of the hybrids' centres of mass from their mean after the last frame, zero without
+/// hybrids; mean_height of all dynamic bodies' centres of mass then; asleep_from: the first frame since which
+/// no body was awake, or one more than there are frames.
 [[nodiscard]] const std::vector<SpreadQuantity>& spreadQuantities();
 
 struct SpreadOptions {
   std::vector<RunOptions> worlds{};  ///< The first is what the others are compared to. Their seed is ignored.
   std::vector<std::uint64_t> seeds{};
+
+  /// The scene of a seed, as in RunOptions::scene, for seeds that have one each; without it all run the
+  /// worlds' own.
+  std::function<std::string(std::uint64_t seed)> sceneOf{};
 };
 
 struct WorldSpread {
@@ -39,6 +45,9 @@ struct SpreadStudy {
 
   /// The world's median of a quantity lies within the first world's extremes.
   [[nodiscard]] bool isWithin(std::size_t world, std::size_t quantity) const;
+
+  /// In how many seeds the world's value is above the first world's, and in how many it is below.
+  [[nodiscard]] std::pair<int, int> aboveAndBelow(std::size_t world, std::size_t quantity) const;
 };
 
 /// Runs every world once for each seed, all worlds of a seed after one another. Fails as runScene does, and
@@ -46,8 +55,9 @@ struct SpreadStudy {
 [[nodiscard]] Result<SpreadStudy> studySpread(
     const SpreadOptions& options, const std::function<void(const CompareProgress&)>& progress = {});
 
-/// Each quantity's median and extremes over the seeds in each world, and whether the median lies within the
-/// first world's extremes; ends with a new line.
+/// Each quantity's median and extremes over the seeds in each world, whether the median lies within the first
+/// world's extremes, and in how many seeds the value is above and below the first world's; ends with a new
+/// line.
 [[nodiscard]] std::string formatSpread(const SpreadStudy& study);
 
 /// One line for each world and seed.
