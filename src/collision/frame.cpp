@@ -13,8 +13,27 @@ Frame relativeFrame(const Frame& a, const Frame& b) {
   return relative;
 }
 
+namespace {
+
+constexpr float kRounding = 4e-7F;
+
+// Of the sum of the squares of a rotation's changes.
+float turnOf(float squares) {
+  return std::sqrt(0.5F * squares) * 1.0001F + kRounding;
+}
+
+}  // namespace
+
+float turnBound(const Frame& before, const Frame& after) {
+  float squares = 0.0F;
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 change = after.row[i] - before.row[i];
+    squares += glm::dot(change, change);
+  }
+  return turnOf(squares);
+}
+
 Displacement displacementBound(const Frame& before, const Frame& after, const Vec3& center, float radius) {
-  constexpr float kRounding = 4e-7F;
   float squares = 0.0F;
   Vec3 moved = after.origin - before.origin;
   for (int i = 0; i < 3; ++i) {
@@ -22,17 +41,9 @@ Displacement displacementBound(const Frame& before, const Frame& after, const Ve
     squares += glm::dot(change, change);
     moved[i] += glm::dot(change, center);
   }
-  const float turned = std::sqrt(0.5F * squares) * 1.0001F + kRounding;
+  const float turned = turnOf(squares);
   const float reach = radius + glm::length(center) + glm::length(before.origin) + glm::length(after.origin);
   return {glm::length(moved) + turned * radius + kRounding * reach, turned};
-}
-
-Frame rotationBetween(const Frame& before, const Frame& after) {
-  Frame turn;
-  for (int i = 0; i < 3; ++i) {
-    for (int k = 0; k < 3; ++k) turn.row[i][k] = glm::dot(after.row[i], before.row[k]);
-  }
-  return turn;
 }
 
 }  // namespace scatter

@@ -37,7 +37,7 @@ struct Displacement {
 [[nodiscard]] Displacement displacementBound(const Frame& before, const Frame& after, const Vec3& center,
                                              float radius);
 
-/// The rotation from one frame to another, both given in the same frame; the origin is 0.
-[[nodiscard]] Frame rotationBetween(const Frame& before, const Frame& after);
+/// Displacement::turn of it.
+[[nodiscard]] float turnBound(const Frame& before, const Frame& after);
 
 }  // namespace scatter

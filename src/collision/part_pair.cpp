@@ -173,7 +173,7 @@ void PartPair::follow(const PartBody& a, const PartBody& b) {
   lastMotion_ = moved.length;
   motion_ += static_cast<double>(moved.length);
   if (listed_) listedMotion_ += static_cast<double>(std::min(listedDisplacement(now), moved.length));
-  turn_ += moved.turn;
+  turn_ += listed_ ? std::max(moved.turn, turnBound(frameA_, a.frame())) : 0.0F;
   turnSince_ = 0.0F;
   frameB_ = now;
   frameA_ = a.frame();
@@ -416,7 +416,9 @@ bool PartPair::staysQuiet(const PartBody& a, const PartBody& b) {
 }
 
 bool PartPair::hasNoNewcomers(const PartBody& a, const PartBody& b) {
-  return a.jumps() + b.jumps() == jumps_ && slackLeft(a, b) > 0.0;
+  const double left = slackLeft(a, b);
+  turnSince_ = std::max(turnSince_, turnBound(frameA_, a.frame()));
+  return a.jumps() + b.jumps() == jumps_ && left > 0.0;
 }
 
 double PartPair::slackLeft(const PartBody& a, const PartBody& b) {
@@ -430,12 +432,6 @@ double PartPair::slackLeft(const PartBody& a, const PartBody& b) {
 float PartPair::listedDisplacement(const Frame& now) const {
   if (followsWhole_) return std::numeric_limits<float>::infinity();
   return displacementBound(frameB_, now, listedCenter_, listedRadius_).length;
-}
-
-Frame PartPair::takeRotation(const PartBody& a) {
-  const Frame before = frameA_;
-  frameA_ = a.frame();
-  return rotationBetween(before, frameA_);
 }
 
 }  // namespace scatter

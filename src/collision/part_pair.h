@@ -147,17 +147,14 @@ class PartPair {
   [[nodiscard]] bool staysQuiet(const PartBody& a, const PartBody& b);
 
   /// The same of all child pairs that are not touching: whether no others have to be looked at than those
-  /// that are. Takes in how far the bodies have turned against each other.
+  /// that are. Takes in how far the bodies have turned.
   [[nodiscard]] bool hasNoNewcomers(const PartBody& a, const PartBody& b);
 
   /// Whether parts were touching after the last look.
   [[nodiscard]] bool touches() const { return touches_; }
 
-  /// How far the bodies have turned against each other in all, radians: an upper bound.
+  /// How far A has turned in the world, or B against A, in all, radians: an upper bound.
   [[nodiscard]] float turn() const { return turn_ + turnSince_; }
-
-  /// The rotation of A since it was asked for, or the pair was looked at, last.
-  [[nodiscard]] Frame takeRotation(const PartBody& a);
 
   [[nodiscard]] int jumps() const { return jumps_; }  ///< Of both bodies, at the last advance().
 
@@ -210,7 +207,7 @@ class PartPair {
   bool touches_ = false;       ///< There were others at the last look.
   float turn_ = 0.0F;          ///< At the last look.
   float turnSince_ = 0.0F;
-  Frame frameA_;  ///< A's, when its rotation was taken last.
+  Frame frameA_;  ///< A's, at the last advance().
 };
 
 }  // namespace scatter

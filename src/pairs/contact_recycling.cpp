@@ -7,12 +7,11 @@ namespace scatter::pairs {
 bool ContactRecycling::run(std::vector<int>& touching) {
   touching.clear();
   bool isDone = parts_.hasNoNewcomers(*bodies_.a, *bodies_.b);
-  const Frame rotation = parts_.takeRotation(*bodies_.a);
   std::vector<ChildPair>& children = parts_.children();
   for (const int i : parts_.wakeful()) {
     ChildPair& child = children[static_cast<std::size_t>(i)];
     if (!child.touching) continue;
-    const float slid = engine_.carry(child.contact, rotation);
+    const float slid = engine_.carry(child.contact);
     child.touching = slid < std::numeric_limits<float>::infinity();
     if (!child.touching) {
       engine_.release(child.contact);

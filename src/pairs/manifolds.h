@@ -22,9 +22,9 @@ class Manifolds : public ContactKeeper {
   /// Takes over distance and ease; the rest is as it was. What a program has made elastic is not eased.
   virtual void write(void* manifold, int index, const ContactPoint& point) = 0;
 
-  /// As outlasts(), after the points' normals have been turned by a rotation of the first body. By how far
-  /// the point that has slid least has done so since it was found, metres; infinite if none is left.
-  [[nodiscard]] virtual float carry(void* manifold, const Frame& rotation) = 0;
+  /// As outlasts(). By how far the point that has slid least has done so since it was found, metres; infinite
+  /// if none is left.
+  [[nodiscard]] virtual float carry(void* manifold) = 0;
 
   /// The distance of a point where the bodies are now, without credit.
   [[nodiscard]] virtual float distanceNow(const void* manifold, int index) const = 0;

@@ -47,7 +47,7 @@ class FakeManifolds : public Engine {
     pointAt(manifold, i).eased = point.eased;
     pointAt(manifold, i).presses = !point.eased;
   }
-  float carry(void* manifold, const Frame& /*rotation*/) override {
+  float carry(void* manifold) override {
     if (!outlasts(manifold)) return std::numeric_limits<float>::infinity();
     return std::abs(along() - at(manifold)->front().foundAt);
   }

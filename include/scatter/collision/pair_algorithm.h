@@ -26,7 +26,8 @@ struct PairSteps {
   bool warmSimplex = true;    ///< GJK starts from the simplex it ended with.
 
   /// Contacts of parts that have moved less than this along each other since they were found, metres, and
-  /// have turned by less than a degree, are not found anew: they move along with the bodies, normals turned.
+  /// have turned by less than a degree, are not found anew: they move along with the bodies, with the normals
+  /// that they had. (Normals that turn with a body push it further to where it leans: stacks fall over.)
   /// Parts that are apart are looked at when they have moved so far, or a quarter of the distance at which
   /// contacts begin. 0: all contacts are found anew in every step.
   float recycling = 0.0F;

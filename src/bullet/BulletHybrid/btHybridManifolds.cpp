@@ -52,15 +52,8 @@ void btHybridContacts::addImpulses(const btManifoldPoint& from, btManifoldPoint&
 	to.m_appliedImpulseLateral2 += from.m_appliedImpulseLateral2;
 }
 
-// Bullet leaves normals as they were found. One step of Newton's method keeps their length.
-float btHybridContacts::carry(btPersistentManifold* manifold, const scatter::Frame& rotation, const btCollisionObject* a, const btCollisionObject* b)
+float btHybridContacts::carry(btPersistentManifold* manifold, const btCollisionObject* a, const btCollisionObject* b)
 {
-	for (int i = 0; i < manifold->getNumContacts(); i++)
-	{
-		const scatter::Vec3 turned = rotation.rotate(btHybridVec3(manifold->getContactPoint(i).m_normalWorldOnB));
-		const btVector3 normal(turned.x, turned.y, turned.z);
-		manifold->getContactPoint(i).m_normalWorldOnB = normal * (btScalar(1.5) - btScalar(0.5) * normal.length2());
-	}
 	manifold->refreshContactPoints(a->getWorldTransform(), b->getWorldTransform());
 	btScalar least = BT_LARGE_FLOAT;
 	for (int i = 0; i < manifold->getNumContacts(); i++)

@@ -29,7 +29,7 @@ public:
 	static void write(const scatter::pairs::ContactPoint& plain, btManifoldPoint& point);
 	static void move(btManifoldPoint& point, btPersistentManifold* to);
 	static void addImpulses(const btManifoldPoint& from, btManifoldPoint& to);
-	static float carry(btPersistentManifold* manifold, const scatter::Frame& rotation, const btCollisionObject* a, const btCollisionObject* b);
+	static float carry(btPersistentManifold* manifold, const btCollisionObject* a, const btCollisionObject* b);
 	static void prefetch(const void* manifold);
 
 	/// Whether any point is going to be left by refreshContactPoints(), with the bodies where they are. Changes nothing.
@@ -80,9 +80,9 @@ public:
 	{
 		btHybridContacts::write(plain, btHybridContacts::at(manifold)->getContactPoint(index));
 	}
-	virtual float carry(void* manifold, const scatter::Frame& rotation)
+	virtual float carry(void* manifold)
 	{
-		return btHybridContacts::carry(btHybridContacts::at(manifold), rotation, m_wraps[0]->getCollisionObject(), m_wraps[1]->getCollisionObject());
+		return btHybridContacts::carry(btHybridContacts::at(manifold), m_wraps[0]->getCollisionObject(), m_wraps[1]->getCollisionObject());
 	}
 	virtual float distanceNow(const void* manifold, int index) const
 	{
