@@ -161,6 +161,11 @@ void layGrounds(Crowd& crowd, int step) {
   if (step % 40 == 20) crowd.requestAll(1 + step / 40);
 }
 
+void recycleOnGrounds(Crowd& crowd, int step) {
+  recycle(crowd, step);
+  layGrounds(crowd, step);
+}
+
 void throwFarAway(Crowd& crowd, int step) {
   if (step % 30 != 20) return;
   btTransform pose = crowd.bodies[5]->getWorldTransform();
@@ -175,7 +180,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Way{.name = "Budgets", .act = giveBudgets}, Way{.name = "Recycled", .act = recycle},
                     Way{.name = "AllManifolds", .act = leaveManifolds},
                     Way{.name = "BodiesComeAndGo", .act = removeAndAdd},
-                    Way{.name = "OnGrounds", .act = layGrounds}, Way{.name = "FarAway", .act = throwFarAway}),
+                    Way{.name = "OnGrounds", .act = layGrounds},
+                    Way{.name = "RecycledOnGrounds", .act = recycleOnGrounds}, Way{.name = "FarAway", .act = throwFarAway}),
     [](const auto& way) { return way.param.name; });
 
 /// A program's scheduler: does the work backwards.
