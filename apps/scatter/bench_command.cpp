@@ -42,7 +42,7 @@ Command addBenchCommand(CLI::App& program) {
   command->add_flag("--list", bench->list, "Show what can be measured");
   bench->commands = {addBenchCollisionCommand(*command), addBenchContactsCommand(*command),
                      addBenchSpreadCommand(*command), addBenchWorldsCommand(*command),
-                     addBenchFidelityCommand(*command)};
+                     addBenchFidelityCommand(*command), addBenchMemoryCommand(*command)};
   return {command, [bench] { return execute(*bench); }};
 }
 

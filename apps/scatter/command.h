@@ -54,5 +54,6 @@ Command addBenchContactsCommand(CLI::App& bench);
 Command addBenchSpreadCommand(CLI::App& bench);
 Command addBenchWorldsCommand(CLI::App& bench);
 Command addBenchFidelityCommand(CLI::App& bench);
+Command addBenchMemoryCommand(CLI::App& bench);
 
 }  // namespace scatter::app

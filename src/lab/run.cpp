@@ -95,6 +95,10 @@ Result<RunOptions> resolveRun(RunOptions options) {
     return fail("fidelity of scene '" + options.scene + "' cannot be measured every " +
                 std::to_string(options.fidelityEvery) + " frames; give a number from 0");
   }
+  if (options.memoryEvery < 0) {
+    return fail("memory of scene '" + options.scene + "' cannot be counted every " +
+                std::to_string(options.memoryEvery) + " frames; give a number from 0");
+  }
   if (options.label.empty()) {
     options.label = lab::nameOf(options.physics.world);
   }

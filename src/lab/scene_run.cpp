@@ -1,5 +1,7 @@
 #include "lab/scene_run.h"
 
+#include <scatter/lab/touched_memory.h>
+
 #include <cassert>
 #include <utility>
 
@@ -27,6 +29,11 @@ Result<std::unique_ptr<World>> buildWorld(const RunOptions& options, Scene& scen
 }  // namespace
 
 Result<std::unique_ptr<SceneRun>> SceneRun::create(const RunOptions& options) {
+  if (options.memoryEvery > 0) {
+    if (auto counts = TouchedMemory::begin(); !counts) {
+      return tl::unexpected(counts.error());
+    }
+  }
   auto scene = options.makeScene();
   auto world = buildWorld(options, *scene);
   if (!world) {
@@ -43,6 +50,9 @@ SceneRun::SceneRun(const RunOptions& options, std::unique_ptr<Scene> scene, std:
   if (options.fidelityEvery > 0) {
     fidelity_.emplace(*world_, data_, options.fidelityEvery);
   }
+  if (options.memoryEvery > 0) {
+    memory_.emplace(*world_, data_, options.memoryEvery);
+  }
   run_.options = options;
   run_.table = FrameTable(data_.channels());
 }
@@ -56,7 +66,13 @@ void SceneRun::step(const std::function<void()>& beforeStep) {
   if (fidelity_) {
     fidelity_->beforeStep();
   }
+  if (memory_) {
+    memory_->beforeStep();
+  }
   const auto stepped = recorder_.step();
+  if (memory_) {
+    memory_->afterStep();
+  }
   if (!stepped) {
     run_.summary.stopped =
         "scene '" + options().scene + "', " + options().label + " world, " + stepped.error().message;

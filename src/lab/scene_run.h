@@ -5,6 +5,7 @@
 #include <scatter/lab/run.h>
 
 #include "lab/fidelity_recorder.h"
+#include "lab/memory_recorder.h"
 
 #include <cstdint>
 #include <functional>
@@ -68,6 +69,7 @@ class SceneRun {
   FrameData data_;
   FrameRecorder recorder_;
   std::optional<FidelityRecorder> fidelity_;
+  std::optional<MemoryRecorder> memory_;
   Run run_;
   int mostChildPairs_ = 0;
 };

@@ -25,13 +25,13 @@ class BenchTest : public ProgramTest {
 
 TEST_F(BenchTest, ListShowsWhatCanBeMeasured) {
   const std::string output = bench({"--list"});
-  for (const char* name : {"collision", "contacts", "spread", "worlds", "fidelity"}) {
+  for (const char* name : {"collision", "contacts", "spread", "worlds", "fidelity", "memory"}) {
     EXPECT_THAT(output, HasSubstr(name));
   }
 }
 
 TEST_F(BenchTest, EveryBenchCommandHasHelp) {
-  for (const char* name : {"collision", "contacts", "spread", "worlds", "fidelity"}) {
+  for (const char* name : {"collision", "contacts", "spread", "worlds", "fidelity", "memory"}) {
     EXPECT_THAT(bench({name, "--help"}), HasSubstr(std::string("scatter bench ") + name));
   }
 }
@@ -62,6 +62,25 @@ TEST_F(BenchTest, SpreadHasALineForEveryWorldAndSeed) {
   EXPECT_THAT(output, HasSubstr("over 2 seeds"));
   EXPECT_THAT(output, HasSubstr("pile radius"));
   EXPECT_EQ(linesOfCsv("spread.csv"), 5U);
+}
+
+TEST_F(BenchTest, SpreadGoesThroughAFamily) {
+  const std::string output = bench({"spread", "--family", "wheel_stack", "--scale", "0.1", "--frames", "40",
+                                    "--seeds", "3", "--worlds", "standard,wide", "--csv", "stacks.csv"});
+  EXPECT_THAT(output, ContainsRegex("all asleep from, frame .*\\) +yes, \\+0 -0"));
+  const auto heights = columnOf(folder / "stacks.csv", "mean_height");
+  ASSERT_EQ(heights.size(), 6U);
+  // Every seed is another stack, the same in both worlds.
+  EXPECT_NE(heights[0], heights[1]);
+  EXPECT_NEAR(std::stod(heights[0]), std::stod(heights[3]), 0.02);
+}
+
+TEST_F(BenchTest, MemoryHasALineForEveryWorld) {
+  const std::string output = bench({"memory", "--scene", "duel", "--frames", "20", "--every", "5", "--worlds",
+                                    "standard,lean", "--csv", "memory.csv"});
+  EXPECT_THAT(output, ContainsRegex("\nlean +[0-9.]+ +[0-9.]+ +[0-9.]+ +[0-9.]+\n"));
+  EXPECT_EQ(linesOfCsv("memory.csv"), 3U);
+  EXPECT_GT(std::stod(columnOf(folder / "memory.csv", "touched_median_mb")[1]), 0.1);
 }
 
 TEST_F(BenchTest, WorldsHasARowForEverySceneAndWorld) {

@@ -34,6 +34,10 @@ struct RunOptions {
   /// Frames from one measurement of fidelity to the next; 0: never. Changes nothing else, and is not timed.
   int fidelityEvery = 0;
 
+  /// Frames from one count of the memory that a step touches to the next; 0: never. Changes nothing else, but
+  /// the times of frames that are counted mean nothing.
+  int memoryEvery = 0;
+
   /// Whether the run's events are kept in memory, in Run::events.
   bool keepEvents = false;
 
