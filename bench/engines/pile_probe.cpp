@@ -44,7 +44,7 @@ double radiusOf(const World& world) {
   return distances[rank];
 }
 
-std::unique_ptr<btConvexShape> convert(const ConvexShape& shape) {
+std::unique_ptr<btConvexShape> convert(const ConvexShape& shape, float margin) {
   if (const auto* box = std::get_if<Box>(&shape)) {
     return std::make_unique<btBoxShape>(
         btVector3(box->halfExtents.x, box->halfExtents.y, box->halfExtents.z));
@@ -56,7 +56,7 @@ std::unique_ptr<btConvexShape> convert(const ConvexShape& shape) {
   auto made = std::make_unique<btConvexHullShape>();
   for (const Vec3& v : hull->vertices)
     made->addPoint(btVector3(v.x, v.y, v.z), /*recalculateLocalAabb=*/false);
-  made->setMargin(kProbeMargin);
+  made->setMargin(margin);
   made->recalcLocalAabb();
   return made;
 }
@@ -66,6 +66,8 @@ std::unique_ptr<btConvexShape> convert(const ConvexShape& shape) {
 /// Bullet's shapes of the world's objects; models share theirs.
 class PileProbe::Shapes {
  public:
+  explicit Shapes(bool hasMargins) : hasMargins_(hasMargins) {}
+
   btCollisionShape* of(const WorldObject& object) {
     const auto* levels = std::get_if<std::shared_ptr<const LevelSet>>(&object.def().shape);
     const void* key = levels != nullptr ? static_cast<const void*>(levels->get()) : &object;
@@ -73,38 +75,37 @@ class PileProbe::Shapes {
     if (!shape) {
       shape = std::make_unique<btCompoundShape>();
       if (levels != nullptr) {
-        for (const ConvexPart& part : (*levels)->finest().parts) add(*shape, part.shape, part.pose);
-        margins_[shape.get()] = (*levels)->hullMargin();
+        const float margin = hasMargins_ ? (*levels)->hullMargin() : kProbeMargin;
+        for (const ConvexPart& part : (*levels)->finest().parts) add(*shape, part.shape, part.pose, margin);
       } else if (const auto* sphere = std::get_if<Sphere>(&object.def().shape)) {
-        add(*shape, *sphere, Transform{});
+        add(*shape, *sphere, Transform{}, kProbeMargin);
       } else {
         const auto* box = std::get_if<Box>(&object.def().shape);
         assert(box != nullptr);
-        add(*shape, *box, Transform{});
+        add(*shape, *box, Transform{}, kProbeMargin);
       }
     }
     return shape.get();
   }
 
-  /// How much closer the solids of the measured engine are than a contact of two such parts says.
-  [[nodiscard]] double correction(const btCollisionObject& body, int part, bool hasMargins) const {
+  /// How much closer the solids of the measured engine are than a contact of two such parts says: those of an
+  /// engine without margins are not as large as the probe's.
+  [[nodiscard]] double correction(const btCollisionObject& body, int part) const {
     const auto& compound = static_cast<const btCompoundShape&>(*body.getCollisionShape());
     const bool isHull =
         compound.getChildShape(std::max(part, 0))->getShapeType() == CONVEX_HULL_SHAPE_PROXYTYPE;
-    if (!isHull) return 0.0;
-    const float margin = hasMargins ? margins_.at(&compound) : 0.0F;
-    return static_cast<double>(margin - kProbeMargin);
+    return isHull && !hasMargins_ ? -static_cast<double>(kProbeMargin) : 0.0;
   }
 
  private:
-  void add(btCompoundShape& compound, const ConvexShape& shape, const Transform& pose) {
-    parts_.push_back(convert(shape));
+  void add(btCompoundShape& compound, const ConvexShape& shape, const Transform& pose, float margin) {
+    parts_.push_back(convert(shape, margin));
     compound.addChildShape(toBullet(pose), parts_.back().get());
   }
 
+  bool hasMargins_;
   std::vector<std::unique_ptr<btConvexShape>> parts_;
   std::map<const void*, std::unique_ptr<btCompoundShape>> compounds_;
-  std::map<const btCompoundShape*, float> margins_;  ///< Of the hulls of levels, metres.
 };
 
 namespace {
@@ -128,7 +129,7 @@ Pile summarise(const Overlaps& overlaps) {
 
 }  // namespace
 
-PileProbe::PileProbe(bool hasMargins) : hasMargins_(hasMargins), shapes_(std::make_unique<Shapes>()) {}
+PileProbe::PileProbe(bool hasMargins) : shapes_(std::make_unique<Shapes>(hasMargins)) {}
 PileProbe::~PileProbe() = default;
 
 Pile PileProbe::measure(const World& world) {
@@ -157,8 +158,7 @@ Pile PileProbe::measure(const World& world) {
     for (int j = 0; j < manifold.getNumContacts(); ++j) {
       const btManifoldPoint& point = manifold.getContactPoint(j);
       const double overlap = -static_cast<double>(point.getDistance()) +
-                             shapes_->correction(a, point.m_index0, hasMargins_) +
-                             shapes_->correction(b, point.m_index1, hasMargins_);
+                             shapes_->correction(a, point.m_index0) + shapes_->correction(b, point.m_index1);
       const std::pair<int, int> key = std::minmax({a.getUserIndex(), b.getUserIndex()});
       const auto [found, added] = overlaps.emplace(key, overlap);
       if (!added) found->second = std::max(found->second, overlap);

@@ -29,7 +29,6 @@ class PileProbe {
  private:
   class Shapes;
 
-  bool hasMargins_;
   std::unique_ptr<Shapes> shapes_;
 };
 

@@ -12,7 +12,8 @@ namespace {
 constexpr float kAlike = 0.996F;
 
 /// A contact that bore something counts as so much deeper, and as so much further away, than one that did
-/// not: a millimetre is what places of contacts tremble by.
+/// not; and one that is so much deeper than the one that stands for it takes its place. A millimetre is what
+/// places of contacts tremble by.
 constexpr float kLoyalDepth = 0.001F;
 constexpr float kLoyalReach = 1.2F;
 
@@ -109,11 +110,28 @@ int ContactReduction::choose(std::span<ReducibleContact> contacts, const std::ve
   int chosen = 1;
   for (int further = takeNext(next); further >= 0 && chosen < most; further = takeNext(next), ++chosen)
     next = further;
-  for (int i = 0; i < count; ++i) {
-    const int nearest = members_[static_cast<std::size_t>(i / kLanes)].nearest[i % kLanes];
-    at(members[static_cast<std::size_t>(i)]).kept = members[static_cast<std::size_t>(nearest)];
-  }
+  settle(contacts, members);
   return chosen;
+}
+
+// Those that were chosen stay, but for one that another of those that it stands for is much deeper than.
+void ContactReduction::settle(std::span<ReducibleContact> contacts, const std::vector<int>& members) {
+  const auto depth = [&](int member) {
+    return -contacts[static_cast<std::size_t>(members[static_cast<std::size_t>(member)])].place.w;
+  };
+  const int count = static_cast<int>(members.size());
+  stands_.assign(members.size(), kNone);
+  for (int i = 0; i < count; ++i) {
+    int& stands = stands_[static_cast<std::size_t>(nearest(i))];
+    const int now = stands == kNone ? nearest(i) : stands;
+    const float lead = now == nearest(i) ? kLoyalDepth : 0.0F;
+    stands = depth(i) > depth(now) + lead ? i : now;
+  }
+  for (int i = 0; i < count; ++i) {
+    const int kept = stands_[static_cast<std::size_t>(nearest(i))];
+    contacts[static_cast<std::size_t>(members[static_cast<std::size_t>(i)])].kept =
+        members[static_cast<std::size_t>(kept)];
+  }
 }
 
 }  // namespace scatter::solver

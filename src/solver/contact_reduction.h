@@ -17,7 +17,8 @@ struct ReducibleContact {
 /// Leaves out contacts of two bodies that others stand for. Contacts whose normals are alike form a cluster;
 /// of each cluster stay the deepest and those that are furthest from each other, which span nearly the same
 /// area: [Moravanszky and Terdiman 2004, "Fast Contact Reduction for Dynamics Simulation"]. Those that bore
-/// something a step before stay rather than others, so that the choice does not flicker.
+/// something a step before stay rather than others, so that the choice does not flicker; and what has sunk
+/// further than the one that stands for it takes its place.
 class ContactReduction {
  public:
   /// Sets ReducibleContact::kept. `most`: how many of each cluster may stay, at least 1. Returns how many do.
@@ -43,10 +44,17 @@ class ContactReduction {
     LaneMask nearest;  ///< That one, among the members.
   };
 
+  static constexpr int kNone = -1;
+
   void gather(std::span<const ReducibleContact> contacts, const std::vector<int>& members);
   [[nodiscard]] int takeNext(int chosen);
+  void settle(std::span<ReducibleContact> contacts, const std::vector<int>& members);
+  [[nodiscard]] int nearest(int member) const {
+    return members_[static_cast<std::size_t>(member / kLanes)].nearest[member % kLanes];
+  }
 
   std::vector<Members> members_;
+  std::vector<int> stands_;  ///< By the member that was chosen: the one that stays.
 };
 
 }  // namespace scatter::solver

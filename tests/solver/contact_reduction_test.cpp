@@ -77,16 +77,48 @@ TEST(ContactReduction, StaysWithThoseThatBore) {
   EXPECT_EQ(keptOf(again), keptOf(contacts)) << "the same, whatever was reduced before";
 }
 
-class ReductionSeeds : public testing::TestWithParam<std::uint64_t> {};
+TEST(ContactReduction, LetsWhatHasSunkTakeThePlaceOfWhatStandsForIt) {
+  std::vector<ReducibleContact> contacts = square(6);
+  contacts[0].place.w = -0.02F;
+  contacts[28].place.w = -0.01F;  // beside the corner 35
+  EXPECT_EQ(ContactReduction().reduce(contacts, 4), 4);
+  EXPECT_EQ(keptOf(contacts), (std::vector<int>{0, 5, 28, 30}));
+  EXPECT_EQ(contacts[35].kept, 28);
+  contacts[28].place.w = -0.0005F;
+  EXPECT_EQ(ContactReduction().reduce(contacts, 4), 4);
+  EXPECT_EQ(keptOf(contacts), (std::vector<int>{0, 5, 30, 35})) << "no more than places tremble by";
+}
 
-// By brute force: what was left out is nearest to what stands for it, and what stays is among all.
+class ReductionSeeds : public testing::TestWithParam<std::uint64_t> {
+ protected:
+  float unit() { return static_cast<float>(engine_() % 10007) / 10007.0F; }
+  int below(unsigned long count) { return static_cast<int>(engine_() % count); }
+
+  std::vector<ReducibleContact> randomContacts(float deepest) {
+    std::vector<ReducibleContact> contacts;
+    for (int i = 1 + below(60); i > 0; --i)
+      contacts.push_back(contactAt(unit(), unit(), -deepest * unit(), unit() - 0.5F));
+    return contacts;
+  }
+
+ private:
+  std::mt19937 engine_{static_cast<std::mt19937::result_type>(GetParam())};
+};
+
+TEST_P(ReductionSeeds, LeaveNoContactThatIsMuchDeeperThanWhatStandsForIt) {
+  std::vector<ReducibleContact> contacts = randomContacts(0.05F);
+  ContactReduction().reduce(contacts, 1 + below(8));
+  for (const ReducibleContact& contact : contacts) {
+    const ReducibleContact& kept = contacts[static_cast<std::size_t>(contact.kept)];
+    EXPECT_LE(kept.place.w, contact.place.w + 0.001F + 1e-6F);
+  }
+}
+
+// By brute force: of contacts that are as deep, what was left out is nearest to what stands for it, and what
+// stays is among all.
 TEST_P(ReductionSeeds, LeaveEachContactToTheNearestThatStays) {
-  std::mt19937 engine(static_cast<std::mt19937::result_type>(GetParam()));
-  const auto unit = [&] { return static_cast<float>(engine() % 10007) / 10007.0F; };
-  std::vector<ReducibleContact> contacts;
-  for (auto i = 1 + engine() % 60; i > 0; --i)
-    contacts.push_back(contactAt(unit(), unit(), -unit(), unit() - 0.5F));
-  const int most = 1 + static_cast<int>(engine() % 8);
+  std::vector<ReducibleContact> contacts = randomContacts(0.0009F);
+  const int most = 1 + below(8);
   const int left = ContactReduction().reduce(contacts, most);
   const std::vector<int> kept = keptOf(contacts);
   ASSERT_EQ(static_cast<int>(kept.size()), left);
