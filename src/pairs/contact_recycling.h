@@ -1,8 +1,9 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
-#include "pairs/pair.h"
+#include "pairs/pair_engine.h"
 
 namespace scatter::pairs {
 
@@ -10,26 +11,61 @@ namespace scatter::pairs {
 /// more than that.
 inline constexpr float kMostRecycledTurn = 0.0175F;
 
+/// Memory that recycling uses in turn.
+struct RecyclingScratch {
+  std::vector<int> touching{};  ///< Child pairs with contacts.
+  std::vector<float> slides{};  ///< Of each of them.
+};
+
 /// Lets the contacts of two bodies move along with them, in the place of finding them anew, while the bodies
 /// move little against each other (PairSteps::recycling). Contacts of parts are let alone only when a look
 /// has found no more of them than there were: engines gather the points of a manifold one in a step.
 class ContactRecycling {
  public:
-  ContactRecycling(PartPair& parts, const PlacedBodies& bodies, PairEngine& engine, float tolerance)
-      : parts_(parts), bodies_(bodies), engine_(engine), tolerance_(tolerance) {}
+  ContactRecycling(PartPair& parts, const PlacedBodies& bodies, float tolerance, RecyclingScratch& scratch)
+      : parts_(parts), bodies_(bodies), tolerance_(tolerance), scratch_(scratch) {}
 
-  /// Once the bodies have been placed: takes in where they are. Child pairs whose contacts must be found anew
-  /// are stale from now on. Whether there is nothing to be looked for in this step; then `touching` has the
-  /// child pairs with contacts, and the pair is done.
-  [[nodiscard]] bool run(std::vector<int>& touching);
+  /// Once the bodies have been placed: whether there is nothing to be looked for in this step, and the pair
+  /// is done. `slideOf(contact)` is what Manifolds::carry() returns.
+  template <class SlideOf>
+  [[nodiscard]] bool look(SlideOf&& slideOf) {
+    scratch_.touching.clear();
+    scratch_.slides.clear();
+    bool isDone = parts_.hasNoNewcomers(*bodies_.a, *bodies_.b);
+    for (const int i : parts_.wakeful()) {
+      const ChildPair& child = parts_.children()[static_cast<std::size_t>(i)];
+      if (!child.touching) continue;
+      const float slid = slideOf(child.contact);
+      isDone = isDone && !isStale(child, slid);
+      scratch_.touching.push_back(i);
+      scratch_.slides.push_back(slid);
+    }
+    return isDone && !scratch_.touching.empty();
+  }
+
+  /// After a look: child pairs whose contacts must be found anew are stale from now on; those that have no
+  /// point left have no contact any more, after `drop(contact)`.
+  template <class Drop>
+  void settle(Drop&& drop) {
+    for (std::size_t k = 0; k < scratch_.touching.size(); ++k) {
+      ChildPair& child = parts_.children()[static_cast<std::size_t>(scratch_.touching[k])];
+      child.stale = isStale(child, scratch_.slides[k]);
+      child.touching = scratch_.slides[k] < std::numeric_limits<float>::infinity();
+      if (child.touching) continue;
+      drop(child.contact);
+      child.contact = nullptr;
+    }
+  }
 
  private:
-  [[nodiscard]] bool isStale(const ChildPair& child, float slid) const;
+  [[nodiscard]] bool isStale(const ChildPair& child, float slid) const {
+    return !child.settled || !(slid < tolerance_) || !(parts_.turn() - child.turnAt < kMostRecycledTurn);
+  }
 
   PartPair& parts_;
   const PlacedBodies& bodies_;
-  PairEngine& engine_;
   float tolerance_;
+  RecyclingScratch& scratch_;
 };
 
 }  // namespace scatter::pairs

@@ -71,6 +71,8 @@ class ChildForesight {
     PartBody& b = *bodies_.b;
     if (parts_.isToldApart(child, a, b, steps_, foresight_.work)) {
       look.state = ChildLook::State::kToldApart;
+    } else if (foresight_.recycles && child.touching && !child.stale) {
+      return look;
     } else if (!overlap(child)) {
       look.state = ChildLook::State::kBoundsApart;
     } else if (!child.touching || parts_.isExact(child, a, b)) {
@@ -127,7 +129,8 @@ void judgeAll(PartPair& parts, const PartBody& region, const PartBody& body, con
 Foresight& ForesightScratch::take() {
   if (used == pool.size()) pool.push_back(std::make_unique<Foresight>());
   Foresight& next = *pool[used++];
-  next.isAwake = next.isSettled = false;
+  next.isAwake = next.isSettled = next.recycles = false;
+  next.carried.clear();
   next.work = {};
   next.dropped.clear();
   next.kept.clear();
@@ -136,23 +139,39 @@ Foresight& ForesightScratch::take() {
   return next;
 }
 
-bool isForeseeable(const Pair& pair, const PlacedBodies& bodies, const PairSteps& steps) {
+bool isForeseeable(const Pair& pair, const PlacedBodies& bodies) {
   return pair.versions[0] == bodies.versions[0] && pair.versions[1] == bodies.versions[1] &&
          !pair.hasFallenBack && pair.held.empty() && pair.credit.kind == CreditKind::kNone &&
-         pair.credit.account.empty() && !(steps.recycling > 0.0F && pair.parts.touches()) &&
-         !bodies.a->parts().hasOpaque() && !bodies.b->parts().hasOpaque();
+         pair.credit.account.empty() && !bodies.a->parts().hasOpaque() && !bodies.b->parts().hasOpaque();
 }
+
+namespace {
+
+// What the engine has to do with contacts before anything else.
+void carry(Pair& pair, ContactRecycling& recycling, const RecyclingScratch& scratch, Foresight& foresight) {
+  for (const int i : scratch.touching)
+    foresight.carried.push_back(pair.parts.children()[static_cast<std::size_t>(i)].contact);
+  recycling.settle([&foresight](void* contact) { foresight.dropped.push_back(contact); });
+}
+
+}  // namespace
 
 void foresee(Pair& pair, const PlacedBodies& bodies, const PairSteps& steps, const ContactPeek& peek,
              BoundsLocks& locks, ForesightScratch& scratch) {
+  pair.parts.followWholeBodies(false);
+  const bool recycles = steps.recycling > 0.0F && pair.parts.touches();
+  ContactRecycling recycling(pair.parts, bodies, steps.recycling, scratch.recycling);
+  if (recycles && recycling.look([&peek](const void* contact) { return peek.wouldSlide(contact); })) return;
   Foresight& foresight = scratch.take();
+  foresight.recycles = recycles;
+  if (recycles) carry(pair, recycling, scratch.recycling, foresight);
   const PeekingKeeper keeper(peek, bodies, locks, foresight);
   pair.foresight = &foresight;
-  pair.parts.followWholeBodies(false);
   scratch.parts.keeper = &keeper;
   foresight.isAwake = pair.parts.advance(*bodies.a, *bodies.b, steps, scratch.parts, foresight.work);
   scratch.parts.keeper = nullptr;
-  foresight.dropped.assign(scratch.parts.dropped.begin(), scratch.parts.dropped.end());
+  foresight.dropped.insert(foresight.dropped.end(), scratch.parts.dropped.begin(),
+                           scratch.parts.dropped.end());
   if (foresight.isAwake) ChildForesight(pair.parts, bodies, steps, locks, foresight).run();
 }
 

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <vector>
 
+#include "pairs/contact_recycling.h"
 #include "pairs/ground_pair.h"
 #include "pairs/pair.h"
 #include "pairs/pair_engine.h"
@@ -36,11 +37,15 @@ class ContactPeek {
 
   /// What ContactKeeper::outlasts() is going to return for a contact of the pair at work. Changes nothing.
   [[nodiscard]] virtual bool wouldOutlast(const void* contact) const = 0;
+
+  /// The same of Manifolds::carry().
+  [[nodiscard]] virtual float wouldSlide(const void* contact) const = 0;
 };
 
 /// Memory of one thread.
 struct ForesightScratch {
   PairScratch parts{};
+  RecyclingScratch recycling{};
   std::vector<std::unique_ptr<Foresight>> pool{};
   std::size_t used = 0;
 
@@ -50,11 +55,11 @@ struct ForesightScratch {
 
 /// Whether what is found out about a pair is independent of the rest of its step: it looks for contacts of
 /// its own level, whose shapes are those of `bodies`.
-[[nodiscard]] bool isForeseeable(const Pair& pair, const PlacedBodies& bodies, const PairSteps& steps);
+[[nodiscard]] bool isForeseeable(const Pair& pair, const PlacedBodies& bodies);
 
-/// Finds it out. Changes the pair and nothing else but the bodies' bounds, so that any number of pairs can be
-/// foreseen at once, in any order; the bodies must be where they are going to be in the step. Sets
-/// Pair::foresight.
+/// Finds it out, but for a pair whose contacts only move along: that has no foresight. Changes the pair and
+/// nothing else but the bodies' bounds, so that any number of pairs can be foreseen at once, in any order;
+/// the bodies must be where they are going to be in the step. Sets Pair::foresight.
 void foresee(Pair& pair, const PlacedBodies& bodies, const PairSteps& steps, const ContactPeek& peek,
              BoundsLocks& locks, ForesightScratch& scratch);
 

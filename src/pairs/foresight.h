@@ -26,6 +26,8 @@ struct Foresight {
   bool isAwake = false;    ///< What PartPair::advance() returned.
   bool isSettled = false;  ///< Nothing touches or is going to: the look at the pair has been ended, too.
   PairWork work{};         ///< What it took.
+  bool recycles = false;   ///< Contacts that are not stale move along with the bodies.
+  std::vector<void*> carried{};    ///< All contacts, if so, before anything was looked for.
   std::vector<void*> dropped{};    ///< Contacts of child pairs that are no neighbours any more.
   std::vector<void*> kept{};       ///< Of others that are none, and have contacts that last.
   std::vector<int> awake{};        ///< The child pairs that are to be looked at.

@@ -29,6 +29,19 @@ bool LevelLook::mayRecycle() const {
          pair_.held.empty();
 }
 
+// Whether the pair is done.
+bool LevelLook::recycle(const PlacedBodies& bodies) {
+  pair_.origin = ContactOrigin::kRecycled;
+  ContactRecycling recycling(pair_.parts, bodies, steps_.recycling, scratch_.recycling);
+  const bool isDone = recycling.look([this](void* contact) { return engine_.carry(contact); });
+  recycling.settle([this](void* contact) { engine_.release(contact); });
+  if (!isDone) return false;
+  scratch_.looked = scratch_.recycling.touching;
+  ++work_.pairs;
+  work_.recycled += static_cast<int>(scratch_.looked.size());
+  return true;
+}
+
 bool LevelLook::advance(PartPair& parts, const PlacedBodies& bodies) {
   scratch_.parts.keeper = &engine_;
   const bool isAwake = parts.advance(*bodies.a, *bodies.b, steps_, scratch_.parts, work_);
@@ -52,13 +65,7 @@ void LevelLook::atLevel(int level, bool returns, bool mayAudit) {
   }
   pair_.parts.followWholeBodies(pair_.credit.kind == CreditKind::kCoarser);
   const bool recycles = !returns && mayRecycle();
-  if (recycles) pair_.origin = ContactOrigin::kRecycled;
-  if (recycles && ContactRecycling(pair_.parts, bodies, engine_, steps_.recycling).run(scratch_.looked)) {
-    ++work_.pairs;
-    work_.recycled += static_cast<int>(scratch_.looked.size());
-    return;
-  }
-  scratch_.looked.clear();
+  if (recycles && recycle(bodies)) return;
   const bool isAwake = advance(pair_.parts, bodies);
   if (returns) {
     pair_.held.giveBack(pair_.parts.children(), engine_);
@@ -73,10 +80,11 @@ void LevelLook::atLevel(int level, bool returns, bool mayAudit) {
 // The step of a pair of which advance() has been done already.
 void LevelLook::useForesight(const PlacedBodies& bodies, bool mayAudit) {
   const Foresight& foresight = *pair_.foresight;
+  if (foresight.recycles) pair_.origin = ContactOrigin::kRecycled;
   pair_.closeForesight(engine_);
   work_ += foresight.work;
   if (!foresight.isAwake || foresight.isSettled) return;
-  ChildPass(pair_.parts, bodies, steps_, engine_, work_, nullptr, mayAudit, false, &foresight)
+  ChildPass(pair_.parts, bodies, steps_, engine_, work_, nullptr, mayAudit, foresight.recycles, &foresight)
       .run(scratch_.looked);
   pair_.parts.settle(*bodies.a, *bodies.b, steps_);
 }

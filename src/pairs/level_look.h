@@ -26,6 +26,7 @@ class LevelLook {
   bool advance(PartPair& parts, const PlacedBodies& bodies);
   void useForesight(const PlacedBodies& bodies, bool mayAudit);
   [[nodiscard]] bool mayRecycle() const;
+  [[nodiscard]] bool recycle(const PlacedBodies& bodies);
 
   Pair& pair_;
   const PairSteps& steps_;

@@ -4,6 +4,7 @@
 
 #include "collision/part_pair.h"
 #include "collision/part_query.h"
+#include "pairs/contact_recycling.h"
 #include "pairs/ground_look.h"
 #include "pairs/held_contacts.h"
 
@@ -18,6 +19,7 @@ struct StepScratch {
   PartPair audit{};  ///< Of a look at the finest level from a coarser one.
   std::vector<int> looked{};
   GroundScratch ground{};
+  RecyclingScratch recycling{};
 };
 
 }  // namespace scatter::pairs

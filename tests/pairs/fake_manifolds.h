@@ -51,6 +51,13 @@ class FakeManifolds : public Engine {
     if (!outlasts(manifold)) return std::numeric_limits<float>::infinity();
     return std::abs(along() - at(manifold)->front().foundAt);
   }
+  /// What carry() is going to return.
+  [[nodiscard]] float wouldSlide(const void* manifold) const {
+    for (const Point& point : *at(manifold)) {
+      if (!losesPoints && distanceOf(point) <= threshold()) return std::abs(along() - point.foundAt);
+    }
+    return std::numeric_limits<float>::infinity();
+  }
   float distanceNow(const void* manifold, int i) const override { return distanceOf(pointAt(manifold, i)); }
   void move(void* from, int i, void* to) override { at(to)->push_back(pointAt(from, i)); }
   void addImpulses(const void* from, int i, void* to, int j) override {

@@ -36,6 +36,7 @@ class Peek : public ContactPeek {
     }
     return false;
   }
+  [[nodiscard]] float wouldSlide(const void* contact) const override { return engine_.wouldSlide(contact); }
 
  private:
   const FakeEngine& engine_;
@@ -60,7 +61,7 @@ struct TwoBodies {
     engine.x = x;
     scratches.used = 0;
     PlacedBodies bodies;
-    if (!engine.place(1, bodies) || !isForeseeable(pair, bodies, steps)) return false;
+    if (!engine.place(1, bodies) || !isForeseeable(pair, bodies)) return false;
     foresee(pair, bodies, steps, Peek(engine), locks, scratches);
     return true;
   }
@@ -89,6 +90,7 @@ void expectSame(const PairWork& a, const PairWork& b) {
   EXPECT_EQ(a.rebuilds, b.rebuilds);
   EXPECT_EQ(a.childPairs, b.childPairs);
   EXPECT_EQ(a.childPairsAsleep, b.childPairsAsleep);
+  EXPECT_EQ(a.recycled, b.recycled);
   EXPECT_EQ(a.boundsRejected, b.boundsRejected);
   EXPECT_EQ(a.axisRejected, b.axisRejected);
   EXPECT_EQ(a.gjkRuns, b.gjkRuns);
@@ -97,12 +99,16 @@ void expectSame(const PairWork& a, const PairWork& b) {
 
 void expectSame(const Pair& a, const Pair& b) {
   EXPECT_EQ(a.quietUntil, b.quietUntil);
+  EXPECT_EQ(a.origin, b.origin);
   ASSERT_EQ(a.parts.children().size(), b.parts.children().size());
   for (std::size_t i = 0; i < a.parts.children().size(); ++i) {
     const ChildPair& one = a.parts.children()[i];
     const ChildPair& other = b.parts.children()[i];
     EXPECT_EQ(one.wake, other.wake);
     EXPECT_EQ(one.touching, other.touching);
+    EXPECT_EQ(one.settled, other.settled);
+    EXPECT_EQ(one.stale, other.stale);
+    EXPECT_EQ(one.turnAt, other.turnAt);
     EXPECT_EQ(one.contact == nullptr, other.contact == nullptr);
   }
 }
@@ -110,13 +116,18 @@ void expectSame(const Pair& a, const Pair& b) {
 TEST(Foresee, LeavesAPairAsItsStepWould) {
   int foreseen = 0;
   int touched = 0;
+  int recycled = 0;
+  int lookedBesides = 0;
   for (std::uint32_t seed = 1; seed <= 100; ++seed) {
     TwoBodies plain;
     TwoBodies early;
+    const bool recycles = seed % 2 == 0;
+    plain.steps.recycling = early.steps.recycling = recycles ? 0.001F : 0.0F;
     testing::Random random(seed);
     float x = random.uniform(1.6F, 1.7F);
     for (int i = 0; i < 100; ++i) {
-      x = std::clamp(x + random.uniform(-0.03F, 0.03F), 1.55F, 1.75F);
+      const float stride = recycles && i % 4 != 0 ? 0.0004F : 0.03F;
+      x = std::clamp(x + random.uniform(-stride, stride), 1.55F, 1.75F);
       plain.engine.losesPoints = early.engine.losesPoints = random.uniform(0.0F, 1.0F) < 0.1F;
       foreseen += early.foreseeStep(x) ? 1 : 0;
       const PairOutcome outcome = plain.step(x);
@@ -128,9 +139,13 @@ TEST(Foresee, LeavesAPairAsItsStepWould) {
       expectSame(plain.pair, early.pair);
       ASSERT_EQ(plain.engine.manifolds(), early.engine.manifolds());
       touched += outcome.touching ? 1 : 0;
+      recycled += outcome.work.counts.recycled;
+      lookedBesides += recycles && outcome.touching && outcome.work.counts.gjkRuns > 0 ? 1 : 0;
     }
   }
   EXPECT_GT(foreseen, 9000);
+  EXPECT_GT(recycled, 1000);
+  EXPECT_GT(lookedBesides, 200);
   EXPECT_GT(touched, 1000);
 }
 

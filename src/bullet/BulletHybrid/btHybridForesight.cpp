@@ -17,6 +17,11 @@ const int c_block = 32;
 /// Fewer pairs are done before another thread has woken up.
 const int c_fewest = 128;
 
+/// Where fewer of them have to be looked at, which takes some microseconds each, to ask all of them and to wake
+/// threads takes longer than it saves; that seldom changes from step to step.
+const size_t c_fewestAwake = 48;
+const int c_pause = 16;
+
 template <class Work>
 struct BlockBody : public btIParallelForBody
 {
@@ -74,8 +79,9 @@ void btHybridForesight::giveBack(scatter::pairs::ForesightScratch* scratch)
 void btHybridForesight::begin(btHybridNarrowphase& narrowphase, btDispatcher* dispatcher)
 {
 	m_pairs.clear();
-	if (!m_threads && !m_scheduler)
+	if ((!m_threads && !m_scheduler) || m_pause-- > 0)
 		return;
+	m_pause = 0;
 	narrowphase.collectOwners(m_pairs);
 	if (int(m_pairs.size()) < c_fewest)
 	{
@@ -110,9 +116,15 @@ void btHybridForesight::end()
 	for (size_t i = 0; i < m_pairs.size(); ++i)
 		if (m_pairs[i] && m_chosen[i])
 			m_pairs[i]->endForesight();
-	m_pairs.clear();
+	size_t awake = 0;
 	for (const auto& scratch : m_scratches)
+	{
+		awake += scratch->used;
 		scratch->used = 0;
+	}
+	if (!m_pairs.empty() && awake < c_fewestAwake)
+		m_pause = c_pause;
+	m_pairs.clear();
 }
 
 void btHybridForesight::forget(const btHybridAlgorithm* pair)

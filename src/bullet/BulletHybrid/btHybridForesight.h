@@ -26,6 +26,7 @@ class btHybridForesight
 	std::mutex m_mutex;
 	std::vector<std::unique_ptr<scatter::pairs::ForesightScratch>> m_scratches;
 	std::vector<scatter::pairs::ForesightScratch*> m_free;
+	int m_pause;  ///< steps in which nothing is to be foreseen
 
 	btHybridForesight(const btHybridForesight&);
 	btHybridForesight& operator=(const btHybridForesight&);
@@ -37,7 +38,7 @@ class btHybridForesight
 
 public:
 	btHybridForesight()
-	    : m_scheduler(0)
+	    : m_scheduler(0), m_pause(0)
 	{
 	}
 

@@ -78,8 +78,10 @@ void btHybridContacts::prefetch(const void* manifold)
 #endif
 }
 
-// The conditions of btPersistentManifold::refreshContactPoints.
-bool btHybridContacts::wouldOutlast(const btPersistentManifold& manifold)
+// Calls use(between the places on both bodies, distance, normal) for the points that
+// btPersistentManifold::refreshContactPoints is going to leave.
+template <class Use>
+static void forEachLasting(const btPersistentManifold& manifold, Use use)
 {
 	const btTransform& poseA = manifold.getBody0()->getWorldTransform();
 	const btTransform& poseB = manifold.getBody1()->getWorldTransform();
@@ -92,9 +94,28 @@ bool btHybridContacts::wouldOutlast(const btPersistentManifold& manifold)
 		const btScalar distance = (onA - onB).dot(point.m_normalWorldOnB);
 		const btVector3 aside = onB - (onA - point.m_normalWorldOnB * distance);
 		if (distance <= most && !(aside.dot(aside) > most * most))
-			return true;
+			use(onA - onB, distance, point.m_normalWorldOnB);
 	}
-	return false;
+}
+
+bool btHybridContacts::wouldOutlast(const btPersistentManifold& manifold)
+{
+	bool isAny = false;
+	forEachLasting(manifold, [&isAny](const btVector3&, btScalar, const btVector3&)
+	               { isAny = true; });
+	return isAny;
+}
+
+float btHybridContacts::wouldSlide(const btPersistentManifold& manifold)
+{
+	btScalar least = BT_LARGE_FLOAT;
+	bool isAny = false;
+	forEachLasting(manifold, [&](const btVector3& between, btScalar distance, const btVector3& normal)
+	               {
+		               isAny = true;
+		               btSetMin(least, (between - normal * distance).length2());
+	               });
+	return isAny ? float(btSqrt(least)) : std::numeric_limits<float>::infinity();
 }
 
 // As the dispatcher gives it to manifolds.

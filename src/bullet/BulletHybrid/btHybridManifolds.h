@@ -34,6 +34,9 @@ public:
 
 	/// Whether any point is going to be left by refreshContactPoints(), with the bodies where they are. Changes nothing.
 	static bool wouldOutlast(const btPersistentManifold& manifold);
+
+	/// What carry() is going to return. Changes nothing.
+	static float wouldSlide(const btPersistentManifold& manifold);
 	static btScalar getThreshold(const btCollisionDispatcher* dispatcher, const btCollisionObject* a, const btCollisionObject* b);
 };
 

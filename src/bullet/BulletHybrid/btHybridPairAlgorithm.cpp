@@ -76,6 +76,10 @@ public:
 	{
 		return btHybridContacts::wouldOutlast(*btHybridContacts::at(contact));
 	}
+	virtual float wouldSlide(const void* contact) const
+	{
+		return btHybridContacts::wouldSlide(*btHybridContacts::at(contact));
+	}
 };
 }  // namespace
 
@@ -120,7 +124,7 @@ void btHybridPairAlgorithm::foresee(scatter::pairs::BoundsLocks& locks, scatter:
 		pair.isForeseenQuiet = true;
 		return;
 	}
-	if (scatter::pairs::isForeseeable(pair, bodies, m_narrowphase->getSteps()))
+	if (scatter::pairs::isForeseeable(pair, bodies))
 		scatter::pairs::foresee(pair, bodies, m_narrowphase->getSteps(), ManifoldPeek(), locks, scratch);
 }
 
