@@ -41,8 +41,8 @@ Command addBenchCommand(CLI::App& program) {
   auto bench = std::make_shared<Bench>();
   command->add_flag("--list", bench->list, "Show what can be measured");
   bench->commands = {addBenchCollisionCommand(*command), addBenchContactsCommand(*command),
-                     addBenchSpreadCommand(*command), addBenchWorldsCommand(*command),
-                     addBenchFidelityCommand(*command), addBenchMemoryCommand(*command)};
+                     addBenchSpreadCommand(*command),    addBenchWorldsCommand(*command),
+                     addBenchFidelityCommand(*command),  addBenchMemoryCommand(*command)};
   return {command, [bench] { return execute(*bench); }};
 }
 

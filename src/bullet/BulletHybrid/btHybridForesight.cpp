@@ -14,9 +14,10 @@ namespace
 /// number of threads must not matter to it.
 const int c_block = 32;
 
-/// Fewer pairs are done before another thread has woken up; and where fewer have to be looked at, which takes some microseconds each,
-/// to ask all of them takes longer than it saves. That seldom changes from step to step. Of 48 and 128, this is the number with which
-/// `engine_bullet --lean --threads 2` (bench/engines) loses least on a wall and on wheels on a plane, and nothing elsewhere.
+/// Fewer pairs are done before another thread has woken up; and where fewer have to be looked at, which takes some
+/// microseconds each, to ask all of them takes longer than it saves. That seldom changes from step to step. Of 48 and
+/// 128, this is the number with which `engine_bullet --lean --threads 2` (bench/engines) loses least on a wall and on
+/// wheels on a plane, and nothing elsewhere.
 const int c_fewest = 128;
 const int c_pause = 16;
 

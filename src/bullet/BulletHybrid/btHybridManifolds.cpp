@@ -113,8 +113,7 @@ float btHybridContacts::wouldSlide(const btPersistentManifold& manifold)
 	forEachLasting(manifold, [&](const btVector3& between, btScalar distance, const btVector3& normal)
 	               {
 		               isAny = true;
-		               btSetMin(least, (between - normal * distance).length2());
-	               });
+		               btSetMin(least, (between - normal * distance).length2()); });
 	return isAny ? float(btSqrt(least)) : std::numeric_limits<float>::infinity();
 }
 

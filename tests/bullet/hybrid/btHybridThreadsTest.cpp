@@ -173,16 +173,18 @@ void throwFarAway(Crowd& crowd, int step) {
   crowd.bodies[5]->setWorldTransform(pose);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Ways, Threads,
-    testing::Values(Way{.name = "Finest"}, Way{.name = "ByBodies", .mode = BT_HYBRID_BODY_SWITCHING},
-                    Way{.name = "Requests", .act = requestNowAndThen},
-                    Way{.name = "Budgets", .act = giveBudgets}, Way{.name = "Recycled", .act = recycle},
-                    Way{.name = "AllManifolds", .act = leaveManifolds},
-                    Way{.name = "BodiesComeAndGo", .act = removeAndAdd},
-                    Way{.name = "OnGrounds", .act = layGrounds},
-                    Way{.name = "RecycledOnGrounds", .act = recycleOnGrounds}, Way{.name = "FarAway", .act = throwFarAway}),
-    [](const auto& way) { return way.param.name; });
+INSTANTIATE_TEST_SUITE_P(Ways, Threads,
+                         testing::Values(Way{.name = "Finest"},
+                                         Way{.name = "ByBodies", .mode = BT_HYBRID_BODY_SWITCHING},
+                                         Way{.name = "Requests", .act = requestNowAndThen},
+                                         Way{.name = "Budgets", .act = giveBudgets},
+                                         Way{.name = "Recycled", .act = recycle},
+                                         Way{.name = "AllManifolds", .act = leaveManifolds},
+                                         Way{.name = "BodiesComeAndGo", .act = removeAndAdd},
+                                         Way{.name = "OnGrounds", .act = layGrounds},
+                                         Way{.name = "RecycledOnGrounds", .act = recycleOnGrounds},
+                                         Way{.name = "FarAway", .act = throwFarAway}),
+                         [](const auto& way) { return way.param.name; });
 
 /// A program's scheduler: does the work backwards.
 class BackwardScheduler : public btITaskScheduler {
