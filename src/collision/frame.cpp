@@ -15,11 +15,11 @@ Frame relativeFrame(const Frame& a, const Frame& b) {
 
 namespace {
 
-constexpr float kRounding = 4e-7F;
+constexpr float kFrameRounding = 4e-7F;
 
 // Of the sum of the squares of a rotation's changes.
 float turnOf(float squares) {
-  return std::sqrt(0.5F * squares) * 1.0001F + kRounding;
+  return std::sqrt(0.5F * squares) * 1.0001F + kFrameRounding;
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ Displacement displacementBound(const Frame& before, const Frame& after, const Ve
   }
   const float turned = turnOf(squares);
   const float reach = radius + glm::length(center) + glm::length(before.origin) + glm::length(after.origin);
-  return {glm::length(moved) + turned * radius + kRounding * reach, turned};
+  return {glm::length(moved) + turned * radius + kFrameRounding * reach, turned};
 }
 
 }  // namespace scatter
