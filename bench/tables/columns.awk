@@ -20,6 +20,22 @@ function spread(name) {
   return rounded(cell(name)) " (" rounded(cell(name "_min")) "-" rounded(cell(name "_max")) ")"
 }
 
+# Sorts the values 1 to n, and returns their median.
+function median(values, n,    i, j, x) {
+  for (i = 2; i <= n; ++i) {
+    x = values[i]
+    for (j = i; j > 1 && values[j - 1] > x; --j) values[j] = values[j - 1]
+    values[j] = x
+  }
+  return n % 2 ? values[(n + 1) / 2] : (values[n / 2] + values[n / 2 + 1]) / 2
+}
+
+# The median of the values 1 to n, and their extremes.
+function medianSpread(values, n,    middle) {
+  middle = median(values, n)
+  return rounded(middle) " (" rounded(values[1]) "-" rounded(values[n]) ")"
+}
+
 # A table's row of so many cells.
 function row(cells, count,    text, i) {
   text = "|"

@@ -17,11 +17,6 @@ namespace {
 
 constexpr float kFrameRounding = 4e-7F;
 
-// Of the sum of the squares of a rotation's changes.
-float turnOf(float squares) {
-  return std::sqrt(0.5F * squares) * 1.0001F + kFrameRounding;
-}
-
 }  // namespace
 
 float turnBound(const Frame& before, const Frame& after) {
@@ -30,18 +25,13 @@ float turnBound(const Frame& before, const Frame& after) {
     const Vec3 change = after.row[i] - before.row[i];
     squares += glm::dot(change, change);
   }
-  return turnOf(squares);
+  return std::sqrt(0.5F * squares) * 1.0001F + kFrameRounding;
 }
 
 Displacement displacementBound(const Frame& before, const Frame& after, const Vec3& center, float radius) {
-  float squares = 0.0F;
   Vec3 moved = after.origin - before.origin;
-  for (int i = 0; i < 3; ++i) {
-    const Vec3 change = after.row[i] - before.row[i];
-    squares += glm::dot(change, change);
-    moved[i] += glm::dot(change, center);
-  }
-  const float turned = turnOf(squares);
+  for (int i = 0; i < 3; ++i) moved[i] += glm::dot(after.row[i] - before.row[i], center);
+  const float turned = turnBound(before, after);
   const float reach = radius + glm::length(center) + glm::length(before.origin) + glm::length(after.origin);
   return {glm::length(moved) + turned * radius + kFrameRounding * reach, turned};
 }

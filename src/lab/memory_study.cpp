@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace scatter {
@@ -43,18 +44,26 @@ Figures figuresOf(const Run& run) {
   return figures;
 }
 
-}  // namespace
-
-std::string formatMemory(const Comparison& comparison) {
-  std::vector<Cells> lines{{"MB touched in a frame", "median", "p99", "peak", "held by the pair algorithm"}};
+template <class Number>
+std::vector<Cells> linesOf(const Comparison& comparison, Cells header, Number number) {
+  std::vector<Cells> lines{std::move(header)};
   for (const ComparedWorld& world : comparison.worlds) {
     const Figures figures = figuresOf(world.run());
     Cells cells{world.label()};
     for (const double value : {figures.median, figures.p99, figures.peak, figures.held}) {
-      cells.push_back(lab::fixedNumber(value, 2));
+      cells.push_back(number(value));
     }
     lines.push_back(std::move(cells));
   }
+  return lines;
+}
+
+}  // namespace
+
+std::string formatMemory(const Comparison& comparison) {
+  const auto lines =
+      linesOf(comparison, {"MB touched in a frame", "median", "p99", "peak", "held by the pair algorithm"},
+              [](double value) { return lab::fixedNumber(value, 2); });
   return lab::textTable(lines) +
          lab::fitTerminal(
              "Pages of 4 KiB that a step and its record have touched of the process's own data, every " +
@@ -63,16 +72,9 @@ std::string formatMemory(const Comparison& comparison) {
 }
 
 std::string memoryCsv(const Comparison& comparison) {
-  std::vector<Cells> lines{{"world", "touched_median_mb", "touched_p99_mb", "touched_peak_mb", "held_mb"}};
-  for (const ComparedWorld& world : comparison.worlds) {
-    const Figures figures = figuresOf(world.run());
-    Cells cells{world.label()};
-    for (const double value : {figures.median, figures.p99, figures.peak, figures.held}) {
-      cells.push_back(lab::shortestNumber(value));
-    }
-    lines.push_back(std::move(cells));
-  }
-  return lab::csvText(lines);
+  return lab::csvText(linesOf(comparison,
+                              {"world", "touched_median_mb", "touched_p99_mb", "touched_peak_mb", "held_mb"},
+                              lab::shortestNumber));
 }
 
 }  // namespace scatter
