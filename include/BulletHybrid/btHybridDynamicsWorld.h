@@ -153,7 +153,7 @@ public:
 	/// and above 0.
 	const char* setBudgetUnits(double units);
 
-	/// The units of every step, as btHybridPairStepInfo::m_budgetUnits had them in an earlier run, which is repeated
+	/// The units of every step, as btHybridPairStepInfo::budgetUnits had them in an earlier run, which is repeated
 	/// exactly; 0 is a step without a budget. After the last one it stays. Refuses 0 steps, and units that are negative or
 	/// not finite.
 	const char* replayBudget(const double* units, int count);

@@ -2,6 +2,7 @@
 #define BT_HYBRID_SWITCHING_H
 
 #include <LinearMath/btScalar.h>
+#include <scatter/lod/pair_step_counts.h>
 
 /// What has a level.
 enum btHybridSwitchingMode
@@ -75,7 +76,8 @@ struct btHybridPairSwitchingInfo
 	int m_retryInterval;
 
 	/// How far the bodies of a pair on credit may move against each other before the credit is compared with their
-	/// finest shapes again, metres. 0, what is negative, and what is not a number: never. Above 1000 it acts as 1000.
+	/// finest shapes again, metres. 0, what is negative, and what is not a number: never. Above 1000 it acts as 1000. Small
+	/// bodies may move less: one and a half times the distance at which Bullet ends their contacts.
 	btScalar m_auditDistance;
 
 	bool m_safetyConditions;  ///< off only to show what they prevent
@@ -87,40 +89,6 @@ struct btHybridPairSwitchingInfo
 };
 
 /// Counts of one step.
-struct btHybridPairStepInfo
-{
-	int m_pairs;           ///< that switch
-	int m_finestPairs;     ///< of those, at their finest level
-	int m_creditedPairs;   ///< of those, with penetration credit
-	int m_touchingPairs;   ///< closer than 1 cm
-	int m_touchingFinest;  ///< of those, at their finest level
-	int m_requests;        ///< standing after the step
-	int m_switchesCoarser;
-	int m_switchesFiner;
-	int m_creditSwitches;  ///< of both, on credit
-	int m_retractions;
-	int m_reusedPairs;  ///< in contact, kept their contacts for the step, because the budget was about to be exceeded
-	int m_blockedTries;
-	int m_separationQueries;
-	int m_audits;
-
-	/// Switches after which the pair's contacts press the bodies apart deeper, by more than 2 mm, than those of the level
-	/// before would where the bodies are now. A contact presses by its depth, and one without error reduction not at all.
-	/// 0 unless m_safetyConditions is off.
-	int m_unsafeSwitches;
-
-	double m_units;  ///< what the step cost
-	double m_plannedUnits;
-	double m_budgetUnits;  ///< 0 without a budget
-
-	/// Of a step that took more than its budget, about: what it would have cost if every pair had been as coarse as it may
-	/// be where the bodies were. 0 of other steps.
-	double m_floorUnits;
-
-	btHybridPairStepInfo()
-	    : m_pairs(0), m_finestPairs(0), m_creditedPairs(0), m_touchingPairs(0), m_touchingFinest(0), m_requests(0), m_switchesCoarser(0), m_switchesFiner(0), m_creditSwitches(0), m_retractions(0), m_reusedPairs(0), m_blockedTries(0), m_separationQueries(0), m_audits(0), m_unsafeSwitches(0), m_units(0), m_plannedUnits(0), m_budgetUnits(0), m_floorUnits(0)
-	{
-	}
-};
+typedef scatter::PairStepCounts btHybridPairStepInfo;
 
 #endif  // BT_HYBRID_SWITCHING_H

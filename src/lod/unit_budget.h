@@ -32,6 +32,9 @@ class UnitBudget {
     return milliseconds_ > 0.0 && milliseconds > milliseconds_;
   }
 
+  /// Of milliseconds: learn() must be told how long steps take.
+  [[nodiscard]] bool needsTime() const { return milliseconds_ > 0.0; }
+
   [[nodiscard]] bool isLimited() const { return milliseconds_ > 0.0 || !units_.empty(); }
 
  private:

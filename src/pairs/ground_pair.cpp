@@ -19,7 +19,7 @@ void GroundPair::renew() {
   region.forget();
   quietUntil = Pair::kAwake;
   jumps = 0;
-  level = 0;
+  level = landing = 0;
   versions[0] = versions[1] = Pair::kNoParts;
   hasFallenBack = false;
   isTooFine = false;

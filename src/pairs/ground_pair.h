@@ -33,6 +33,7 @@ struct GroundPair {
   bool isTooFine =
       false;  ///< It does so because there are too many pieces, and is not disturbed while it has contacts.
   bool restarted = false;  ///< It began without contacts in its last step.
+  int landing = 0;  ///< Steps in contact, after a switch to a finer level, in which the body may still land.
 
   /// Where the body was in the ground's frame at the last look for contacts, and whether it found no more of
   /// them than there were.

@@ -10,6 +10,10 @@ namespace scatter::pairs {
 
 namespace {
 
+/// A body that went finer falls by the room that its finer shapes leave, and may tip over: in so many steps
+/// in contact it has come to rest. (`switch_bench`: with none, 1 world of 1700 gains energy by it.)
+constexpr int kLandingSteps = 10;
+
 class GroundStep {
  public:
   GroundStep(GroundPair& pair, const PairPlan& plan, const PairSteps& steps, GroundEngine& engine,
@@ -22,7 +26,9 @@ class GroundStep {
         look_(pair, steps, engine, scratch.parts, scratch.ground, work) {}
 
   PairOutcome run() {
-    if (!plan_.tries) {
+    if (!plan_.tries && pair_.landing > 0) {
+      land();
+    } else if (!plan_.tries) {
       look_.atLevel(plan_.view.level);
       settleCredit();
     } else if (plan_.view.level == 0) {
@@ -62,7 +68,18 @@ class GroundStep {
     take(overlaps ? lod::SwitchKind::kOnCredit : lod::SwitchKind::kFree, plan_.target);
   }
 
+  // What it falls upon deeper than anything has pressed it yet holds it, but does not drive it out: error
+  // reduction would give back more than the fall has taken.
+  void land() {
+    rememberPresses();
+    look_.atLevel(plan_.view.level);
+    grantCredit();
+    if (!pair_.contacts.empty()) --pair_.landing;
+  }
+
   void take(lod::SwitchKind kind, int level) {
+    const int from = plan_.view.level;
+    if (from > 0 && level != from) pair_.landing = plan_.rules.safe && level > from ? kLandingSteps : 0;
     outcome_.tried = true;
     outcome_.choice = {kind, level};
   }

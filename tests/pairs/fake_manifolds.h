@@ -22,11 +22,12 @@ class FakeManifolds : public Engine {
   FakeManifolds& operator=(const FakeManifolds&) = delete;
   ~FakeManifolds() override { EXPECT_TRUE(manifolds_.empty()) << "manifolds were left to the engine"; }
 
-  bool losesPoints = false;  ///< The bodies slide: no point lasts until the next step.
+  float breaking = kThreshold;  ///< The distance at which points are dropped, metres.
+  bool losesPoints = false;     ///< The bodies slide: no point lasts until the next step.
 
   [[nodiscard]] int manifolds() const { return static_cast<int>(manifolds_.size()); }
 
-  [[nodiscard]] float threshold() const override { return kThreshold; }
+  [[nodiscard]] float threshold() const override { return breaking; }
   void* newManifold() override { return *manifolds_.insert(new Manifold).first; }
   void release(void* manifold) override {
     ASSERT_EQ(manifolds_.erase(at(manifold)), 1U) << "was released before";

@@ -189,6 +189,34 @@ TEST_P(GroundStep, PressesAfterASwitchOnlyWhereItPressedBefore) {
   EXPECT_EQ(pressing, 1);
 }
 
+// From the middle level, a tenth of a metre above where the finest shapes touch, it falls in one step.
+TEST_P(GroundStep, LandsWithoutBeingDrivenOutAfterItWentFiner) {
+  body.plan.target = 2;
+  body.stepAt(1.0F);
+  ASSERT_EQ(body.plan.view.level, 2);
+  body.stepAt(0.9F);
+  body.plan.target = kFinestLevel;
+  ASSERT_EQ(body.stepAt(0.895F).choice.level, kFinestLevel);
+  const PairOutcome landed = body.stepAt(0.79F);
+  EXPECT_EQ(body.pair.contacts.size(), 8U);
+  EXPECT_NEAR(body.press(), 0.0F, 1e-4F);
+  EXPECT_TRUE(landed.credited);
+  // It bears the body there, and what sinks deeper is pressed as usual.
+  body.stepAt(0.785F);
+  EXPECT_NEAR(body.press(), 0.005F, 1e-4F);
+}
+
+TEST_P(GroundStep, IsPressedAsUsualOnceItHasLanded) {
+  body.plan.target = 2;
+  body.stepAt(1.0F);
+  body.plan.target = kFinestLevel;
+  body.stepAt(0.95F);
+  for (int i = 0; i < 20; ++i) body.stepAt(0.799F);
+  body.stepAt(1.2F);
+  body.stepAt(0.79F);
+  EXPECT_NEAR(body.press(), 0.01F, 1e-4F);
+}
+
 TEST_P(GroundStep, NeverPressesByASwitch) {
   for (std::uint32_t seed = 1; seed <= 40; ++seed) {
     LivingGround walker(GetParam());

@@ -127,6 +127,21 @@ TEST(PairStep, LivesFromTheFirstLookToTheLast) {
   EXPECT_TRUE(living.isQuiet());
 }
 
+// Their contacts end at a fiftieth of their size, and so early they are looked at again.
+TEST(PairStep, AuditsSmallBodiesSooner) {
+  int audits[2] = {0, 0};
+  for (const bool isSmall : {false, true}) {
+    LivingPair living;
+    if (isSmall) living.engine.breaking = 0.002F;
+    living.step(1.59F);
+    living.plan.target = 2;
+    for (int i = 0; i < 200; ++i)
+      audits[isSmall ? 1 : 0] += living.step(1.59F - 0.001F * static_cast<float>(i)).audited ? 1 : 0;
+  }
+  EXPECT_GT(audits[0], 5);
+  EXPECT_GT(audits[1], 5 * audits[0]);
+}
+
 TEST(PairStep, LooksAgainOnceNoContactIsLeftThatIsHeld) {
   LivingPair living;
   living.step(1.61F);

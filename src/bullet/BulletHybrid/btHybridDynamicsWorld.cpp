@@ -500,7 +500,7 @@ void btHybridDynamicsWorld::closeRequests()
 	for (int i = 0; m_requests->getNumStanding() > 0 && i < m_hybrids.size(); i++)
 	{
 		const btHybridRequest& request = m_hybrids[i]->m_request;
-		if (request.isStanding() && request.m_acknowledged && m_planner->complies(m_hybrids[i]))
+		if (request.isStanding() && request.m_acknowledged && m_planner->findFinerPair(m_hybrids[i]) < 0)
 			m_requests->fulfil(m_hybrids[i], request.m_targetLevel);
 	}
 	m_requests->endStep();
@@ -517,7 +517,7 @@ void btHybridDynamicsWorld::findAsked()
 
 btHybridPairStepInfo btHybridDynamicsWorld::getPairStepInfo() const
 {
-	return m_planner ? m_planner->getStepInfo() : btHybridPairStepInfo();
+	return m_planner ? m_planner->counts() : btHybridPairStepInfo();
 }
 
 const char* btHybridDynamicsWorld::checkPairCall() const
@@ -555,7 +555,7 @@ const char* btHybridDynamicsWorld::setBudgetMilliseconds(double milliseconds)
 	if (!mistake)
 		mistake = btHybridCheckBudget(milliseconds);
 	if (!mistake)
-		m_planner->setBudget(scatter::lod::UnitBudget::ofMilliseconds(milliseconds), true);
+		m_planner->setBudget(scatter::lod::UnitBudget::ofMilliseconds(milliseconds));
 	return mistake;
 }
 
@@ -565,7 +565,7 @@ const char* btHybridDynamicsWorld::setBudgetUnits(double units)
 	if (!mistake)
 		mistake = btHybridCheckBudgetUnits(units);
 	if (!mistake)
-		m_planner->setBudget(scatter::lod::UnitBudget::ofUnits(units), false);
+		m_planner->setBudget(scatter::lod::UnitBudget::ofUnits(units));
 	return mistake;
 }
 
@@ -575,7 +575,7 @@ const char* btHybridDynamicsWorld::replayBudget(const double* units, int count)
 	if (!mistake)
 		mistake = btHybridCheckReplay(units, count);
 	if (!mistake)
-		m_planner->setBudget(scatter::lod::UnitBudget::replay(std::vector<double>(units, units + count)), false);
+		m_planner->setBudget(scatter::lod::UnitBudget::replay(std::vector<double>(units, units + count)));
 	return mistake;
 }
 
@@ -583,7 +583,7 @@ const char* btHybridDynamicsWorld::removeBudget()
 {
 	const char* mistake = checkPairCall();
 	if (!mistake)
-		m_planner->setBudget(scatter::lod::UnitBudget(), false);
+		m_planner->setBudget(scatter::lod::UnitBudget());
 	return mistake;
 }
 

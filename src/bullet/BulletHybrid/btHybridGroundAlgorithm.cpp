@@ -125,7 +125,7 @@ void btHybridGroundAlgorithm::processCollision(const btCollisionObjectWrapper* b
 	if (staysQuiet(engine))
 	{
 		if (planner)
-			planner->countQuiet(m_planIndex);
+			planner->takeQuiet(m_planIndex);
 		shared.getWork().pairs++;
 		shared.getWork().pairsSkipped++;
 		return;

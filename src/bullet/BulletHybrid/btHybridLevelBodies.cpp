@@ -21,7 +21,7 @@ int btHybridLevelBodies::getNumParts() const
 	return shape->isCompound() ? static_cast<const btCompoundShape*>(shape)->getNumChildShapes() : 1;
 }
 
-int btHybridLevelBodies::getAskedLevel() const
+int btHybridLevelBodies::askedLevel() const
 {
 	if (!m_hybrid)
 		return 0;

@@ -4,12 +4,14 @@
 #include <BulletCollision/CollisionDispatch/btCollisionObject.h>
 #include <LinearMath/btAlignedObjectArray.h>
 
+#include "pairs/planned_body.h"
+
 class btHybridPartBody;
 class btHybridRigidBody;
 
 /// A collision object as its pairs see it: one body of parts for each level that a pair has used. An object that
 /// does not switch by pairs has one, with its collision shape, as level 0.
-class btHybridLevelBodies
+class btHybridLevelBodies : public scatter::pairs::PlannedBody
 {
 	const btCollisionObject* m_object;
 	const btHybridRigidBody* m_hybrid;                 ///< 0 unless it switches by pairs
@@ -32,8 +34,20 @@ public:
 	/// At its finest level.
 	int getNumParts() const;
 
+	virtual const void* object() const
+	{
+		return m_object;
+	}
+	virtual unsigned int index() const
+	{
+		return m_object->getWorldArrayIndex();
+	}
 	/// The level that the program holds its pairs to, or has requested; 0: none.
-	int getAskedLevel() const;
+	virtual int askedLevel() const;
+	virtual bool hasResponse() const
+	{
+		return m_object->hasContactResponse();
+	}
 
 	/// The object's own level in a pair that is at `pairLevel`: bodies with fewer levels take part with their finest.
 	int getLevelIn(int pairLevel) const;

@@ -17,7 +17,7 @@ btHybridNarrowphase::~btHybridNarrowphase()
 
 void btHybridNarrowphase::setSwitchesPairs(bool switchesPairs)
 {
-	btAssert(m_pairs.count() == 0 && (!m_planner || m_planner->getNumPairs() == 0));
+	btAssert(m_pairs.count() == 0 && (!m_planner || m_planner->countPairs() == 0));
 	delete m_planner;
 	m_planner = switchesPairs ? new btHybridPlanner : 0;
 }
@@ -102,7 +102,7 @@ static void count(const scatter::pairs::GroundTable& grounds, btHybridCollisionM
 btHybridCollisionMemory btHybridNarrowphase::getMemory() const
 {
 	btHybridCollisionMemory memory;
-	count(m_pairs, btHybridPlanner::getPairBytes(), memory);
+	count(m_pairs, btHybridPlanner::bytesOfPair(), memory);
 	count(m_plainPairs, 0, memory);
 	count(m_grounds, memory);
 	m_objects.count(memory);

@@ -155,7 +155,7 @@ void btHybridPairAlgorithm::processCollision(const btCollisionObjectWrapper* bod
 	if (pair.isForeseenQuiet || (!pair.foresight && staysQuiet(engine)))
 	{
 		pair.isForeseenQuiet = false;
-		planner->countQuiet(m_planIndex);
+		planner->takeQuiet(m_planIndex);
 		shared.getWork().pairs++;
 		shared.getWork().pairsSkipped++;
 		return;

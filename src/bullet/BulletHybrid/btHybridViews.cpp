@@ -5,9 +5,7 @@
 #include "btHybridPlanner.h"
 #include "btHybridRequests.h"
 
-// What is seen of worlds, planners and pairs between two steps.
-
-using scatter::lod::PlannedPair;
+// What is seen of worlds and pairs between two steps.
 
 static const btHybridAlgorithm* ownAlgorithm(const btCollisionAlgorithm* algorithm)
 {
@@ -70,39 +68,4 @@ btHybridRequestView btHybridDynamicsWorld::viewRequest(const btHybridRigidBody* 
 	if (m_planner)
 		m_planner->viewObstacle(body, view);
 	return view;
-}
-
-btHybridPairView btHybridPlanner::viewPair(int pair) const
-{
-	btHybridPairView view;
-	const PlannedPair& planned = m_planned[pair];
-	view.m_level = planned.view.level;
-	view.m_finestLevel = planned.view.finest;
-	view.m_credited = planned.view.credited;
-	if (!m_pairs[pair].m_requested)
-		return view;
-	view.m_request.m_targetLevel = planned.target;
-	view.m_request.m_policy = whoAsks(pair, view.m_request.m_scope);
-	view.m_request.m_waitingSteps = m_step - m_pairs[pair].m_stepRequested;
-	view.m_request.m_tried = m_pairs[pair].m_acknowledged;
-	view.m_request.m_retrySteps = view.m_request.m_tried ? btMax(int(planned.blockedSteps), 1) : 0;
-	return view;
-}
-
-void btHybridPlanner::viewObstacle(const btCollisionObject* body, btHybridRequestView& request) const
-{
-	const int pair = findFinerPair(body);
-	request.m_retrySteps = 1;
-	if (pair < 0)
-		return;
-	btHybridLevelBodies* const* objects = m_pairs[pair].m_objects;
-	request.m_blockedBy = objects[objects[0]->getObject() == body ? 1 : 0]->getObject();
-	request.m_retrySteps = btMax(int(m_planned[pair].blockedSteps), 1);
-}
-
-void btHybridPlanner::findCredited(btAlignedObjectArray<btHybridLevelBodies*>& objects) const
-{
-	for (size_t i = 0; i < m_pairs.size(); i++)
-		for (int k = 0; k < 2 && m_planned[i].view.credited && !m_pairs[i].m_isGround; k++)
-			objects.push_back(m_pairs[i].m_objects[k]);
 }

@@ -42,7 +42,7 @@ void BulletSwitching::endStep(StepCounters& counters) {
   if (switchesByPair()) {
     const btHybridPairStepInfo info = hybrid->getPairStepInfo();
     addPairCounts(info, counters);
-    budgetUnits_ = info.m_budgetUnits;
+    budgetUnits_ = info.budgetUnits;
   }
 }
 

@@ -26,21 +26,21 @@ void addBodyCounts(const btHybridStepInfo& info, StepCounters& counters) {
 }
 
 void addPairCounts(const btHybridPairStepInfo& info, StepCounters& counters) {
-  counters.requests += count(info.m_requests);
-  counters.switchesCoarser += count(info.m_switchesCoarser);
-  counters.switchesFiner += count(info.m_switchesFiner);
-  counters.retractions += count(info.m_retractions);
-  counters.blockedTries += count(info.m_blockedTries);
-  counters.separationQueries += count(info.m_separationQueries);
-  counters.creditedPairs = count(info.m_creditedPairs);
+  counters.requests += count(info.requests);
+  counters.switchesCoarser += count(info.switchesCoarser);
+  counters.switchesFiner += count(info.switchesFiner);
+  counters.retractions += count(info.retractions);
+  counters.blockedTries += count(info.blockedTries);
+  counters.separationQueries += count(info.separationQueries);
+  counters.creditedPairs = count(info.creditedPairs);
   // Bodies are always at their finest level; of the pairs some are not.
-  counters.finestPairs -= count(info.m_pairs - info.m_finestPairs);
-  counters.touchingPairs = count(info.m_touchingPairs);
-  counters.touchingFinestPairs = count(info.m_touchingFinest);
-  counters.reusedPairs = count(info.m_reusedPairs);
-  counters.costUnits = whole(info.m_units);
-  counters.plannedUnits = whole(info.m_plannedUnits);
-  counters.floorUnits = whole(info.m_floorUnits);
+  counters.finestPairs -= count(info.pairs - info.finestPairs);
+  counters.touchingPairs = count(info.touchingPairs);
+  counters.touchingFinestPairs = count(info.touchingFinest);
+  counters.reusedPairs = count(info.reusedPairs);
+  counters.costUnits = whole(info.units);
+  counters.plannedUnits = whole(info.plannedUnits);
+  counters.floorUnits = whole(info.floorUnits);
 }
 
 }  // namespace scatter

@@ -388,7 +388,7 @@ class TrialWorld : public BulletTestWorld<WatchedWorld> {
 
   void plainStep() {
     step();
-    tally_.unsafe += world.getPairStepInfo().m_unsafeSwitches;
+    tally_.unsafe += world.getPairStepInfo().unsafeSwitches;
   }
 
   void giveReasons() {
@@ -453,14 +453,14 @@ class TrialWorld : public BulletTestWorld<WatchedWorld> {
   [[nodiscard]] long switchesOfStep() const {
     if (!isByPairs()) return static_cast<long>(log.justSwitched.size());
     const btHybridPairStepInfo info = world.getPairStepInfo();
-    return info.m_switchesCoarser + info.m_switchesFiner;
+    return info.switchesCoarser + info.switchesFiner;
   }
 
   // A short budget makes pairs keep their contacts of the step before, and puts off looks at the finest
   // shapes, which is made up for when it ends: neither is a switch.
   [[nodiscard]] bool isPlain() const {
     const btHybridPairStepInfo info = world.getPairStepInfo();
-    return info.m_reusedPairs == 0 && (!hasBudgets_ || info.m_audits == 0);
+    return info.reusedPairs == 0 && (!hasBudgets_ || info.audits == 0);
   }
 
   void complain(const char* what, double by) {
@@ -497,6 +497,10 @@ class TrialWorld : public BulletTestWorld<WatchedWorld> {
 
   void compareEnergy(const Shown& before, const Shown& now, const Shown& without) {
     if (isAtRest() ? !before.isCalm : isDriven(before) || isDriven(without)) return;
+    if (isAtRest() && without.highest - before.energy > noise(before.energy)) {
+      ++tally_.restless;
+      return;
+    }
     ++tally_.weighed;
     const double most = std::max(before.energy, without.highest);
     const double gained = now.highest - most;
@@ -568,6 +572,7 @@ SwitchTally& SwitchTally::operator+=(const SwitchTally& other) {
   pushed += other.pushed;
   gained += other.gained;
   mostGained = std::max(mostGained, other.mostGained);
+  restless += other.restless;
   weighed += other.weighed;
   if (complaint.empty()) complaint = other.complaint;
   return *this;

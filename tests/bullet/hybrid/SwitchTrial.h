@@ -45,14 +45,18 @@ struct SwitchTally {
   long pushed = 0;
 
   /// Moments whose energy was compared: at rest where bodies are (slower than a twentieth of their size a
-  /// second); else where no contact presses bodies apart, neither before nor in the copy, as error reduction
-  /// makes energy of its own.
+  /// second, and the copy gains nothing); else where no contact presses bodies apart, neither before nor in
+  /// the copy, as error reduction makes energy of its own.
   long weighed = 0;
 
-  /// Of those, moments after whose step, and at rest in the 10 steps that follow, there was more energy than
-  /// before and than in the copy. More is a ten-thousandth, what makes all bodies move at a centimetre a
-  /// second, and what lifts a pile by a tenth of a millimetre. The most that was gained, as a multiple of
-  /// that.
+  /// Moments that were not, because the copy, which does not switch, gained energy: bodies that are wedged
+  /// into each other tremble, and error reduction lifts piles.
+  long restless = 0;
+
+  /// Of those weighed, moments after whose step, and at rest in the 10 steps that follow, there was more
+  /// energy than before and than in the copy. More is a ten-thousandth, what makes all bodies move at a
+  /// centimetre a second, and what lifts a pile by a tenth of a millimetre. The most that was gained, as a
+  /// multiple of that.
   long gained = 0;
   double mostGained = 0;
 

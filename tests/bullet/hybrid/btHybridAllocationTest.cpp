@@ -172,7 +172,7 @@ TEST(Allocations, PairsThatSwitchWithinABudgetMakeNoneAfterWarmUp) {
     long count = 0;
     for (int i = 0; i < steps; ++i) {
       const btHybridPairStepInfo info = w.world.getPairStepInfo();
-      switches += info.m_switchesCoarser + info.m_switchesFiner;
+      switches += info.switchesCoarser + info.switchesFiner;
       if (i % 2 == 0) w.world.requestLevel(w.world.getHybrid(i / 2 % w.world.getNumHybrids()), 1 + i / 2 % 3);
       count += w.step(i);
     }

@@ -164,7 +164,7 @@ TEST_P(FlatGrounds, BodiesSwitchToTheMiddleLevelAndBackWithoutMoving) {
         // It may fall by what rounding leaves under it, as boxes touch only where they overlap; nothing
         // pushes it up.
         EXPECT_LT(block->getLinearVelocity().y(), 0.05F);
-        EXPECT_EQ(stage.w.pairInfo().m_unsafeSwitches, 0);
+        EXPECT_EQ(stage.w.pairInfo().unsafeSwitches, 0);
       }
     }
     for (btHybridRigidBody* block : stage.blocks) {
@@ -194,7 +194,7 @@ TEST_P(FlatGrounds, AreKnownToTheGovernor) {
     EXPECT_GE(coarsest[k], 2);
     EXPECT_NEAR(stage.blocks[k]->getWorldTransform().getOrigin().y(), 0.5F, 0.003F);
   }
-  EXPECT_GT(stage.w.pairInfo().m_units, 1.0);
+  EXPECT_GT(stage.w.pairInfo().units, 1.0);
 }
 
 TEST_P(FlatGrounds, KeepBodiesThatFallOnThem) {

@@ -290,7 +290,7 @@ TEST(btHybridInstallation, IsASettingOfHybridWorlds) {
   EXPECT_EQ(world.world.setCollisionInfo(info), nullptr);
   world.world.performDiscreteCollisionDetection();
   EXPECT_EQ(world.world.getCollisionCounts().pairs, 3);
-  EXPECT_EQ(world.world.getPairStepInfo().m_pairs, 0) << "none of them switches";
+  EXPECT_EQ(world.world.getPairStepInfo().pairs, 0) << "none of them switches";
   EXPECT_EQ(world.world.setCollisionInfo(btHybridCollisionInfo()), nullptr);
   world.world.performDiscreteCollisionDetection();
   EXPECT_EQ(world.world.getCollisionCounts().pairs, 0);

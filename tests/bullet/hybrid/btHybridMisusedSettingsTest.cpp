@@ -45,7 +45,7 @@ TEST_F(MisuseTest, BudgetsThatMakeNoSenseAreRefused) {
   EXPECT_NE(w->replayBudget(sound, 0), nullptr);
   EXPECT_NE(w->replayBudget(sound, -1), nullptr);
   w.step();
-  EXPECT_EQ(w->getPairStepInfo().m_budgetUnits, 1234) << "nothing has changed";
+  EXPECT_EQ(w->getPairStepInfo().budgetUnits, 1234) << "nothing has changed";
 }
 
 TEST_F(MisuseTest, ReplayedStepsWithoutBudgetAreReportedAsSuch) {
@@ -55,9 +55,9 @@ TEST_F(MisuseTest, ReplayedStepsWithoutBudgetAreReportedAsSuch) {
   const double units[] = {0, 70};
   ASSERT_EQ(w->replayBudget(units, 2), nullptr);
   w.step();
-  EXPECT_EQ(w->getPairStepInfo().m_budgetUnits, 0);
+  EXPECT_EQ(w->getPairStepInfo().budgetUnits, 0);
   w.step();
-  EXPECT_EQ(w->getPairStepInfo().m_budgetUnits, 70);
+  EXPECT_EQ(w->getPairStepInfo().budgetUnits, 70);
 }
 
 TEST_F(MisuseTest, PoliciesAndFocusThatMakeNoSenseAreRefused) {
@@ -136,7 +136,7 @@ int blockedTries(const std::function<void(btHybridPairSwitchingInfo&)>& change) 
   int tries = 0;
   for (int i = 0; i < 40; ++i) {
     w.step();
-    tries += w.pairInfo().m_blockedTries;
+    tries += w.pairInfo().blockedTries;
   }
   return tries;
 }
@@ -167,7 +167,7 @@ int auditsOf(float distance) {
   for (int i = 0; i < 60; ++i) {
     upper->setLinearVelocity(btVector3(0.3F, 0, 0));
     w.step();
-    audits += w.pairInfo().m_audits;
+    audits += w.pairInfo().audits;
   }
   EXPECT_LT(w.levelOf(lower, upper), 3);
   return audits;

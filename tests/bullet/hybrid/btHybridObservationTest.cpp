@@ -127,7 +127,7 @@ TEST(SwitchingMode, ChangesUnderAStackThatDoesNotNotice) {
   w.steps(60);
   w.requestAll(2);
   w.steps(30);
-  ASSERT_GT(w.pairInfo().m_creditedPairs, 0);
+  ASSERT_GT(w.pairInfo().creditedPairs, 0);
   const btVector3 before = top->getWorldTransform().getOrigin();
   for (const btHybridSwitchingMode mode : {BT_HYBRID_BODY_SWITCHING, BT_HYBRID_PAIR_SWITCHING}) {
     ASSERT_EQ(w.world.setSwitchingMode(mode), 0);

@@ -45,9 +45,9 @@ Recording record(Gathering& w) {
     w.pull();
     const btHybridPairStepInfo info = w.pairInfo();
     run.bits.push_back(w.bits());
-    run.units.push_back(info.m_budgetUnits);
-    run.switches.push_back(info.m_switchesCoarser + info.m_switchesFiner);
-    run.onCredit += info.m_creditSwitches;
+    run.units.push_back(info.budgetUnits);
+    run.switches.push_back(info.switchesCoarser + info.switchesFiner);
+    run.onCredit += info.creditSwitches;
   }
   return run;
 }
@@ -94,16 +94,16 @@ TEST(Budget, ContactsAreReusedOnlyWhileItIsExceededAndNeverForAHeldBody) {
   w.world.setBudgetUnits(20000);
   for (int i = 0; i < 40; ++i) {
     w.pull();
-    ASSERT_EQ(w.pairInfo().m_reusedPairs, 0);
+    ASSERT_EQ(w.pairInfo().reusedPairs, 0);
   }
-  const double units = w.pairInfo().m_units;
+  const double units = w.pairInfo().units;
   for (auto& body : w.bodies) static_cast<btHybridRigidBody*>(body.get())->setHeld(true);
   ASSERT_EQ(w.world.addPolicy("held"), nullptr);
   w.world.setBudgetUnits(0.5 * units);
   for (int i = 0; i < 20; ++i) w.pull();
   for (int i = 0; i < 20; ++i) {
     w.pull();
-    ASSERT_EQ(w.pairInfo().m_reusedPairs, 0);
+    ASSERT_EQ(w.pairInfo().reusedPairs, 0);
   }
   w.world.removePolicies();
   w.world.setBudgetUnits(0.9 * units);
@@ -111,8 +111,8 @@ TEST(Budget, ContactsAreReusedOnlyWhileItIsExceededAndNeverForAHeldBody) {
   int touching = 0;
   for (int i = 0; i < 60; ++i) {
     w.pull();
-    reused += w.pairInfo().m_reusedPairs;
-    touching += w.pairInfo().m_touchingFinest;
+    reused += w.pairInfo().reusedPairs;
+    touching += w.pairInfo().touchingFinest;
   }
   EXPECT_GT(reused, 0);
   // Not twice running.
@@ -122,13 +122,13 @@ TEST(Budget, ContactsAreReusedOnlyWhileItIsExceededAndNeverForAHeldBody) {
 TEST(Budget, IsThereAfterItIsSetAndGoneWhenItIsRemoved) {
   Gathering w;
   w.pull();
-  EXPECT_EQ(w.pairInfo().m_budgetUnits, 0);
+  EXPECT_EQ(w.pairInfo().budgetUnits, 0);
   w.world.setBudgetUnits(100);
   w.pull();
-  EXPECT_EQ(w.pairInfo().m_budgetUnits, 100);
+  EXPECT_EQ(w.pairInfo().budgetUnits, 100);
   w.world.removeBudget();
   w.pull();
-  EXPECT_EQ(w.pairInfo().m_budgetUnits, 0);
+  EXPECT_EQ(w.pairInfo().budgetUnits, 0);
 }
 
 TEST(Audit, IsMadeAfterTheMotionThatIsAllowedAndNeverAtZero) {
@@ -143,8 +143,8 @@ TEST(Audit, IsMadeAfterTheMotionThatIsAllowedAndNeverAtZero) {
     int credited = 0;
     for (int i = 0; i < 100; ++i) {
       w.pull();
-      audits += w.pairInfo().m_audits;
-      credited = btMax(credited, w.pairInfo().m_creditedPairs);
+      audits += w.pairInfo().audits;
+      credited = btMax(credited, w.pairInfo().creditedPairs);
     }
     EXPECT_GT(credited, 10);
     if (distance > 0) {

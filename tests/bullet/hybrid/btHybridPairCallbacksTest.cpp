@@ -123,8 +123,8 @@ class Restless : public PairTestWorld {
         world.requestLevel(world.getHybrid(random.index(world.getNumHybrids())), 1 + random.index(3));
       }
       step();
-      creditSwitches += pairInfo().m_creditSwitches;
-      audits += pairInfo().m_audits;
+      creditSwitches += pairInfo().creditSwitches;
+      audits += pairInfo().audits;
     }
   }
 

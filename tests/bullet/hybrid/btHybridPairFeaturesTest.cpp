@@ -36,8 +36,8 @@ TEST(OnCredit, IsWhatTheseTestsAreAbout) {
   OnCredit w;
   EXPECT_EQ(w.levelOf(w.lower, w.upper), 2);
   EXPECT_EQ(w.levelOf(w.lower, w.floor), 2);
-  EXPECT_EQ(w.pairInfo().m_creditedPairs, 2);
-  EXPECT_EQ(w.pairInfo().m_touchingFinest, 0);
+  EXPECT_EQ(w.pairInfo().creditedPairs, 2);
+  EXPECT_EQ(w.pairInfo().touchingFinest, 0);
   EXPECT_NEAR(OnCredit::height(w.upper), 1.5F, 0.01F);
 }
 
@@ -84,7 +84,7 @@ TEST(OnCredit, ContactTestsSeeTheFinestShapeAndChangeNothing) {
     untouched.step();
     ASSERT_EQ(w.bits(), untouched.bits());
   }
-  EXPECT_EQ(w.pairInfo().m_pairs, untouched.pairInfo().m_pairs);
+  EXPECT_EQ(w.pairInfo().pairs, untouched.pairInfo().pairs);
 }
 
 TEST(OnCredit, FiltersLetBodiesThrough) {
@@ -215,7 +215,7 @@ TEST(OnCredit, BodiesAreTakenOutAndPutBack) {
     ASSERT_LT(std::sqrt(w.kineticEnergy()), 0.2) << "round " << round;
     EXPECT_EQ(w.levelOf(w.lower, w.upper), 2) << "new pairs start finest, and go back on credit";
   }
-  EXPECT_EQ(w.pairInfo().m_unsafeSwitches, 0);
+  EXPECT_EQ(w.pairInfo().unsafeSwitches, 0);
 }
 
 TEST(OnCredit, ASensorHasFineContactsAndABodyAgainCoarseOnes) {

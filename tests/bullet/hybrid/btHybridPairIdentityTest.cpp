@@ -58,8 +58,8 @@ TEST_P(LevelIdentity, PairsHeldToALevelAreBodiesAtThatLevel) {
     touched = btMax(touched, byPairs.contacts());
   }
   EXPECT_GT(touched, 20);
-  EXPECT_GT(byPairs.pairInfo().m_pairs, 24);
-  EXPECT_EQ(byPairs.pairInfo().m_creditedPairs, 0);
+  EXPECT_GT(byPairs.pairInfo().pairs, 24);
+  EXPECT_EQ(byPairs.pairInfo().creditedPairs, 0);
 }
 
 // Level 1 is a lone box, which Bullet's own algorithms collide in body switching.
@@ -70,15 +70,15 @@ TEST(Quiet, NothingIsPlannedWithoutAReason) {
   for (int step = 0; step < 200; ++step) {
     w.pull();
     const btHybridPairStepInfo info = w.pairInfo();
-    ASSERT_EQ(info.m_plannedUnits, 0);
-    ASSERT_EQ(info.m_budgetUnits, 0);
-    ASSERT_EQ(info.m_separationQueries, 0);
-    ASSERT_EQ(info.m_audits, 0);
-    ASSERT_EQ(info.m_switchesCoarser + info.m_switchesFiner, 0);
-    ASSERT_EQ(info.m_finestPairs, info.m_pairs);
-    ASSERT_EQ(info.m_touchingFinest, info.m_touchingPairs);
+    ASSERT_EQ(info.plannedUnits, 0);
+    ASSERT_EQ(info.budgetUnits, 0);
+    ASSERT_EQ(info.separationQueries, 0);
+    ASSERT_EQ(info.audits, 0);
+    ASSERT_EQ(info.switchesCoarser + info.switchesFiner, 0);
+    ASSERT_EQ(info.finestPairs, info.pairs);
+    ASSERT_EQ(info.touchingFinest, info.touchingPairs);
   }
-  EXPECT_GT(w.pairInfo().m_touchingPairs, 10);
+  EXPECT_GT(w.pairInfo().touchingPairs, 10);
 }
 
 TEST(Quiet, ComesBackWhenTheReasonsAreGone) {
@@ -86,8 +86,8 @@ TEST(Quiet, ComesBackWhenTheReasonsAreGone) {
   for (int step = 0; step < 100; ++step) w.pull();
   w.world.setBudgetUnits(10);
   for (int step = 0; step < 60; ++step) w.pull();
-  EXPECT_LT(w.pairInfo().m_finestPairs, w.pairInfo().m_pairs);
-  EXPECT_GT(w.pairInfo().m_plannedUnits, 0);
+  EXPECT_LT(w.pairInfo().finestPairs, w.pairInfo().pairs);
+  EXPECT_GT(w.pairInfo().plannedUnits, 0);
   w.world.removeBudget();
   for (auto& body : w.bodies) {
     body->setDamping(0.5F, 0.5F);
@@ -99,8 +99,8 @@ TEST(Quiet, ComesBackWhenTheReasonsAreGone) {
     }
     w.step();
   }
-  EXPECT_EQ(w.pairInfo().m_finestPairs, w.pairInfo().m_pairs);
-  EXPECT_EQ(w.pairInfo().m_plannedUnits, 0);
+  EXPECT_EQ(w.pairInfo().finestPairs, w.pairInfo().pairs);
+  EXPECT_EQ(w.pairInfo().plannedUnits, 0);
 }
 
 }  // namespace

@@ -23,8 +23,8 @@ TEST(PairLevel, IsTheFinestWithoutAReason) {
   EXPECT_EQ(w.levelOf(a, b), 3);
   EXPECT_EQ(w.levelOf(b, a), 3);
   EXPECT_EQ(w.levelOf(a, c), 0);
-  EXPECT_EQ(w.pairInfo().m_pairs, 1);
-  EXPECT_EQ(w.pairInfo().m_finestPairs, 1);
+  EXPECT_EQ(w.pairInfo().pairs, 1);
+  EXPECT_EQ(w.pairInfo().finestPairs, 1);
 }
 
 TEST(PairLevel, CountsTheLevelsOfTheBodyThatHasMore) {
@@ -150,8 +150,8 @@ TEST(PairRequest, EndsWhenTheBodyLeavesTheWorld) {
   EXPECT_EQ(w.pairs.reason, BT_HYBRID_RETRACTED_BY_REMOVAL);
   EXPECT_EQ(w.pairs.story(a, b).back(), "retracted 3 to 1");
   w.step();
-  EXPECT_EQ(w.pairInfo().m_retractions, 1);
-  EXPECT_EQ(w.pairInfo().m_requests, 0);
+  EXPECT_EQ(w.pairInfo().retractions, 1);
+  EXPECT_EQ(w.pairInfo().requests, 0);
 }
 
 TEST(PairEvent, TellsASwitchToSeparatedShapes) {
@@ -164,9 +164,9 @@ TEST(PairEvent, TellsASwitchToSeparatedShapes) {
   w.step();
   EXPECT_THAT(w.pairs.story(a, b), ElementsAre("requested 3 to 1", "acknowledged 3 to 1", "switched 3 to 1"));
   EXPECT_STREQ(w.pairs.events[0].m_policy, "program");
-  EXPECT_EQ(w.pairInfo().m_switchesCoarser, 1);
-  EXPECT_EQ(w.pairInfo().m_creditSwitches, 0);
-  EXPECT_GT(w.pairInfo().m_separationQueries, 0);
+  EXPECT_EQ(w.pairInfo().switchesCoarser, 1);
+  EXPECT_EQ(w.pairInfo().creditSwitches, 0);
+  EXPECT_GT(w.pairInfo().separationQueries, 0);
 }
 
 TEST(PairEvent, TellsASwitchOnCreditPartOfTheWay) {

@@ -89,9 +89,9 @@ class SmallWorld : public PairTestWorld {
       }
       step();
       const btHybridPairStepInfo info = pairInfo();
-      switches += info.m_switchesCoarser + info.m_switchesFiner;
-      onCredit += info.m_creditSwitches;
-      unsafe += info.m_unsafeSwitches;
+      switches += info.switchesCoarser + info.switchesFiner;
+      onCredit += info.creditSwitches;
+      unsafe += info.unsafeSwitches;
     }
   }
 

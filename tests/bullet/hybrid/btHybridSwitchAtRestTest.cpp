@@ -93,10 +93,10 @@ Outcome watch(const Pile::Build& build, unsigned seed, How how, int level) {
       outcome.moved = std::max(outcome.moved, static_cast<float>(now[k].distance(before[k])));
     }
     const btHybridPairStepInfo info = w.pairInfo();
-    outcome.credited = std::max(outcome.credited, info.m_creditedPairs);
-    outcome.unsafe += info.m_unsafeSwitches;
-    if (i == 1 && info.m_touchingPairs > 0) {
-      outcome.finest = static_cast<float>(info.m_touchingFinest) / static_cast<float>(info.m_touchingPairs);
+    outcome.credited = std::max(outcome.credited, info.creditedPairs);
+    outcome.unsafe += info.unsafeSwitches;
+    if (i == 1 && info.touchingPairs > 0) {
+      outcome.finest = static_cast<float>(info.touchingFinest) / static_cast<float>(info.touchingPairs);
     }
   }
   return outcome;

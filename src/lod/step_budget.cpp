@@ -1,0 +1,73 @@
+#include "lod/step_budget.h"
+
+#include <algorithm>
+
+namespace scatter::lod {
+
+StepBudget::StepBudget() : costs_(CostWeights()), governor_(GovernorDef()) {}
+
+void StepBudget::set(const UnitBudget& budget) {
+  budget_ = budget;
+  governor_ = Governor(GovernorDef());
+}
+
+void StepBudget::begin(int bodies, int broadphasePairs) {
+  auditUnits_ = 0.0;
+  fixedUnits_ = costs_.fixedUnits(bodies, broadphasePairs);
+  units_ = fixedUnits_;
+  budgetUnits_ = budget_.next();
+}
+
+void StepBudget::plan(std::span<PlannedPair> pairs, int creditLevel, int moving) {
+  governor_.setCreditLevel(creditLevel);
+  governor_.plan(pairs, costs_, fixedUnits_, budgetUnits_, moving);
+}
+
+void StepBudget::planNew(PlannedPair& pair) {
+  pair.target = static_cast<std::uint8_t>(governor_.planNew(pair, costs_));
+  pair.byBudget = pair.target < std::min(pair.wish.atMost, pair.view.finest);
+}
+
+bool StepBudget::isShortAfterQueries(int queries) const {
+  return governor_.isShort(queries * costs_.weights().separationQuery);
+}
+
+bool StepBudget::mayAudit() const {
+  constexpr double kLeast = 0.06;
+  constexpr double kMost = 0.2;
+  if (!isLimited()) return true;
+  const double share = kLeast + (kMost - kLeast) * governor_.admission();
+  return !governor_.isShort() && auditUnits_ < share * budgetUnits_;
+}
+
+// Of what belongs to no pair's usual work.
+void StepBudget::spend(double units) {
+  units_ += units;
+  governor_.spend(units);
+}
+
+void StepBudget::spendQueries(int queries) {
+  for (int i = 0; i < queries; ++i) spend(costs_.weights().separationQuery);
+}
+
+void StepBudget::countAudit(const PairWorkload& work) {
+  auditUnits_ += costs_.weights().audit + costs_.units(work);
+}
+
+double StepBudget::takeWork(PlannedPair& pair, const PairWorkload& work) {
+  const double units = costs_.units(work);
+  units_ += units;
+  governor_.spend(pair, units, work.reuses ? std::max(static_cast<double>(pair.expected), units) : units);
+  return units;
+}
+
+void StepBudget::learn(PlannedPair& pair, bool touching, double units) {
+  if (isLimited()) costs_.learn(pair.cost, pair.view.level, pair.view.finest, touching, units);
+}
+
+void StepBudget::finish(bool isPlanned) {
+  if (isPlanned) governor_.learn(units_);
+  lastUnits_ = units_;
+}
+
+}  // namespace scatter::lod

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <span>
+
+#include "lod/cost_model.h"
+#include "lod/governor.h"
+#include "lod/planned_pair.h"
+#include "lod/unit_budget.h"
+
+namespace scatter::lod {
+
+/// What the step under way costs and may cost: the governor with what it is given to govern by. Clock-free
+/// but for takeTime().
+class StepBudget {
+ public:
+  StepBudget();
+
+  /// From the next step on; the governor forgets what it has learned.
+  void set(const UnitBudget& budget);
+
+  [[nodiscard]] bool isLimited() const { return budget_.isLimited(); }
+  [[nodiscard]] bool needsTime() const { return budget_.needsTime(); }
+
+  /// Begins a step of a world with so many bodies and broadphase pairs.
+  void begin(int bodies, int broadphasePairs);
+
+  /// Gives every pair its target; `moving`: bodies that move.
+  void plan(std::span<PlannedPair> pairs, int creditLevel, int moving);
+
+  /// Gives a pair that has come up since a target.
+  void planNew(PlannedPair& pair);
+
+  /// Whether the step under way is about to exceed its budget, if so many units more are spent.
+  [[nodiscard]] bool isShort(double more = 0.0) const { return governor_.isShort(more); }
+
+  /// Whether it would be if so many more queries about separation are made.
+  [[nodiscard]] bool isShortAfterQueries(int queries) const;
+
+  /// A fifth of the budget is for audits at most, so that looking does not cost the detail that it serves.
+  [[nodiscard]] bool mayAudit() const;
+
+  void spendSwitch() { spend(costs_.weights().switched); }
+  void spendQueries(int queries);
+
+  /// Of what takeWork() is told as well.
+  void countAudit(const PairWorkload& work);
+
+  /// What a pair's step did cost, units.
+  double takeWork(PlannedPair& pair, const PairWorkload& work);
+
+  /// A pair was left without a look.
+  void takeQuiet(PlannedPair& pair) { governor_.spend(pair, 0.0, 0.0); }
+
+  /// What a pair costs a step at its level, for the plans to come; only a budget learns.
+  void learn(PlannedPair& pair, bool touching, double units);
+
+  /// Ends a step; `isPlanned`: plan() was called in it.
+  void finish(bool isPlanned);
+
+  /// After a step: of processor time.
+  void takeTime(double milliseconds) { budget_.learn(units_, milliseconds); }
+  [[nodiscard]] bool isExceededBy(double milliseconds) const { return budget_.isExceededBy(milliseconds); }
+
+  [[nodiscard]] double units() const { return units_; }  ///< Of the step under way, or made last.
+  [[nodiscard]] double lastUnits() const { return lastUnits_; }
+  [[nodiscard]] double plannedUnits() const { return governor_.planned(); }
+  [[nodiscard]] double budgetUnits() const { return budgetUnits_; }  ///< Infinite for none.
+  [[nodiscard]] bool isExceeded() const { return isLimited() && units_ > budgetUnits_; }
+
+  /// As Governor has it.
+  [[nodiscard]] double floorUnits(std::span<const PlannedPair> pairs) const {
+    return governor_.floorUnits(pairs, costs_);
+  }
+
+ private:
+  void spend(double units);
+
+  CostModel costs_;
+  Governor governor_;
+  UnitBudget budget_;
+  double fixedUnits_ = 0.0;
+  double units_ = 0.0;
+  double lastUnits_ = 0.0;
+  double budgetUnits_ = 0.0;
+  double auditUnits_ = 0.0;  ///< Of this step.
+};
+
+}  // namespace scatter::lod

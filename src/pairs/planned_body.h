@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+
+namespace scatter::pairs {
+
+/// One of the two bodies of a planned pair: what the planner asks of it. The engine's.
+class PlannedBody {
+ public:
+  PlannedBody() = default;
+  PlannedBody(const PlannedBody&) = delete;
+  PlannedBody& operator=(const PlannedBody&) = delete;
+  virtual ~PlannedBody() = default;
+
+  /// The engine's own object, which tells bodies apart.
+  [[nodiscard]] virtual const void* object() const = 0;
+
+  /// Its place in the table of bodies that a plan is made with.
+  [[nodiscard]] virtual std::uint32_t index() const = 0;
+
+  /// The level that the program asks for in all its pairs; 0: none.
+  [[nodiscard]] virtual int askedLevel() const = 0;
+
+  /// Whether contacts act on it. They do not on a sensor.
+  [[nodiscard]] virtual bool hasResponse() const = 0;
+};
+
+}  // namespace scatter::pairs

@@ -1,0 +1,386 @@
+#include "pairs/planner.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "lod/make_policy.h"
+#include "pairs/ground_step.h"
+
+namespace scatter::pairs {
+
+using lod::PairView;
+using lod::PlannedPair;
+using lod::SwitchKind;
+using lod::Wish;
+
+namespace {
+
+/// Policies look at a pair every so many steps, and at a new one at once.
+constexpr int kAdviceInterval = 4;
+
+/// A pair on credit is taken to cost what it did in about so many steps.
+constexpr float kCostMemory = 8.0F;
+
+// Twice the logarithm to base 2, so that kinds differ by less than a half.
+std::uint8_t kindOf(double numChildPairs) {
+  const int kind = static_cast<int>(2 * std::log2(std::max(numChildPairs, 1.0)));
+  return static_cast<std::uint8_t>(std::min(kind, PlannedPair::kKinds - 1));
+}
+
+}  // namespace
+
+Result<void> Planner::addPolicy(std::string_view specification) {
+  auto policy = lod::makePolicy(specification, policies_.grouping());
+  if (!policy) return fail(policy.error().message);
+  policies_.add(std::move(*policy));
+  return {};
+}
+
+Result<void> Planner::checkPolicy(std::string_view specification) const {
+  const auto policy = lod::makePolicy(specification, policies_.grouping());
+  if (!policy) return fail(policy.error().message);
+  return {};
+}
+
+void Planner::removePolicies() {
+  policies_ = lod::PolicyList();
+  advisesAll_ = true;
+  for (PlannedPair& planned : planned_) planned.wish = Wish();
+}
+
+void Planner::setHeld(std::vector<const void*> objects) {
+  held_ = std::move(objects);
+  advisesAll_ = true;
+}
+
+void Planner::addPair(PlannedBody& a, PlannedBody& b, int levels, double numChildPairs, int* place) {
+  PlannedPair planned;
+  planned.view.finest = static_cast<std::uint8_t>(levels);
+  planned.target = planned.view.finest;
+  planned.identity = numCreated_++;
+  planned.kind = kindOf(numChildPairs);
+  *place = countPairs();
+  planned_.push_back(planned);
+  known_.push_back({.bodies = {&a, &b}, .place = place, .targetBefore = planned.target, .step = step_});
+}
+
+void Planner::addGround(PlannedBody& body, PlannedBody& ground, int levels, int parts, int* place) {
+  addPair(body, ground, levels, parts, place);
+  known_.back().isGround = true;
+  known_.back().coarsest = coarsestOnGround(levels);
+  planned_.back().wish.atLeast = static_cast<std::uint8_t>(known_.back().coarsest);
+}
+
+void Planner::removePair(int pair) {
+  const auto i = static_cast<std::size_t>(pair);
+  if (known_[i].request.stands) {
+    ++counts_.retractions;
+    tell(LevelEventKind::kRetracted, i, planned_[i].view.level, planned_[i].target, false);
+  }
+  planned_[i] = planned_.back();
+  planned_.pop_back();
+  known_[i] = known_.back();
+  *known_[i].place = pair;
+  known_.pop_back();
+}
+
+void Planner::lookUpBodies(std::size_t pair) {
+  planned_[pair].view.a = known_[pair].bodies[0]->index();
+  planned_[pair].view.b = known_[pair].bodies[1]->index();
+}
+
+void Planner::showPairs() {
+  views_.resize(planned_.size());
+  for (std::size_t i = 0; i < planned_.size(); ++i) {
+    lookUpBodies(i);
+    views_[i] = planned_[i].view;
+  }
+}
+
+void Planner::advise(std::size_t pair) {
+  PlannedPair& planned = planned_[pair];
+  const Known& known = known_[pair];
+  planned.wish = Wish();
+  const std::size_t bodies = situation_.bodies.size();
+  if (!policies_.empty() && planned.view.a < bodies && planned.view.b < bodies)
+    planned.wish = policies_.advise(situation_, planned.view);
+  if (known.coarsest > 1) {
+    planned.wish.atLeast = std::max(planned.wish.atLeast, static_cast<std::uint8_t>(known.coarsest));
+    planned.wish.atMost = std::max(planned.wish.atMost, planned.wish.atLeast);
+  }
+  // A sensor that is told of what is not there would not be of use.
+  for (const PlannedBody* body : known.bodies) {
+    if (!body->hasResponse() || isHeld(*body)) planned.wish.atLeast = planned.view.finest;
+  }
+}
+
+bool Planner::isHeld(const PlannedBody& body) const {
+  return !held_.empty() && std::ranges::find(held_, body.object()) != held_.end();
+}
+
+void Planner::applyAsked(std::size_t pair) {
+  Wish& wish = planned_[pair].wish;
+  for (const PlannedBody* body : known_[pair].bodies) {
+    const int asked = body->askedLevel();
+    if (asked <= 0 || asked >= wish.atMost) continue;
+    wish.atMost = static_cast<std::uint8_t>(asked);
+    wish.askedBy = kByProgram;
+  }
+}
+
+void Planner::plan(const PlanInput& input) {
+  ++step_;
+  budget_.begin(input.objects, input.broadphasePairs);
+  plans_ = budget_.isLimited() || !policies_.empty() || asks_ || numBelowFinest_ > 0;
+  if (!plans_) return;
+  if (!policies_.empty()) {
+    showPairs();
+    situation_.bodies = input.bodies;
+    situation_.pairs = views_;
+    situation_.step = static_cast<std::uint64_t>(step_);
+    situation_.load.units = budget_.lastUnits();
+    situation_.load.budget = budget_.isLimited() ? budget_.budgetUnits() : 0.0;
+    policies_.observe(situation_);
+  }
+  for (std::size_t i = 0; i < planned_.size(); ++i) {
+    PlannedPair& planned = planned_[i];
+    if (planned.blockedSteps > 0) --planned.blockedSteps;
+    const bool isItsTurn = (static_cast<int>(i) + step_) % kAdviceInterval == 0;
+    if (isItsTurn || asks_ || advisesAll_) advise(i);
+    if (asks_) applyAsked(i);
+    known_[i].targetBefore = planned.target;
+  }
+  advisesAll_ = false;
+  budget_.plan(planned_, settings_.creditLevel, input.moving);
+  for (std::size_t i = 0; i < planned_.size(); ++i) followRequest(i);
+}
+
+void Planner::followRequest(std::size_t pair) {
+  const PlannedPair& planned = planned_[pair];
+  PairRequest& request = known_[pair].request;
+  const std::uint8_t before = known_[pair].targetBefore;
+  if (planned.view.level == 0) return;
+  if (planned.target == planned.view.level) {
+    if (!request.stands) return;
+    request.stands = request.tried = false;
+    ++counts_.retractions;
+    tell(LevelEventKind::kRetracted, pair, planned.view.level, before, false);
+    return;
+  }
+  if (request.stands && planned.target == before) return;
+  if (!request.stands) request.stepMade = step_;
+  request.stands = true;
+  request.tried = false;
+  tell(LevelEventKind::kRequested, pair, planned.view.level, planned.target, false);
+}
+
+void Planner::acknowledge(std::size_t pair) {
+  PairRequest& request = known_[pair].request;
+  if (!request.stands || request.tried) return;
+  request.tried = true;
+  tell(LevelEventKind::kAcknowledged, pair, planned_[pair].view.level, planned_[pair].target, false);
+}
+
+void Planner::tell(LevelEventKind kind, std::size_t pair, int from, int to, bool onCredit) const {
+  if (listener_ == nullptr) return;
+  listener_->hear({.kind = kind,
+                   .a = known_[pair].bodies[0],
+                   .b = known_[pair].bodies[1],
+                   .from = from,
+                   .to = to,
+                   .onCredit = onCredit,
+                   .asker = askerOf(static_cast<int>(pair))});
+}
+
+Asker Planner::askerOf(int index) const {
+  const PlannedPair& planned = pair(index);
+  const bool byProgram = planned.wish.askedBy == kByProgram;
+  const bool isKnown = byProgram || planned.wish.askedBy < policies_.size();
+  const bool isWish = planned.wish.atMost < planned.view.finest && planned.target <= planned.wish.atMost;
+  if (planned.byBudget || !isKnown || !isWish)
+    return budget_.isLimited() ? Asker{"governor", Scope::kGlobal} : Asker{"default", Scope::kLocal};
+  if (byProgram) return {"program", Scope::kLocal};
+  const lod::Policy& policy = policies_[planned.wish.askedBy];
+  return {policy.name().data(), policy.scope()};
+}
+
+int Planner::targetOf(std::size_t pair) {
+  PlannedPair& planned = planned_[pair];
+  if (planned.view.level > 0) return planned.target;
+  planned.target = planned.view.finest;
+  if (!plans_) return planned.target;
+  lookUpBodies(pair);
+  advise(pair);
+  if (asks_) applyAsked(pair);
+  budget_.planNew(planned);
+  return planned.target;
+}
+
+lod::SwitchRules Planner::rulesOf(std::size_t pair) const {
+  const PlannedPair& planned = planned_[pair];
+  lod::SwitchRules rules;
+  // What saves cost must not cost: a pair that is apart goes coarser for the budget only where that is free.
+  rules.credit = settings_.credit && (planned.view.touching || !planned.byBudget);
+  rules.safe = settings_.safe;
+  rules.creditLevel = std::min(settings_.creditLevel, planned.view.finest - 1);
+  return rules;
+}
+
+// Queries that a pair in contact must have made before it should keep its contacts for this step, as the
+// budget is about to be exceeded.
+int Planner::keepsFrom(std::size_t pair) const {
+  const PlannedPair& planned = planned_[pair];
+  const PairView& view = planned.view;
+  const bool isPlain = view.touching && view.level == view.finest && !view.credited;
+  if (!plans_ || !isPlain || planned.wish.atLeast >= view.finest) return PairPlan::kNever;
+  for (int queries = 0; queries <= view.finest; ++queries) {
+    if (budget_.isShortAfterQueries(queries)) return queries;
+  }
+  return PairPlan::kNever;
+}
+
+PairPlan Planner::planPair(int index) {
+  const auto i = static_cast<std::size_t>(index);
+  PairPlan plan;
+  plan.target = targetOf(i);
+  const PlannedPair& planned = planned_[i];
+  plan.view = planned.view;
+  const bool canWait =
+      plan.target > plan.view.level && plan.view.level >= planned.wish.atLeast && !planned.mustSave;
+  const bool isPutOff =
+      plan.view.level > 0 && (planned.blockedSteps > 0 || (canWait && plans_ && budget_.isShort()));
+  plan.tries = plan.target != plan.view.level && !isPutOff;
+  plan.rules = rulesOf(i);
+  plan.auditDistance = settings_.auditDistance;
+  plan.mayAudit = settings_.auditDistance > 0.0F && (!plans_ || budget_.mayAudit());
+  plan.keepsFrom = keepsFrom(i);
+  return plan;
+}
+
+void Planner::take(int index, const PairOutcome& outcome) {
+  const auto i = static_cast<std::size_t>(index);
+  if (outcome.tried) acknowledge(i);
+  takeQueries(outcome.choiceQueries);
+  if (outcome.tried) takeChoice(i, outcome.choice);
+  counts_.unsafeSwitches += outcome.isUnsafe ? 1 : 0;
+  assert(!outcome.isUnsafe || !settings_.safe);
+  takeQueries(outcome.gapQueries);
+  if (outcome.audited) {
+    ++counts_.audits;
+    ++counts_.separationQueries;
+    budget_.countAudit(outcome.auditWork);
+  }
+  takeWork(i, outcome);
+}
+
+void Planner::takeQueries(int queries) {
+  counts_.separationQueries += queries;
+  budget_.spendQueries(queries);
+}
+
+void Planner::takeBlocked(std::size_t pair) {
+  PlannedPair& planned = planned_[pair];
+  ++counts_.blockedTries;
+  // Not all at once again.
+  const int interval = settings_.retryInterval;
+  const int wait = interval + static_cast<int>(planned.identity % static_cast<unsigned>(interval));
+  planned.blockedSteps = static_cast<std::uint8_t>(std::min(wait, 255));
+  tell(LevelEventKind::kBlocked, pair, planned.view.level, planned.target, false);
+}
+
+void Planner::takeChoice(std::size_t pair, const lod::SwitchChoice& choice) {
+  PlannedPair& planned = planned_[pair];
+  const int from = planned.view.level;
+  if (choice.kind == SwitchKind::kBlocked) {
+    takeBlocked(pair);
+    return;
+  }
+  planned.view.level = static_cast<std::uint8_t>(choice.level);
+  if (from == 0) return;
+  const bool onCredit = choice.kind == SwitchKind::kOnCredit;
+  budget_.spendSwitch();
+  counts_.creditSwitches += onCredit ? 1 : 0;
+  ++(choice.level < from ? counts_.switchesCoarser : counts_.switchesFiner);
+  tell(LevelEventKind::kSwitched, pair, from, choice.level, onCredit);
+  if (choice.level == planned.target) known_[pair].request.stands = known_[pair].request.tried = false;
+}
+
+void Planner::count(const PlannedPair& planned) {
+  ++counts_.pairs;
+  counts_.finestPairs += planned.view.level == planned.view.finest ? 1 : 0;
+  counts_.creditedPairs += planned.view.credited ? 1 : 0;
+}
+
+void Planner::takeQuiet(int index) {
+  PlannedPair& planned = planned_[static_cast<std::size_t>(index)];
+  budget_.takeQuiet(planned);
+  count(planned);
+}
+
+void Planner::takeWork(std::size_t pair, const PairOutcome& outcome) {
+  PlannedPair& planned = planned_[pair];
+  PairView& view = planned.view;
+  Known& known = known_[pair];
+  const double units = budget_.takeWork(planned, outcome.work);
+  known.step = step_;
+  counts_.reusedPairs += outcome.work.reuses ? 1 : 0;
+  if (outcome.credited) known.averageUnits += (static_cast<float>(units) - known.averageUnits) / kCostMemory;
+  if (!outcome.work.reuses) {
+    budget_.learn(planned, outcome.touching,
+                  outcome.credited ? static_cast<double>(known.averageUnits) : units);
+  }
+  constexpr std::uint16_t kMost = std::numeric_limits<std::uint16_t>::max();
+  if (!outcome.touching) {
+    view.contactSteps = 0;
+  } else if (view.contactSteps < kMost) {
+    ++view.contactSteps;
+  }
+  view.touching = outcome.touching;
+  view.credited = outcome.credited;
+  count(planned);
+  counts_.touchingPairs += outcome.touching ? 1 : 0;
+  counts_.touchingFinest += outcome.touching && view.level == view.finest ? 1 : 0;
+}
+
+void Planner::finish() {
+  budget_.finish(plans_);
+  numBelowFinest_ = 0;
+  for (std::size_t i = 0; plans_ && i < planned_.size(); ++i) finishPair(i);
+  counts_.units = budget_.units();
+  counts_.plannedUnits = plans_ ? budget_.plannedUnits() : 0.0;
+  // Steps of a replayed run may have had none.
+  counts_.budgetUnits = std::isfinite(budget_.budgetUnits()) ? budget_.budgetUnits() : 0.0;
+  if (budget_.isExceeded()) counts_.floorUnits = budget_.floorUnits(planned_);
+  lastCounts_ = counts_;
+  counts_ = {};
+}
+
+void Planner::finishPair(std::size_t pair) {
+  PlannedPair& planned = planned_[pair];
+  numBelowFinest_ += planned.view.level < planned.view.finest ? 1 : 0;
+  counts_.requests += known_[pair].request.stands ? 1 : 0;
+  // Asleep, or filtered out.
+  if (known_[pair].step != step_ && planned.view.level > 0)
+    budget_.learn(planned, planned.view.touching, 0.0);
+}
+
+void Planner::takeTime(double milliseconds) {
+  if (budget_.isExceededBy(milliseconds)) lastCounts_.floorUnits = budget_.floorUnits(planned_);
+  budget_.takeTime(milliseconds);
+}
+
+int Planner::findFinerPair(const void* object) const {
+  for (std::size_t i = 0; i < known_.size(); ++i) {
+    const bool isOne = known_[i].bodies[0]->object() == object || known_[i].bodies[1]->object() == object;
+    // Pairs that are asleep, or that do not collide, hold up nobody.
+    if (!isOne || known_[i].step != step_) continue;
+    const Wish& wish = planned_[i].wish;
+    if (planned_[i].view.level > std::max(wish.atMost, wish.atLeast)) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+}  // namespace scatter::pairs

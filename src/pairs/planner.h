@@ -1,0 +1,179 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "lod/planned_pair.h"
+#include "lod/policy_list.h"
+#include "lod/situation.h"
+#include "lod/step_budget.h"
+#include "pairs/pair_plan.h"
+#include "pairs/pair_request.h"
+#include "pairs/planned_body.h"
+#include "scatter/lod/pair_step_counts.h"
+#include "scatter/result.h"
+
+namespace scatter::pairs {
+
+/// When and how pairs switch.
+struct SwitchSettings {
+  bool credit = true;           ///< Pairs in contact may go coarser on credit.
+  int creditLevel = 2;          ///< The coarsest level that they take so; from 1.
+  int retryInterval = 10;       ///< Steps between tries of a switch that was not safe; 1 to 255.
+  float auditDistance = 0.03F;  ///< Metres; see PairPlan. 0: never.
+  bool safe = true;             ///< Off only to show what the safety conditions prevent.
+};
+
+/// What a plan is made with.
+struct PlanInput {
+  std::span<const lod::BodyView> bodies{};  ///< Stays valid until the next plan. Only if needsBodies().
+  int objects = 0;                          ///< In the world.
+  int moving = 0;                           ///< Of these, those that move.
+  int broadphasePairs = 0;
+};
+
+/// Says what level every pair should have: keeps the table of all pairs that switch, shows it to policies and
+/// governor between broadphase and narrowphase, and follows what becomes of requests. For one thread.
+class Planner {
+ public:
+  /// As they act. Before every plan, as the program may change them at any time.
+  void setSettings(const SwitchSettings& settings) { settings_ = settings; }
+
+  /// Adds what a specification names ("speed", …); the error says what is wrong with it.
+  [[nodiscard]] Result<void> addPolicy(std::string_view specification);
+  [[nodiscard]] Result<void> checkPolicy(std::string_view specification) const;
+  void removePolicies();
+  void setFocus(const lod::Focus& focus) { situation_.focus = focus; }
+  void removeFocus() { situation_.focus.reset(); }
+  void setBudget(const lod::UnitBudget& budget) { budget_.set(budget); }
+  [[nodiscard]] bool needsTime() const { return budget_.needsTime(); }
+
+  /// Not owned; none: nullptr.
+  void setListener(PairListener* listener) { listener_ = listener; }
+
+  /// Whether a body is asked to be coarser than its finest level.
+  void setAsks(bool asks) { asks_ = asks; }
+
+  /// Objects whose pairs are to be finest, whatever else is asked for.
+  void setHeld(std::vector<const void*> objects);
+
+  /// A new pair, of bodies that outlive it. `place`: where its owner keeps its index, as long as it is there.
+  void addPair(PlannedBody& a, PlannedBody& b, int levels, double numChildPairs, int* place);
+
+  /// The same of a body and what it may lie on.
+  void addGround(PlannedBody& body, PlannedBody& ground, int levels, int parts, int* place);
+  void removePair(int pair);
+
+  [[nodiscard]] int countPairs() const { return static_cast<int>(planned_.size()); }
+  [[nodiscard]] const lod::PlannedPair& pair(int pair) const {
+    return planned_[static_cast<std::size_t>(pair)];
+  }
+  [[nodiscard]] PlannedBody& body(int pair, int side) const {
+    return *known_[static_cast<std::size_t>(pair)].bodies[side];
+  }
+  [[nodiscard]] bool isGround(int pair) const { return known_[static_cast<std::size_t>(pair)].isGround; }
+  [[nodiscard]] const PairRequest& request(int pair) const {
+    return known_[static_cast<std::size_t>(pair)].request;
+  }
+  [[nodiscard]] Asker askerOf(int pair) const;
+  [[nodiscard]] int step() const { return step_; }
+  [[nodiscard]] static std::size_t bytesOfPair() {
+    return sizeof(Known) + sizeof(lod::PlannedPair) + sizeof(lod::PairView);
+  }
+
+  /// Whether plan() is to be given bodies.
+  [[nodiscard]] bool needsBodies() const { return !policies_.empty(); }
+
+  /// Between broadphase and narrowphase.
+  void plan(const PlanInput& input);
+
+  /// In the narrowphase: what a pair is to do in this step, and what has become of it.
+  [[nodiscard]] PairPlan planPair(int pair);
+  void take(int pair, const PairOutcome& outcome);
+
+  /// A pair that is settled was left without a look.
+  void takeQuiet(int pair);
+
+  [[nodiscard]] bool isAtFinest(int index) const { return pair(index).view.level == pair(index).view.finest; }
+
+  /// Whether a pair has the level that it should have, and no contacts.
+  [[nodiscard]] bool isSettled(int index) const {
+    const lod::PlannedPair& planned = pair(index);
+    return planned.target == planned.view.level && !planned.view.touching;
+  }
+
+  /// Whether a pair's next step is one of looking for contacts at `level`, which it has, without credit,
+  /// whatever others take.
+  [[nodiscard]] bool isForeseeable(int index, int level) const {
+    const lod::PlannedPair& planned = pair(index);
+    return planned.view.level == level && planned.target == level && !planned.view.credited &&
+           !(plans_ && planned.view.touching);
+  }
+
+  /// After the narrowphase.
+  void finish();
+
+  /// After the step, of processor time.
+  void takeTime(double milliseconds);
+
+  /// Of the last step.
+  [[nodiscard]] const PairStepCounts& counts() const { return lastCounts_; }
+
+  /// A pair of an object that is finer than the object is asked to be; -1 if there is none: all its pairs
+  /// have the level that it is asked to have.
+  [[nodiscard]] int findFinerPair(const void* object) const;
+
+ private:
+  struct Known {
+    PlannedBody* bodies[2];
+    int* place;             ///< Where its owner keeps its index.
+    int coarsest = 1;       ///< The level that it can have.
+    bool isGround = false;  ///< The second body has no levels, and is no list of parts.
+    PairRequest request{};
+    std::uint8_t targetBefore = 0;
+    int step = 0;               ///< The last one in which it was processed.
+    float averageUnits = 0.0F;  ///< What it costs a step while on credit: that comes in bursts.
+  };
+
+  static constexpr std::uint8_t kByProgram = 255;  ///< As lod::Wish::askedBy.
+
+  void showPairs();
+  void lookUpBodies(std::size_t pair);
+  void advise(std::size_t pair);
+  void applyAsked(std::size_t pair);
+  [[nodiscard]] bool isHeld(const PlannedBody& body) const;
+  [[nodiscard]] int targetOf(std::size_t pair);
+  [[nodiscard]] lod::SwitchRules rulesOf(std::size_t pair) const;
+  [[nodiscard]] int keepsFrom(std::size_t pair) const;
+  void followRequest(std::size_t pair);
+  void acknowledge(std::size_t pair);
+  void tell(LevelEventKind kind, std::size_t pair, int from, int to, bool onCredit) const;
+  void takeChoice(std::size_t pair, const lod::SwitchChoice& choice);
+  void takeBlocked(std::size_t pair);
+  void takeQueries(int queries);
+  void takeWork(std::size_t pair, const PairOutcome& outcome);
+  void count(const lod::PlannedPair& planned);
+  void finishPair(std::size_t pair);
+
+  std::vector<lod::PlannedPair> planned_;
+  std::vector<Known> known_;  ///< In the same order.
+  std::vector<lod::PairView> views_;
+  lod::PolicyList policies_;
+  lod::Situation situation_;
+  lod::StepBudget budget_;
+  SwitchSettings settings_;
+  std::vector<const void*> held_;
+  PairListener* listener_ = nullptr;
+  PairStepCounts counts_;  ///< Of the step under way, and of what happened since the last one.
+  PairStepCounts lastCounts_;
+  int step_ = 0;
+  std::uint32_t numCreated_ = 0;  ///< Pairs, ever.
+  int numBelowFinest_ = 0;        ///< Pairs that are coarser than their finest level.
+  bool asks_ = false;
+  bool plans_ = false;       ///< This step was planned.
+  bool advisesAll_ = false;  ///< In the next plan every pair is advised, whosever turn it is.
+};
+
+}  // namespace scatter::pairs

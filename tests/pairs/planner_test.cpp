@@ -1,0 +1,212 @@
+#include "pairs/planner.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace scatter::pairs {
+namespace {
+
+using lod::SwitchKind;
+
+class FakeBody : public PlannedBody {
+ public:
+  explicit FakeBody(std::uint32_t index) : index_(index) {}
+  [[nodiscard]] const void* object() const override { return this; }
+  [[nodiscard]] std::uint32_t index() const override { return index_; }
+  [[nodiscard]] int askedLevel() const override { return asked; }
+  [[nodiscard]] bool hasResponse() const override { return !isSensor; }
+
+  int asked = 0;
+  bool isSensor = false;
+
+ private:
+  std::uint32_t index_;
+};
+
+class Listener : public PairListener {
+ public:
+  void hear(const PairEvent& event) override { events.push_back(event); }
+  [[nodiscard]] std::string kinds() const {
+    std::string all;
+    for (const PairEvent& event : events) all += "RABSr"[static_cast<int>(event.kind)];
+    return all;
+  }
+  std::vector<PairEvent> events;
+};
+
+constexpr int kLevels = 3;
+
+/// Bodies in a row, each pair of neighbours planned; what a narrowphase would do with the plans.
+struct PlannedRow {
+  explicit PlannedRow(int count) {
+    for (int i = 0; i < count; ++i) {
+      bodies.push_back(std::make_unique<FakeBody>(static_cast<std::uint32_t>(i)));
+      views.push_back({.center = Vec3(static_cast<float>(i), 0.0F, 0.0F), .mass = 1.0F, .present = true});
+    }
+    places.resize(static_cast<std::size_t>(count) - 1);
+    for (std::size_t i = 0; i + 1 < bodies.size(); ++i)
+      planner.addPair(*bodies[i], *bodies[i + 1], kLevels, 100.0, &places[i]);
+    planner.setListener(&listener);
+  }
+
+  void step(SwitchKind kind = SwitchKind::kFree) {
+    const int count = static_cast<int>(bodies.size());
+    planner.plan({.bodies = views, .objects = count, .moving = count, .broadphasePairs = count - 1});
+    for (const int place : places) {
+      if (place >= 0) take(place, kind);
+    }
+    planner.finish();
+  }
+
+  void take(int pair, SwitchKind kind) {
+    const PairPlan plan = planner.planPair(pair);
+    PairOutcome outcome;
+    outcome.tried = plan.tries;
+    outcome.choice = {kind, plan.target};
+    outcome.touching = touching;
+    outcome.work.counts.gjkRuns = 100;
+    planner.take(pair, outcome);
+  }
+
+  [[nodiscard]] int level(std::size_t pair) const { return planner.pair(places[pair]).view.level; }
+
+  Planner planner;
+  Listener listener;
+  std::vector<std::unique_ptr<FakeBody>> bodies;
+  std::vector<lod::BodyView> views;
+  std::vector<int> places;
+  bool touching = false;
+};
+
+TEST(Planner, LeavesEveryPairFinestWithoutAReason) {
+  PlannedRow row(5);
+  for (int i = 0; i < 3; ++i) row.step();
+  EXPECT_EQ(row.planner.counts().pairs, 4);
+  EXPECT_EQ(row.planner.counts().finestPairs, 4);
+  EXPECT_EQ(row.planner.counts().plannedUnits, 0.0);
+  EXPECT_GT(row.planner.counts().units, 0.0);
+  EXPECT_TRUE(row.listener.events.empty());
+}
+
+TEST(Planner, FollowsARequestToItsSwitch) {
+  PlannedRow row(3);
+  row.step();
+  row.bodies[0]->asked = 1;
+  row.planner.setAsks(true);
+  row.step(SwitchKind::kBlocked);
+  EXPECT_EQ(row.listener.kinds(), "RAB");
+  EXPECT_EQ(row.planner.counts().requests, 1);
+  EXPECT_EQ(row.planner.counts().blockedTries, 1);
+  EXPECT_EQ(row.planner.findFinerPair(row.bodies[0].get()), row.places[0]);
+  row.step();
+  EXPECT_EQ(row.listener.kinds(), "RAB") << "it waits for the retry interval";
+  while (row.planner.pair(row.places[0]).blockedSteps > 0) row.step();
+  row.step();
+  EXPECT_EQ(row.listener.kinds(), "RABS");
+  EXPECT_EQ(row.level(0), 1);
+  EXPECT_EQ(row.level(1), kLevels) << "nobody asked for it";
+  EXPECT_EQ(row.planner.findFinerPair(row.bodies[0].get()), -1);
+  const PairEvent& last = row.listener.events.back();
+  EXPECT_EQ(last.from, kLevels);
+  EXPECT_EQ(last.to, 1);
+  EXPECT_STREQ(last.asker.name, "program");
+}
+
+TEST(Planner, TellsThatARequestIsNotWantedAnyMore) {
+  PlannedRow row(2);
+  row.step();
+  row.bodies[0]->asked = 1;
+  row.planner.setAsks(true);
+  row.step(SwitchKind::kBlocked);
+  row.bodies[0]->asked = 0;
+  row.step();
+  EXPECT_EQ(row.listener.kinds(), "RABr");
+  EXPECT_EQ(row.planner.counts().retractions, 1);
+}
+
+TEST(Planner, RetractsTheRequestOfAPairThatEnds) {
+  PlannedRow row(2);
+  row.step();
+  row.bodies[0]->asked = 1;
+  row.planner.setAsks(true);
+  row.step(SwitchKind::kBlocked);
+  row.planner.removePair(row.places[0]);
+  EXPECT_EQ(row.listener.kinds(), "RABr");
+  EXPECT_EQ(row.planner.countPairs(), 0);
+}
+
+TEST(Planner, TellsOwnersWhereTheirPairsAre) {
+  PlannedRow row(4);
+  row.planner.removePair(row.places[0]);
+  row.places[0] = -1;
+  EXPECT_EQ(row.planner.countPairs(), 2);
+  for (std::size_t i = 1; i < 3; ++i) {
+    EXPECT_EQ(&row.planner.body(row.places[i], 0), row.bodies[i].get()) << i;
+    EXPECT_EQ(&row.planner.body(row.places[i], 1), row.bodies[i + 1].get()) << i;
+  }
+}
+
+TEST(Planner, KeepsPairsOfSensorsAndOfWhatIsHeldFinest) {
+  PlannedRow row(4);
+  row.bodies[0]->isSensor = true;
+  row.planner.setHeld({row.bodies[3].get()});
+  ASSERT_TRUE(row.planner.addPolicy("coarsest"));
+  row.step();
+  EXPECT_EQ(row.level(0), kLevels);
+  EXPECT_EQ(row.level(1), 1);
+  EXPECT_EQ(row.level(2), kLevels);
+}
+
+TEST(Planner, SaysWhatIsWrongWithAPolicy) {
+  Planner planner;
+  const Result<void> result = planner.addPolicy("sped");
+  ASSERT_FALSE(result);
+  EXPECT_NE(result.error().message.find("speed"), std::string::npos);
+  EXPECT_FALSE(planner.needsBodies());
+  EXPECT_TRUE(planner.checkPolicy("speed"));
+  EXPECT_FALSE(planner.needsBodies());
+}
+
+TEST(Planner, NeverTakesTheCoarsestLevelOnAGround) {
+  FakeBody body(0);
+  FakeBody ground(1);
+  Planner planner;
+  int place = -1;
+  planner.addGround(body, ground, kLevels, 20, &place);
+  ASSERT_TRUE(planner.addPolicy("coarsest"));
+  const std::vector<lod::BodyView> views(2);
+  planner.plan({.bodies = views, .objects = 2, .moving = 1, .broadphasePairs = 1});
+  EXPECT_EQ(planner.planPair(place).target, 2);
+}
+
+TEST(Planner, KeepsAStepWithinItsUnits) {
+  PlannedRow fine(40);
+  fine.touching = true;
+  for (int i = 0; i < 50; ++i) fine.step();
+  const double full = fine.planner.counts().units;
+  fine.planner.setBudget(lod::UnitBudget::ofUnits(full / 2));
+  for (int i = 0; i < 50; ++i) fine.step(SwitchKind::kOnCredit);
+  EXPECT_LT(fine.planner.counts().finestPairs, 39);
+  EXPECT_EQ(fine.planner.counts().budgetUnits, full / 2);
+  bool isGovernors = false;
+  for (const PairEvent& event : fine.listener.events) isGovernors |= event.asker.scope == Scope::kGlobal;
+  EXPECT_TRUE(isGovernors);
+}
+
+// What policies are shown of pairs that come up after the plan is the same table.
+TEST(Planner, PlansAPairThatComesUpInTheNarrowphase) {
+  PlannedRow row(3);
+  ASSERT_TRUE(row.planner.addPolicy("coarsest"));
+  row.planner.plan({.bodies = row.views, .objects = 3, .moving = 3, .broadphasePairs = 2});
+  int place = -1;
+  row.planner.addPair(*row.bodies[0], *row.bodies[2], kLevels, 100.0, &place);
+  row.take(place, SwitchKind::kFree);
+  EXPECT_EQ(row.planner.pair(place).view.level, 1);
+  row.planner.finish();
+}
+
+}  // namespace
+}  // namespace scatter::pairs
