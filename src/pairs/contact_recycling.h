@@ -26,18 +26,20 @@ class ContactRecycling {
       : parts_(parts), bodies_(bodies), tolerance_(tolerance), scratch_(scratch) {}
 
   /// Once the bodies have been placed: whether there is nothing to be looked for in this step, and the pair
-  /// is done. `slideOf(contact)` is what Manifolds::carry() returns.
-  template <class SlideOf>
-  [[nodiscard]] bool look(SlideOf&& slideOf) {
+  /// is done. `slideOf(contact)` is what Manifolds::carry() returns; `fetch(contact)`: it is going to be asked.
+  template <class SlideOf, class Fetch>
+  [[nodiscard]] bool look(SlideOf&& slideOf, Fetch&& fetch) {
     scratch_.touching.clear();
     scratch_.slides.clear();
-    bool isDone = parts_.hasNoNewcomers(*bodies_.a, *bodies_.b);
     for (const int i : parts_.wakeful()) {
-      const ChildPair& child = parts_.children()[static_cast<std::size_t>(i)];
-      if (!child.touching) continue;
-      const float slid = slideOf(child.contact);
-      isDone = isDone && !isStale(child, slid);
+      if (!childAt(i).touching) continue;
+      fetch(childAt(i).contact);
       scratch_.touching.push_back(i);
+    }
+    bool isDone = parts_.hasNoNewcomers(*bodies_.a, *bodies_.b);
+    for (const int i : scratch_.touching) {
+      const float slid = slideOf(childAt(i).contact);
+      isDone = isDone && !isStale(childAt(i), slid);
       scratch_.slides.push_back(slid);
     }
     return isDone && !scratch_.touching.empty();
@@ -48,7 +50,7 @@ class ContactRecycling {
   template <class Drop>
   void settle(Drop&& drop) {
     for (std::size_t k = 0; k < scratch_.touching.size(); ++k) {
-      ChildPair& child = parts_.children()[static_cast<std::size_t>(scratch_.touching[k])];
+      ChildPair& child = childAt(scratch_.touching[k]);
       child.stale = isStale(child, scratch_.slides[k]);
       child.touching = scratch_.slides[k] < std::numeric_limits<float>::infinity();
       if (child.touching) continue;
@@ -58,6 +60,9 @@ class ContactRecycling {
   }
 
  private:
+  [[nodiscard]] ChildPair& childAt(int index) const {
+    return parts_.children()[static_cast<std::size_t>(index)];
+  }
   [[nodiscard]] bool isStale(const ChildPair& child, float slid) const {
     return !child.settled || !(slid < tolerance_) || !(parts_.turn() - child.turnAt < kMostRecycledTurn);
   }

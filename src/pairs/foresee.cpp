@@ -161,7 +161,8 @@ void foresee(Pair& pair, const PlacedBodies& bodies, const PairSteps& steps, con
   pair.parts.followWholeBodies(false);
   const bool recycles = steps.recycling > 0.0F && pair.parts.touches();
   ContactRecycling recycling(pair.parts, bodies, steps.recycling, scratch.recycling);
-  if (recycles && recycling.look([&peek](const void* contact) { return peek.wouldSlide(contact); })) return;
+  const auto slideOf = [&peek](const void* contact) { return peek.wouldSlide(contact); };
+  if (recycles && recycling.look(slideOf, [](const void*) {})) return;
   Foresight& foresight = scratch.take();
   foresight.recycles = recycles;
   if (recycles) carry(pair, recycling, scratch.recycling, foresight);

@@ -33,7 +33,8 @@ bool LevelLook::mayRecycle() const {
 bool LevelLook::recycle(const PlacedBodies& bodies) {
   pair_.origin = ContactOrigin::kRecycled;
   ContactRecycling recycling(pair_.parts, bodies, steps_.recycling, scratch_.recycling);
-  const bool isDone = recycling.look([this](void* contact) { return engine_.carry(contact); });
+  const bool isDone = recycling.look([this](void* contact) { return engine_.carry(contact); },
+                                     [this](const void* contact) { engine_.prefetch(contact); });
   recycling.settle([this](void* contact) { engine_.release(contact); });
   if (!isDone) return false;
   scratch_.looked = scratch_.recycling.touching;

@@ -3,6 +3,7 @@
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include "btHybridContactProblem.h"
+#include "btHybridManifolds.h"
 #include "btHybridQuad.h"
 
 using scatter::solver::BodyVelocity;
@@ -46,6 +47,9 @@ void btHybridContactSolver::convertContacts(btPersistentManifold** manifolds, in
 	const bool leavesAll = ordersRows(info);
 	for (int i = 0; i < numManifolds; ++i)
 	{
+		const int c_ahead = 6;
+		if (i + c_ahead < numManifolds)
+			btHybridContacts::prefetch(manifolds[i + c_ahead]);
 		btPersistentManifold* manifold = manifolds[i];
 		btCollisionObject& object0 = *const_cast<btCollisionObject*>(manifold->getBody0());
 		btCollisionObject& object1 = *const_cast<btCollisionObject*>(manifold->getBody1());

@@ -70,6 +70,7 @@ void btHybridNarrowphase::collectOwners(std::vector<btHybridAlgorithm*>& owners)
 void btHybridNarrowphase::beginStep()
 {
 	m_objects.beginStep();
+	m_lookahead.begin();
 	m_work = btHybridCollisionCounts();
 }
 

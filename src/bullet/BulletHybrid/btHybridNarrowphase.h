@@ -7,6 +7,7 @@
 #include "BulletHybrid/btHybridCollision.h"
 #include "btHybridForesight.h"
 #include "btHybridGroundEngine.h"
+#include "btHybridLookahead.h"
 #include "btHybridObjects.h"
 #include "btHybridSettings.h"
 #include "pairs/pair_step.h"
@@ -30,6 +31,7 @@ class btHybridNarrowphase
 	std::vector<btHybridAlgorithm*> m_owners[2];  ///< of the pairs that do not switch, and of those that do, as in their tables
 	std::vector<btHybridAlgorithm*> m_groundOwners;
 	btHybridForesight m_foresight;
+	btHybridLookahead m_lookahead;
 	std::vector<std::unique_ptr<scatter::pairs::StepScratch>> m_scratches;
 	std::vector<std::unique_ptr<std::vector<btHybridPartBounds>>> m_bounds;
 	size_t m_depth;  ///< of pairs' steps inside each other's
@@ -99,6 +101,11 @@ public:
 		return switches ? m_pairs : m_plainPairs;
 	}
 
+	size_t countPairs() const
+	{
+		return size_t(m_pairs.count() + m_plainPairs.count());
+	}
+
 	/// Adds a pair to its table, whose index it keeps in `index`.
 	void addPair(btHybridAlgorithm* owner, bool switches, int* index);
 	void removePair(btHybridAlgorithm* owner, bool switches, int index);
@@ -115,6 +122,11 @@ public:
 	const btHybridForesight& getForesight() const
 	{
 		return m_foresight;
+	}
+
+	btHybridLookahead& getLookahead()
+	{
+		return m_lookahead;
 	}
 
 	/// One for each ground algorithm.

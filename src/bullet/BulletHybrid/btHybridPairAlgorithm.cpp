@@ -145,6 +145,7 @@ void btHybridPairAlgorithm::processCollision(const btCollisionObjectWrapper* bod
 	btHybridPlanner* planner = m_switches ? shared.getPlanner() : 0;
 	const btHybridPairCall call = {{body0Wrap, body1Wrap}, dispatchInfo, resultOut};
 	btHybridPairEngine engine(static_cast<btCollisionDispatcher*>(m_dispatcher), shared.getObjects(), m_bodies, call, m_fallback, shared.getSteps().ownGjk, m_switches);
+	shared.getLookahead().visit(this, m_index, shared.getPairs(m_switches), shared.countPairs(), planner ? &planner->pair(m_planIndex) : 0);
 	Pair& pair = getPair();
 	if (!planner)
 	{

@@ -51,6 +51,7 @@ BulletBody::BulletBody(BodyId id, const BodyDef& def, std::shared_ptr<const Bull
   } else {
     rigid_ = std::make_unique<btRigidBody>(info);
   }
+  rigid_->setUserIndex(switching_ != nullptr ? kSwitching : isHybrid_ ? kHybrid : 0);
   rigid_->setCollisionFlags(collisionFlags(def));
   rigid_->setUserPointer(this);
   if (isDynamic()) {

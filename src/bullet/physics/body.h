@@ -1,14 +1,13 @@
 #pragma once
 
 #include <BulletDynamics/Dynamics/btRigidBody.h>
+#include <BulletHybrid/btHybridRigidBody.h>
 #include <scatter/world/body.h>
 
 #include <memory>
 #include <string>
 
 #include "bullet/physics/shapes.h"
-
-class btHybridRigidBody;
 
 namespace scatter {
 
@@ -45,6 +44,14 @@ class BulletBody {
 
   /// Null unless its levels can switch.
   [[nodiscard]] btHybridRigidBody* switching() const { return switching_; }
+
+  /// The same of a Bullet object that is a body's, without a look at the body.
+  [[nodiscard]] static bool isHybrid(const btCollisionObject& object) {
+    return object.getUserIndex() >= kHybrid;
+  }
+  [[nodiscard]] static const btHybridRigidBody* switchingOf(const btCollisionObject& object) {
+    return object.getUserIndex() == kSwitching ? static_cast<const btHybridRigidBody*>(&object) : nullptr;
+  }
   [[nodiscard]] int level() const;
   [[nodiscard]] int levelCount() const { return shape_->levelCount(); }
 
@@ -76,6 +83,10 @@ class BulletBody {
   [[nodiscard]] bool isFiniteNow() const;
 
  private:
+  /// User indices of Bullet's objects.
+  static constexpr int kHybrid = 1;
+  static constexpr int kSwitching = 2;
+
   void rest();
 
   BodyId id_;

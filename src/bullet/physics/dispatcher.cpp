@@ -17,8 +17,13 @@ bool contactAdded(btManifoldPoint& point, const btCollisionObjectWrapper*, int, 
   return false;
 }
 
-const BulletBody& bodyOf(const btBroadphaseProxy* proxy) {
-  return BulletBody::of(*static_cast<const btCollisionObject*>(proxy->m_clientObject));
+const btCollisionObject& objectOf(const btBroadphaseProxy* proxy) {
+  return *static_cast<const btCollisionObject*>(proxy->m_clientObject);
+}
+
+bool isFinest(const btCollisionObject& object) {
+  const btHybridRigidBody* const hybrid = BulletBody::switchingOf(object);
+  return hybrid == nullptr || hybrid->getLevel() == hybrid->getFinestLevel();
 }
 
 }  // namespace
@@ -30,13 +35,14 @@ BulletDispatcher::BulletDispatcher(btCollisionConfiguration* configuration)
 
 void BulletDispatcher::count(btBroadphasePair& pair, btCollisionDispatcher& dispatcher,
                              const btDispatcherInfo& info) {
-  const BulletBody& a = bodyOf(pair.m_pProxy0);
-  const BulletBody& b = bodyOf(pair.m_pProxy1);
-  if (!dispatcher.needsCollision(&a.rigid(), &b.rigid())) return;
+  // Of the objects alone, which Bullet is going to look at: in a pile, all else would have to be fetched.
+  const btCollisionObject& a = objectOf(pair.m_pProxy0);
+  const btCollisionObject& b = objectOf(pair.m_pProxy1);
+  if (!dispatcher.needsCollision(&a, &b)) return;
   PairCounts& counts = static_cast<BulletDispatcher&>(dispatcher).counts_;
   ++counts.all;
-  if (a.isHybrid() || b.isHybrid()) ++counts.withHybrid;
-  if (a.level() == a.levelCount() && b.level() == b.levelCount()) ++counts.finest;
+  if (BulletBody::isHybrid(a) || BulletBody::isHybrid(b)) ++counts.withHybrid;
+  if (isFinest(a) && isFinest(b)) ++counts.finest;
   defaultNearCallback(pair, dispatcher, info);
 }
 
