@@ -17,6 +17,15 @@ class btHybridRegistration;
 class btHybridRequests;
 class btITaskScheduler;
 
+/// Of callbacks that are called while contacts are looked for.
+enum btHybridPromises
+{
+	/// The dispatcher's near callback hands every pair on to btCollisionDispatcher::defaultNearCallback.
+	BT_HYBRID_NEAR_CALLBACK_FORWARDS = 1,
+	/// gContactAddedCallback may be called on any thread, and in any order of pairs.
+	BT_HYBRID_CONTACT_ADDED_ON_ANY_THREAD = 2
+};
+
 /// A btDiscreteDynamicsWorld that switches the encapsulation levels of btHybridRigidBody objects, between
 /// the broadphase and the narrowphase, on request and only when it is safe.
 ///
@@ -236,12 +245,17 @@ public:
 		return m_refusal;
 	}
 
-	/// How many threads, the caller's among them, find out which parts of hybrids are near each other and how near: 1 to 64, 1 unless set
-	/// otherwise. Results are the same bits for any number. Callbacks, listeners and everything of Bullet stay on the caller's
-	/// thread, but for btCollisionShape::getAabb of shapes whose bounds are asked for. Steps with few pairs use one. Returns 0; or, for other numbers
-	/// and inside a step, what is wrong, and then nothing has changed.
+	/// How many threads, the caller's among them, look for the contacts of hybrids: 1 to 64, 1 unless set otherwise. Results are the same bits
+	/// for any number. Callbacks, listeners and the dispatcher's memory stay on the caller's thread; other threads read objects and shapes,
+	/// and write contacts while no callback that hears of contacts is set (gContactProcessedCallback and the like); otherwise they find out which
+	/// parts are near each other, and how near. With a near callback of the program's own, which may leave pairs out, there is one thread unless the
+	/// program promises otherwise; so there is in steps with few pairs, and on one core. Returns 0; or, for other numbers and inside a step, what is wrong, and then nothing has changed.
 	const char* setNumThreads(int threads);
 	int getNumThreads() const;
+
+	/// What a program promises of its callbacks, any of btHybridPromises; none unless said otherwise. It makes a difference to threads alone.
+	void setPromises(int promises);
+	int getPromises() const;
 
 	/// The threads of a program's own scheduler, which must outlive its use, in the place of the world's; 0: the world's again. It is called directly, so
 	/// that it works in a Bullet that was built without threads. Returns 0; or, inside a step, what is wrong.

@@ -104,6 +104,9 @@ class PartPair {
     return wakeful_;
   }
 
+  /// What wakeful() told last.
+  [[nodiscard]] std::span<const int> lastWakeful() const { return wakeful_; }
+
   /// Other child pairs than those that wakeful() has told are touching now.
   void forgetWakeful() { wakefulUntil_ = std::numeric_limits<double>::lowest(); }
 

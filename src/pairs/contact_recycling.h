@@ -26,7 +26,8 @@ class ContactRecycling {
       : parts_(parts), bodies_(bodies), tolerance_(tolerance), scratch_(scratch) {}
 
   /// Once the bodies have been placed: whether there is nothing to be looked for in this step, and the pair
-  /// is done. `slideOf(contact)` is what Manifolds::carry() returns; `fetch(contact)`: it is going to be asked.
+  /// is done. `slideOf(contact)` is what Manifolds::carry() returns; `fetch(contact)`: it is going to be
+  /// asked.
   template <class SlideOf, class Fetch>
   [[nodiscard]] bool look(SlideOf&& slideOf, Fetch&& fetch) {
     scratch_.touching.clear();

@@ -15,7 +15,7 @@ class PeekingKeeper final : public ContactKeeper {
   // Whoever is told that a contact lasts compares bounds next.
   bool outlasts(void* contact) const override {
     if (!peek_.wouldOutlast(contact)) return false;
-    foresight_.kept.push_back(contact);
+    if (!peek_.carries()) foresight_.kept.push_back(contact);
     locks_.compute(*bodies_.a);
     locks_.compute(*bodies_.b);
     return true;
@@ -31,11 +31,12 @@ class PeekingKeeper final : public ContactKeeper {
 /// The child pairs of one pair, as ChildPass looks at them, as far as it needs no engine.
 class ChildForesight {
  public:
-  ChildForesight(PartPair& parts, const PlacedBodies& bodies, const PairSteps& steps, BoundsLocks& locks,
-                 Foresight& foresight)
-      : parts_(parts), bodies_(bodies), steps_(steps), locks_(locks), foresight_(foresight) {}
+  ChildForesight(PartPair& parts, const PlacedBodies& bodies, const PairSteps& steps, const ContactPeek& peek,
+                 BoundsLocks& locks, Foresight& foresight)
+      : parts_(parts), bodies_(bodies), steps_(steps), peek_(peek), locks_(locks), foresight_(foresight) {}
 
-  void run() {
+  /// Whether no child pair needs a detector that works on one thread alone.
+  bool run() {
     const std::vector<int>& wakeful = parts_.wakeful();
     for (const int i : wakeful) {
       if (!parts_.isAsleep(parts_.children()[static_cast<std::size_t>(i)])) foresight_.awake.push_back(i);
@@ -44,17 +45,25 @@ class ChildForesight {
     work.childPairs += static_cast<int>(wakeful.size());
     work.childPairsAsleep += static_cast<int>(wakeful.size() - foresight_.awake.size());
     bool isApart = steps_.lazyManifolds;
+    bool isDecided = true;
     for (const int i : foresight_.awake) {
       ChildPair& child = parts_.children()[static_cast<std::size_t>(i)];
       foresight_.looks.push_back(look(child));
       isApart = isApart && child.contact == nullptr && isFree(foresight_.looks.back());
+      isDecided = isDecided && (!mayDetect(child, foresight_.looks.back()) || peek_.detectsAnywhere(child));
     }
     if (isApart) settle();
+    return isDecided;
   }
 
  private:
   static bool isFree(const ChildLook& look) {
     return look.state != ChildLook::State::kMeasured || look.verdict == ChildVerdict::kApart;
+  }
+
+  [[nodiscard]] bool mayDetect(const ChildPair& child, const ChildLook& look) const {
+    if (look.state == ChildLook::State::kMeasured) return look.verdict == ChildVerdict::kAskEngine;
+    return look.state == ChildLook::State::kOpen && !(foresight_.recycles && child.touching && !child.stale);
   }
 
   // Without contacts, not even empty ones, a look at child pairs changes nothing but the counts.
@@ -94,6 +103,7 @@ class ChildForesight {
   PartPair& parts_;
   const PlacedBodies& bodies_;
   const PairSteps& steps_;
+  const ContactPeek& peek_;
   BoundsLocks& locks_;
   Foresight& foresight_;
   BoundsTest bounds_{*bodies_.a, *bodies_.b};
@@ -129,13 +139,25 @@ void judgeAll(PartPair& parts, const PartBody& region, const PartBody& body, con
 Foresight& ForesightScratch::take() {
   if (used == pool.size()) pool.push_back(std::make_unique<Foresight>());
   Foresight& next = *pool[used++];
-  next.isAwake = next.isSettled = next.recycles = false;
+  next.isAwake = next.isSettled = next.isDone = next.recycles = false;
   next.carried.clear();
   next.work = {};
   next.dropped.clear();
   next.kept.clear();
   next.awake.clear();
   next.looks.clear();
+  return next;
+}
+
+// Side by side, as they are read in nearly the order in which they were made.
+StepAhead& ForesightScratch::takeStep() {
+  constexpr std::size_t kBlock = 64;
+  if (stepsUsed == stepPool.size() * kBlock) stepPool.push_back(std::make_unique<StepAhead[]>(kBlock));
+  StepAhead& next = stepPool[stepsUsed / kBlock][stepsUsed % kBlock];
+  ++stepsUsed;
+  next.outcome = {};
+  next.work = {};
+  next.notes.clear();
   return next;
 }
 
@@ -148,32 +170,40 @@ bool isForeseeable(const Pair& pair, const PlacedBodies& bodies) {
 namespace {
 
 // What the engine has to do with contacts before anything else.
-void carry(Pair& pair, ContactRecycling& recycling, const RecyclingScratch& scratch, Foresight& foresight) {
-  for (const int i : scratch.touching)
-    foresight.carried.push_back(pair.parts.children()[static_cast<std::size_t>(i)].contact);
+void carry(Pair& pair, ContactRecycling& recycling, const RecyclingScratch& scratch, bool carries,
+           Foresight& foresight) {
+  for (const int i : scratch.touching) {
+    if (!carries) foresight.carried.push_back(pair.parts.children()[static_cast<std::size_t>(i)].contact);
+  }
   recycling.settle([&foresight](void* contact) { foresight.dropped.push_back(contact); });
 }
 
 }  // namespace
 
-void foresee(Pair& pair, const PlacedBodies& bodies, const PairSteps& steps, const ContactPeek& peek,
+bool foresee(Pair& pair, const PlacedBodies& bodies, const PairSteps& steps, const ContactPeek& peek,
              BoundsLocks& locks, ForesightScratch& scratch) {
   pair.parts.followWholeBodies(false);
   const bool recycles = steps.recycling > 0.0F && pair.parts.touches();
   ContactRecycling recycling(pair.parts, bodies, steps.recycling, scratch.recycling);
-  const auto slideOf = [&peek](const void* contact) { return peek.wouldSlide(contact); };
-  if (recycles && recycling.look(slideOf, [](const void*) {})) return;
+  const auto slideOf = [&peek](void* contact) { return peek.wouldSlide(contact); };
+  const bool isDone = recycles && recycling.look(slideOf, [](const void*) {});
+  if (isDone && !peek.carries()) return true;
   Foresight& foresight = scratch.take();
-  foresight.recycles = recycles;
-  if (recycles) carry(pair, recycling, scratch.recycling, foresight);
-  const PeekingKeeper keeper(peek, bodies, locks, foresight);
   pair.foresight = &foresight;
+  foresight.recycles = recycles;
+  foresight.isDone = isDone;
+  if (recycles) carry(pair, recycling, scratch.recycling, peek.carries(), foresight);
+  if (isDone) {
+    foresight.awake = scratch.recycling.touching;
+    return true;
+  }
+  const PeekingKeeper keeper(peek, bodies, locks, foresight);
   scratch.parts.keeper = &keeper;
   foresight.isAwake = pair.parts.advance(*bodies.a, *bodies.b, steps, scratch.parts, foresight.work);
   scratch.parts.keeper = nullptr;
   foresight.dropped.insert(foresight.dropped.end(), scratch.parts.dropped.begin(),
                            scratch.parts.dropped.end());
-  if (foresight.isAwake) ChildForesight(pair.parts, bodies, steps, locks, foresight).run();
+  return !foresight.isAwake || ChildForesight(pair.parts, bodies, steps, peek, locks, foresight).run();
 }
 
 bool isForeseeable(const GroundPair& pair, const PlacedBody& placed, int level, const Frame& ground,

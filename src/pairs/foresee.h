@@ -27,7 +27,7 @@ class BoundsLocks {
   std::array<std::mutex, kLocks> locks_;
 };
 
-/// What a contact keeper can tell on any thread.
+/// What a contact keeper can tell, or do, on any thread.
 class ContactPeek {
  public:
   ContactPeek() = default;
@@ -35,11 +35,18 @@ class ContactPeek {
   ContactPeek& operator=(const ContactPeek&) = delete;
   virtual ~ContactPeek() = default;
 
-  /// What ContactKeeper::outlasts() is going to return for a contact of the pair at work. Changes nothing.
-  [[nodiscard]] virtual bool wouldOutlast(const void* contact) const = 0;
+  /// What ContactKeeper::outlasts() is going to return for a contact of the pair at work. Changes nothing,
+  /// unless carries().
+  [[nodiscard]] virtual bool wouldOutlast(void* contact) const = 0;
 
   /// The same of Manifolds::carry().
-  [[nodiscard]] virtual float wouldSlide(const void* contact) const = 0;
+  [[nodiscard]] virtual float wouldSlide(void* contact) const = 0;
+
+  /// Whether these do what they tell, so that it is not done again.
+  [[nodiscard]] virtual bool carries() const { return false; }
+
+  /// Whether PairEngine::detect() works on any thread for these two parts.
+  [[nodiscard]] virtual bool detectsAnywhere(const ChildPair& child) const = 0;
 };
 
 /// Memory of one thread.
@@ -48,9 +55,12 @@ struct ForesightScratch {
   RecyclingScratch recycling{};
   std::vector<std::unique_ptr<Foresight>> pool{};
   std::size_t used = 0;
+  std::vector<std::unique_ptr<StepAhead[]>> stepPool{};
+  std::size_t stepsUsed = 0;
 
-  /// Empty, but with the memory of an earlier one. Good until `used` is 0 again.
+  /// Empty, but with the memory of an earlier one. Good until `used` is 0 again, or `stepsUsed`.
   [[nodiscard]] Foresight& take();
+  [[nodiscard]] StepAhead& takeStep();
 };
 
 /// Whether what is found out about a pair is independent of the rest of its step: it looks for contacts of
@@ -59,8 +69,9 @@ struct ForesightScratch {
 
 /// Finds it out, but for a pair whose contacts only move along: that has no foresight. Changes the pair and
 /// nothing else but the bodies' bounds, so that any number of pairs can be foreseen at once, in any order;
-/// the bodies must be where they are going to be in the step. Sets Pair::foresight.
-void foresee(Pair& pair, const PlacedBodies& bodies, const PairSteps& steps, const ContactPeek& peek,
+/// the bodies must be where they are going to be in the step. Sets Pair::foresight. Returns whether the rest
+/// of the step needs of the engine only manifolds and what works on any thread.
+bool foresee(Pair& pair, const PlacedBodies& bodies, const PairSteps& steps, const ContactPeek& peek,
              BoundsLocks& locks, ForesightScratch& scratch);
 
 /// The same of a body and its ground, which is at `ground`: not of half-spaces, and only while the pieces

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "collision/part_pair.h"
+#include "pairs/pair_plan.h"
 
 namespace scatter::pairs {
 
@@ -20,11 +21,25 @@ struct ChildLook {
   PartContact contact{};
 };
 
+/// Tells the engine, in this order, what became of manifolds in a step that was made ahead.
+struct ManifoldNote {
+  void* manifold;
+  bool isNew;  ///< It stands in for one that the engine is to make; otherwise it is to be released.
+};
+
+/// The step of a pair that was made ahead, beside other pairs: all that is left is to tell others of it.
+struct StepAhead {
+  PairOutcome outcome{};
+  PairWork work{};
+  std::vector<ManifoldNote> notes{};
+};
+
 /// What is found out about a pair before its step, beside other pairs, by foresee(): its neighbours and the
 /// distances of its parts. Its step does the rest, to the same bits as if it had done everything.
 struct Foresight {
   bool isAwake = false;    ///< What PartPair::advance() returned.
   bool isSettled = false;  ///< Nothing touches or is going to: the look at the pair has been ended, too.
+  bool isDone = false;     ///< All contacts have been moved along, and no others are to be found.
   PairWork work{};         ///< What it took.
   bool recycles = false;   ///< Contacts that are not stale move along with the bodies.
   std::vector<void*> carried{};    ///< All contacts, if so, before anything was looked for.

@@ -36,11 +36,14 @@ bool LevelLook::recycle(const PlacedBodies& bodies) {
   const bool isDone = recycling.look([this](void* contact) { return engine_.carry(contact); },
                                      [this](const void* contact) { engine_.prefetch(contact); });
   recycling.settle([this](void* contact) { engine_.release(contact); });
-  if (!isDone) return false;
-  scratch_.looked = scratch_.recycling.touching;
+  if (isDone) endRecycled(scratch_.recycling.touching);
+  return isDone;
+}
+
+void LevelLook::endRecycled(const std::vector<int>& touching) {
+  scratch_.looked = touching;
   ++work_.pairs;
-  work_.recycled += static_cast<int>(scratch_.looked.size());
-  return true;
+  work_.recycled += static_cast<int>(touching.size());
 }
 
 bool LevelLook::advance(PartPair& parts, const PlacedBodies& bodies) {
@@ -84,6 +87,10 @@ void LevelLook::useForesight(const PlacedBodies& bodies, bool mayAudit) {
   if (foresight.recycles) pair_.origin = ContactOrigin::kRecycled;
   pair_.closeForesight(engine_);
   work_ += foresight.work;
+  if (foresight.isDone) {
+    endRecycled(foresight.awake);
+    return;
+  }
   if (!foresight.isAwake || foresight.isSettled) return;
   ChildPass(pair_.parts, bodies, steps_, engine_, work_, nullptr, mayAudit, foresight.recycles, &foresight)
       .run(scratch_.looked);

@@ -27,6 +27,7 @@ class LevelLook {
   void useForesight(const PlacedBodies& bodies, bool mayAudit);
   [[nodiscard]] bool mayRecycle() const;
   [[nodiscard]] bool recycle(const PlacedBodies& bodies);
+  void endRecycled(const std::vector<int>& touching);
 
   Pair& pair_;
   const PairSteps& steps_;

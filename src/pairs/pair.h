@@ -70,6 +70,7 @@ struct Pair {
   /// what was found out about it.
   bool isForeseenQuiet = false;
   Foresight* foresight = nullptr;
+  StepAhead* ahead = nullptr;  ///< Or it has been made already.
 
   static constexpr double kAwake = -1e18;
   static constexpr int kNoParts = -1;

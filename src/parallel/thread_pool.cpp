@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <chrono>
 
+#ifdef __linux__
+#include <sched.h>
+#endif
+
 namespace scatter::parallel {
 
 namespace {
@@ -12,6 +16,15 @@ namespace {
 constexpr std::chrono::microseconds kPatience{100};
 
 }  // namespace
+
+int countCores() {
+#ifdef __linux__
+  // A process may have been given fewer than there are.
+  cpu_set_t cores;
+  if (sched_getaffinity(0, sizeof cores, &cores) == 0) return std::max(CPU_COUNT(&cores), 1);
+#endif
+  return std::max(static_cast<int>(std::thread::hardware_concurrency()), 1);
+}
 
 ThreadPool::ThreadPool(int threads) {
   for (int i = 1; i < threads; ++i) workers_.emplace_back([this] { serve(); });

@@ -10,6 +10,9 @@
 
 namespace scatter::parallel {
 
+/// How many threads can run at once, as far as the system tells: at least 1.
+[[nodiscard]] int countCores();
+
 /// Threads that wait for work. For work that comes every few milliseconds: they look for it for a moment
 /// before they go to sleep.
 class ThreadPool {

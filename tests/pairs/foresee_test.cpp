@@ -26,20 +26,26 @@ std::vector<std::vector<PartDef>> oneLevel() {
   return {parts};
 }
 
-/// Tells what the engine is going to say.
+/// Tells what the engine is going to say, or does it.
 class Peek : public ContactPeek {
  public:
-  explicit Peek(const FakeEngine& engine) : engine_(engine) {}
-  [[nodiscard]] bool wouldOutlast(const void* contact) const override {
+  Peek(FakeEngine& engine, bool carries) : engine_(engine), carries_(carries) {}
+  [[nodiscard]] bool carries() const override { return carries_; }
+  [[nodiscard]] bool wouldOutlast(void* contact) const override {
+    if (carries_) return engine_.outlasts(contact);
     for (int i = 0; i < engine_.countPoints(contact); ++i) {
       if (!engine_.losesPoints && engine_.distanceNow(contact, i) <= engine_.threshold()) return true;
     }
     return false;
   }
-  [[nodiscard]] float wouldSlide(const void* contact) const override { return engine_.wouldSlide(contact); }
+  [[nodiscard]] float wouldSlide(void* contact) const override {
+    return carries_ ? engine_.carry(contact) : engine_.wouldSlide(contact);
+  }
+  [[nodiscard]] bool detectsAnywhere(const ChildPair& /*child*/) const override { return false; }
 
  private:
-  const FakeEngine& engine_;
+  FakeEngine& engine_;
+  bool carries_;
 };
 
 PairPlan planOf(int levels) {
@@ -62,7 +68,7 @@ struct TwoBodies {
     scratches.used = 0;
     PlacedBodies bodies;
     if (!engine.place(1, bodies) || !isForeseeable(pair, bodies)) return false;
-    foresee(pair, bodies, steps, Peek(engine), locks, scratches);
+    foresee(pair, bodies, steps, Peek(engine, carries), locks, scratches);
     return true;
   }
 
@@ -75,6 +81,7 @@ struct TwoBodies {
   }
 
   FakeEngine engine{oneLevel()};
+  bool carries = false;  ///< What is foreseen takes contacts along.
   Pair pair;
   PairPlan plan = planOf(1);
   PairSteps steps;
@@ -122,6 +129,7 @@ TEST(Foresee, LeavesAPairAsItsStepWould) {
     TwoBodies plain;
     TwoBodies early;
     const bool recycles = seed % 2 == 0;
+    early.carries = seed % 4 > 1;
     plain.steps.recycling = early.steps.recycling = recycles ? 0.001F : 0.0F;
     testing::Random random(seed);
     float x = random.uniform(1.6F, 1.7F);

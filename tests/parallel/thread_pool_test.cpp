@@ -21,6 +21,11 @@ TEST(ThreadPool, DoesEveryPieceOfWorkOnce) {
   }
 }
 
+TEST(ThreadPool, KnowsHowManyCoresThereAre) {
+  EXPECT_GE(countCores(), 1);
+  EXPECT_LE(countCores(), static_cast<int>(std::thread::hardware_concurrency()));
+}
+
 TEST(ThreadPool, HasItsWorkDoneWhenItReturns) {
   ThreadPool pool(4);
   std::vector<long> values(64);

@@ -5,7 +5,8 @@
 
 #include "BulletHybrid/btHybridObservation.h"
 #include "btHybridFallback.h"
-#include "pairs/foresee.h"
+#include "btHybridLookahead.h"
+#include "btHybridStepMemory.h"
 
 /// The narrowphase of a pair of objects of which at least one is a list of convex parts, owned by their broadphase pair.
 class btHybridAlgorithm : public btCollisionAlgorithm
@@ -37,8 +38,11 @@ public:
 	/// Moves its bodies to where its objects are, if its step is going to come. Whether they are there.
 	virtual bool follow(btDispatcher* dispatcher) = 0;
 
-	/// Finds out about its step what needs nothing of Bullet. Any number of pairs at once.
-	virtual void foresee(scatter::pairs::BoundsLocks& locks, scatter::pairs::ForesightScratch& scratch) = 0;
+	/// Fetches memory that foresee() is going to need soon.
+	virtual void fetch(btHybridLookahead::Stage stage) const = 0;
+
+	/// Finds out about its step what needs nothing of Bullet, or makes it. Any number of pairs at once.
+	virtual void foresee(btHybridAhead& ahead, btHybridStepMemory& memory) = 0;
 
 	/// Its step has not come, or has made use of what was found out.
 	virtual void endForesight() = 0;

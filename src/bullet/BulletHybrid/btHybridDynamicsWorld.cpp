@@ -419,6 +419,16 @@ int btHybridDynamicsWorld::getNumThreads() const
 	return m_narrowphase->getForesight().getNumThreads();
 }
 
+void btHybridDynamicsWorld::setPromises(int promises)
+{
+	m_narrowphase->getForesight().setPromises(promises);
+}
+
+int btHybridDynamicsWorld::getPromises() const
+{
+	return m_narrowphase->getForesight().getPromises();
+}
+
 const char* btHybridDynamicsWorld::setTaskScheduler(btITaskScheduler* scheduler)
 {
 	if (m_detects)
@@ -450,7 +460,7 @@ void btHybridDynamicsWorld::performDiscreteCollisionDetection()
 	{
 		BT_PROFILE("dispatchAllCollisionPairs");
 		m_narrowphase->getObjects().setDispatching(true);
-		m_narrowphase->getForesight().begin(*m_narrowphase, getDispatcher());
+		m_narrowphase->getForesight().begin(*m_narrowphase, static_cast<btCollisionDispatcher*>(getDispatcher()), getDispatchInfo());
 		getDispatcher()->dispatchAllCollisionPairs(m_broadphasePairCache->getOverlappingPairCache(), getDispatchInfo(), m_dispatcher1);
 		m_narrowphase->getForesight().end();
 		m_narrowphase->getObjects().setDispatching(false);

@@ -1,10 +1,11 @@
 #include "btHybridForesight.h"
 
-#include <BulletCollision/BroadphaseCollision/btDispatcher.h>
+#include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
 #include <LinearMath/btThreads.h>
 
 #include <algorithm>
 
+#include "btHybridAheadEngine.h"
 #include "btHybridAlgorithm.h"
 #include "btHybridNarrowphase.h"
 
@@ -38,9 +39,11 @@ struct BlockBody : public btIParallelForBody
 };
 }  // namespace
 
+// On one core threads only take turns, with all that it costs to hand work over.
 void btHybridForesight::setNumThreads(int threads)
 {
-	m_threads.reset(threads > 1 ? new scatter::parallel::ThreadPool(threads) : 0);
+	m_numThreads = threads;
+	m_threads.reset(threads > 1 && scatter::parallel::countCores() > 1 ? new scatter::parallel::ThreadPool(threads) : 0);
 }
 
 // Calls work(first, last) for blocks of indices.
@@ -56,29 +59,42 @@ void btHybridForesight::forEachBlock(int count, const Work& work)
 		m_threads->run(blocks, block);
 }
 
-scatter::pairs::ForesightScratch* btHybridForesight::borrow()
+btHybridStepMemory* btHybridForesight::borrow()
 {
 	const std::scoped_lock lock(m_mutex);
 	if (m_free.empty())
 	{
-		m_scratches.push_back(std::make_unique<scatter::pairs::ForesightScratch>());
-		m_free.push_back(m_scratches.back().get());
+		m_memories.push_back(std::make_unique<btHybridStepMemory>());
+		m_free.push_back(m_memories.back().get());
 	}
-	scatter::pairs::ForesightScratch* scratch = m_free.back();
+	btHybridStepMemory* memory = m_free.back();
 	m_free.pop_back();
-	return scratch;
+	return memory;
 }
 
-void btHybridForesight::giveBack(scatter::pairs::ForesightScratch* scratch)
+void btHybridForesight::giveBack(btHybridStepMemory* memory)
 {
 	const std::scoped_lock lock(m_mutex);
-	m_free.push_back(scratch);
+	m_free.push_back(memory);
 }
 
-void btHybridForesight::begin(btHybridNarrowphase& narrowphase, btDispatcher* dispatcher)
+// The first pairs of a block are fetched at once, so that each stage is.
+void btHybridForesight::lookAhead(int index, int first, int last) const
+{
+	for (int stage = 0; stage < btHybridLookahead::NUM_STAGES; ++stage)
+	{
+		const int by = int(btHybridLookahead::aheadBy(btHybridLookahead::Stage(stage)));
+		const int end = std::min(last, index + by + 1);
+		for (int i = index == first ? first : index + by; i < end; ++i)
+			if (m_chosen[i])
+				m_pairs[i]->fetch(btHybridLookahead::Stage(stage));
+	}
+}
+
+void btHybridForesight::begin(btHybridNarrowphase& narrowphase, btCollisionDispatcher* dispatcher, const btDispatcherInfo& info)
 {
 	m_pairs.clear();
-	if ((!m_threads && !m_scheduler) || m_pause-- > 0)
+	if ((!m_threads && !m_scheduler) || m_pause-- > 0 || !btHybridAheadEngine::isDispatchSure(dispatcher, info, m_promises))
 		return;
 	m_pause = 0;
 	narrowphase.collectOwners(m_pairs);
@@ -87,6 +103,9 @@ void btHybridForesight::begin(btHybridNarrowphase& narrowphase, btDispatcher* di
 		m_pairs.clear();
 		return;
 	}
+	m_ahead.m_info = &info;
+	m_ahead.m_mayStep = btHybridAheadEngine::mayStep();
+	m_ahead.m_mayAdd = btHybridAheadEngine::mayAdd(m_promises);
 	m_chosen.assign(m_pairs.size(), 0);
 	const int count = int(m_pairs.size());
 	forEachBlock(count,
@@ -101,25 +120,28 @@ void btHybridForesight::begin(btHybridNarrowphase& narrowphase, btDispatcher* di
 	forEachBlock(count,
 	             [this](int first, int last)
 	             {
-		             scatter::pairs::ForesightScratch* scratch = borrow();
+		             btHybridStepMemory* memory = borrow();
 		             for (int i = first; i < last; ++i)
+		             {
+			             lookAhead(i, first, last);
 			             if (m_chosen[i])
-				             m_pairs[i]->foresee(m_locks, *scratch);
-		             giveBack(scratch);
+				             m_pairs[i]->foresee(m_ahead, *memory);
+		             }
+		             giveBack(memory);
 	             });
 }
 
-// Pairs that a program's callback has left out have not made use of what was found out.
+// Pairs that are left out all the same have not made use of what was found out.
 void btHybridForesight::end()
 {
 	for (size_t i = 0; i < m_pairs.size(); ++i)
 		if (m_pairs[i] && m_chosen[i])
 			m_pairs[i]->endForesight();
 	size_t awake = 0;
-	for (const auto& scratch : m_scratches)
+	for (const auto& memory : m_memories)
 	{
-		awake += scratch->used;
-		scratch->used = 0;
+		awake += memory->m_foresight.used + memory->m_foresight.stepsUsed;
+		memory->reset();
 	}
 	if (!m_pairs.empty() && awake < size_t(c_fewest))
 		m_pause = c_pause;

@@ -98,7 +98,7 @@ scatter::pairs::PlacedBody btHybridGroundAlgorithm::getPlaced() const
 	return placed;
 }
 
-void btHybridGroundAlgorithm::foresee(scatter::pairs::BoundsLocks&, scatter::pairs::ForesightScratch& scratch)
+void btHybridGroundAlgorithm::foresee(btHybridAhead&, btHybridStepMemory& memory)
 {
 	GroundPair& pair = getPair();
 	const scatter::pairs::PlacedBody placed = getPlaced();
@@ -107,7 +107,7 @@ void btHybridGroundAlgorithm::foresee(scatter::pairs::BoundsLocks&, scatter::pai
 	if (pair.quietUntil >= 0 && scatter::pairs::staysQuiet(pair, placed, ground, version))
 		return;
 	if (scatter::pairs::isForeseeable(pair, placed, m_bodies->m_level, ground, version, m_narrowphase->getSteps()))
-		scatter::pairs::foresee(pair, placed, ground, m_narrowphase->getSteps(), scratch);
+		scatter::pairs::foresee(pair, placed, ground, m_narrowphase->getSteps(), memory.m_foresight);
 }
 
 void btHybridGroundAlgorithm::endForesight()

@@ -36,7 +36,10 @@ public:
 
 	virtual bool mayBeForeseen() const;
 	virtual bool follow(btDispatcher* dispatcher);
-	virtual void foresee(scatter::pairs::BoundsLocks& locks, scatter::pairs::ForesightScratch& scratch);
+	virtual void fetch(btHybridLookahead::Stage) const
+	{
+	}
+	virtual void foresee(btHybridAhead& ahead, btHybridStepMemory& memory);
 	virtual void endForesight();
 
 	virtual void processCollision(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut);

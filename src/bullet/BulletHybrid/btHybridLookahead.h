@@ -29,6 +29,17 @@ public:
 	{
 	}
 
+	/// What of a pair is fetched, from far ahead to near: each needs what the one before brought.
+	enum Stage
+	{
+		PAIR,
+		CHILDREN,
+		CONTACTS,
+		NUM_STAGES
+	};
+	static size_t aheadBy(Stage stage);
+	static void fetch(const scatter::pairs::Pair& pair, Stage stage);
+
 	/// Begins a step. Where nobody says so, in worlds of another kind, it is seen by Bullet coming round.
 	void begin();
 

@@ -4,6 +4,9 @@
 #include <BulletCollision/CollisionDispatch/btCompoundCompoundCollisionAlgorithm.h>
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 
+#include <limits>
+
+#include "btHybridAheadEngine.h"
 #include "btHybridNarrowphase.h"
 #include "btHybridPlanner.h"
 
@@ -30,6 +33,7 @@ btHybridPairAlgorithm::btHybridPairAlgorithm(const btCollisionAlgorithmConstruct
 // What is freed here was got from the dispatcher, whichever call was under way.
 btHybridPairAlgorithm::~btHybridPairAlgorithm()
 {
+	endForesight();
 	btManifoldArray own;
 	getPair().forEachManifold([&own](void* manifold)
 	                          { own.push_back(static_cast<btPersistentManifold*>(manifold)); });
@@ -71,14 +75,36 @@ namespace
 {
 class ManifoldPeek : public scatter::pairs::ContactPeek
 {
-public:
-	virtual bool wouldOutlast(const void* contact) const
+	const btHybridPairBodies& m_bodies;
+	const bool m_carries;
+
+	bool areBoth(const ChildPair& child, int type) const
 	{
-		return btHybridContacts::wouldOutlast(*btHybridContacts::at(contact));
+		return m_bodies.m_bodies[0]->getChildShape(child.a)->getShapeType() == type && m_bodies.m_bodies[1]->getChildShape(child.b)->getShapeType() == type;
 	}
-	virtual float wouldSlide(const void* contact) const
+
+public:
+	ManifoldPeek(const btHybridPairBodies& bodies, bool carries)
+	    : m_bodies(bodies), m_carries(carries)
 	{
-		return btHybridContacts::wouldSlide(*btHybridContacts::at(contact));
+	}
+	virtual bool carries() const
+	{
+		return m_carries;
+	}
+	virtual bool wouldOutlast(void* contact) const
+	{
+		return m_carries ? wouldSlide(contact) < std::numeric_limits<float>::infinity() : btHybridContacts::wouldOutlast(*btHybridContacts::at(contact));
+	}
+	virtual float wouldSlide(void* contact) const
+	{
+		btPersistentManifold* manifold = btHybridContacts::at(contact);
+		return m_carries ? btHybridContacts::carry(manifold, manifold->getBody0(), manifold->getBody1()) : btHybridContacts::wouldSlide(*manifold);
+	}
+	// Other detectors take memory of the dispatcher.
+	virtual bool detectsAnywhere(const ChildPair& child) const
+	{
+		return areBoth(child, BOX_SHAPE_PROXYTYPE) || areBoth(child, SPHERE_SHAPE_PROXYTYPE);
 	}
 };
 }  // namespace
@@ -115,7 +141,12 @@ scatter::pairs::PlacedBodies btHybridPairAlgorithm::getPlaced() const
 	return bodies;
 }
 
-void btHybridPairAlgorithm::foresee(scatter::pairs::BoundsLocks& locks, scatter::pairs::ForesightScratch& scratch)
+void btHybridPairAlgorithm::fetch(btHybridLookahead::Stage stage) const
+{
+	btHybridLookahead::fetch(getPair(), stage);
+}
+
+void btHybridPairAlgorithm::foresee(btHybridAhead& ahead, btHybridStepMemory& memory)
 {
 	Pair& pair = getPair();
 	const scatter::pairs::PlacedBodies bodies = getPlaced();
@@ -124,14 +155,55 @@ void btHybridPairAlgorithm::foresee(scatter::pairs::BoundsLocks& locks, scatter:
 		pair.isForeseenQuiet = true;
 		return;
 	}
-	if (scatter::pairs::isForeseeable(pair, bodies))
-		scatter::pairs::foresee(pair, bodies, m_narrowphase->getSteps(), ManifoldPeek(), locks, scratch);
+	if (!scatter::pairs::isForeseeable(pair, bodies))
+		return;
+	const size_t used = memory.m_foresight.used;
+	const ManifoldPeek peek(m_bodies, ahead.m_mayStep);
+	const bool isDecided = scatter::pairs::foresee(pair, bodies, m_narrowphase->getSteps(), peek, ahead.m_locks, memory.m_foresight);
+	const auto hearsOfNew = [this](int body)
+	{ return btHybridAheadEngine::hearsOfNew(m_bodies.m_objects[body]->getObject()); };
+	if (!isDecided || !ahead.m_mayStep || (!ahead.m_mayAdd && (hearsOfNew(0) || hearsOfNew(1))))
+		return;
+	stepAhead(ahead, memory);
+	// The step has made use of it: the next pair may have its memory.
+	memory.m_foresight.used = used;
+}
+
+// As the dispatcher's near callback calls it, and processCollision() the pair.
+void btHybridPairAlgorithm::stepAhead(const btHybridAhead& ahead, btHybridStepMemory& memory)
+{
+	btHybridNarrowphase& shared = *m_narrowphase;
+	const btCollisionObject* objects[2] = {m_bodies.m_objects[0]->getObject(), m_bodies.m_objects[1]->getObject()};
+	const btCollisionObjectWrapper wrap0(0, objects[0]->getCollisionShape(), objects[0], objects[0]->getWorldTransform(), -1, -1);
+	const btCollisionObjectWrapper wrap1(0, objects[1]->getCollisionShape(), objects[1], objects[1]->getWorldTransform(), -1, -1);
+	btManifoldResult result(&wrap0, &wrap1);
+	const btHybridPairCall call = {{&wrap0, &wrap1}, *ahead.m_info, &result};
+	scatter::pairs::StepAhead& step = memory.m_foresight.takeStep();
+	btHybridAheadEngine engine(static_cast<btCollisionDispatcher*>(m_dispatcher), shared.getObjects(), m_bodies, call, m_fallback, shared.getSteps().ownGjk, m_switches, memory, step.notes);
+	Pair& pair = getPair();
+	if (m_switches)
+		step.outcome = scatter::pairs::stepPair(pair, shared.getPlanner()->planPair(m_planIndex), shared.getSteps(), engine, memory.m_step, step.work);
+	else
+		scatter::pairs::collidePair(pair, m_bodies.m_level, shared.getSteps(), engine, memory.m_step, step.work);
+	pair.ahead = &step;
+}
+
+void btHybridPairAlgorithm::takeAhead()
+{
+	Pair& pair = getPair();
+	btHybridAheadEngine::tell(m_dispatcher, m_bodies.m_objects[0]->getObject(), m_bodies.m_objects[1]->getObject(), pair);
+	m_narrowphase->getWork() += pair.ahead->work;
+	if (m_switches)
+		m_narrowphase->getPlanner()->take(m_planIndex, pair.ahead->outcome);
+	pair.ahead = 0;
 }
 
 void btHybridPairAlgorithm::endForesight()
 {
 	Pair& pair = getPair();
 	pair.isForeseenQuiet = false;
+	if (pair.ahead)
+		takeAhead();
 	if (!pair.foresight)
 		return;
 	for (void* manifold : pair.foresight->dropped)
@@ -143,9 +215,11 @@ void btHybridPairAlgorithm::processCollision(const btCollisionObjectWrapper* bod
 {
 	btHybridNarrowphase& shared = *m_narrowphase;
 	btHybridPlanner* planner = m_switches ? shared.getPlanner() : 0;
+	shared.getLookahead().visit(this, m_index, shared.getPairs(m_switches), shared.countPairs(), planner ? &planner->pair(m_planIndex) : 0);
+	if (getPair().ahead)
+		return takeAhead();
 	const btHybridPairCall call = {{body0Wrap, body1Wrap}, dispatchInfo, resultOut};
 	btHybridPairEngine engine(static_cast<btCollisionDispatcher*>(m_dispatcher), shared.getObjects(), m_bodies, call, m_fallback, shared.getSteps().ownGjk, m_switches);
-	shared.getLookahead().visit(this, m_index, shared.getPairs(m_switches), shared.countPairs(), planner ? &planner->pair(m_planIndex) : 0);
 	Pair& pair = getPair();
 	if (!planner)
 	{

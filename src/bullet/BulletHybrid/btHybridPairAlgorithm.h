@@ -20,6 +20,8 @@ class btHybridPairAlgorithm : public btHybridAlgorithm
 	scatter::pairs::Pair& getPair() const;
 	bool staysQuiet(btHybridPairEngine& engine) const;
 	scatter::pairs::PlacedBodies getPlaced() const;
+	void stepAhead(const btHybridAhead& ahead, btHybridStepMemory& memory);
+	void takeAhead();
 
 public:
 	btHybridPairAlgorithm(const btCollisionAlgorithmConstructionInfo& info, btHybridNarrowphase* narrowphase, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap);
@@ -36,7 +38,8 @@ public:
 
 	virtual bool mayBeForeseen() const;
 	virtual bool follow(btDispatcher* dispatcher);
-	virtual void foresee(scatter::pairs::BoundsLocks& locks, scatter::pairs::ForesightScratch& scratch);
+	virtual void fetch(btHybridLookahead::Stage stage) const;
+	virtual void foresee(btHybridAhead& ahead, btHybridStepMemory& memory);
 	virtual void endForesight();
 
 	virtual void getAllContactManifolds(btManifoldArray& manifoldArray);

@@ -1,17 +1,20 @@
 #include "bullet/physics/dispatcher.h"
 
+#include <atomic>
+
 #include "bullet/physics/body.h"
 
 namespace scatter {
 
 namespace {
 
-constinit thread_local std::uint32_t newContacts = 0;
+// A world that has threads counts on all of them.
+constinit std::atomic<std::uint32_t> newContacts = 0;
 
 bool contactAdded(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
                   const btCollisionObjectWrapper*, int, int) {
   if (point.m_lifeTime == 0) {
-    ++newContacts;
+    newContacts.fetch_add(1, std::memory_order_relaxed);
     point.m_lifeTime = 1;
   }
   return false;

@@ -1,7 +1,9 @@
 #include <LinearMath/btThreads.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <functional>
+#include <thread>
 
 #include "../../trials.h"
 #include "PairTestWorld.h"
@@ -242,6 +244,98 @@ TEST(Threads, LetAProgramLeavePairsOut) {
     crowd.bodies.pop_back();
   }
   EXPECT_EQ(crowd.dispatcher.getNumManifolds(), 0);
+}
+
+struct Call {
+  std::thread::id thread;
+  int bodies[2];
+  float distance;
+  bool operator==(const Call&) const = default;
+};
+
+std::vector<Call> calls;
+
+void note(const btManifoldPoint& point, const void* a, const void* b) {
+  const auto at = [](const void* body) {
+    return static_cast<const btCollisionObject*>(body)->getWorldArrayIndex();
+  };
+  calls.push_back({std::this_thread::get_id(), {at(a), at(b)}, point.getDistance()});
+}
+
+bool noteProcessed(btManifoldPoint& point, void* a, void* b) {
+  note(point, a, b);
+  return true;
+}
+
+bool noteAdded(btManifoldPoint& point, const btCollisionObjectWrapper* a, int, int,
+               const btCollisionObjectWrapper* b, int, int) {
+  note(point, a->getCollisionObject(), b->getCollisionObject());
+  return false;
+}
+
+/// What Bullet's callbacks hear while a crowd comes together.
+std::vector<Call> hear(int threads) {
+  Crowd crowd(7);
+  crowd.world.setNumThreads(threads);
+  for (auto& body : crowd.bodies)
+    body->setCollisionFlags(body->getCollisionFlags() | btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
+  calls.clear();
+  for (int step = 0; step < 60; ++step) crowd.pull();
+  return calls;
+}
+
+TEST(Threads, LeaveCallbacksToOneInTheirOrder) {
+  gContactProcessedCallback = noteProcessed;
+  const std::vector<Call> processed = hear(1);
+  EXPECT_GT(processed.size(), 1000U);
+  EXPECT_TRUE(hear(3) == processed);
+  gContactProcessedCallback = nullptr;
+  gContactAddedCallback = noteAdded;
+  const std::vector<Call> added = hear(1);
+  EXPECT_GT(added.size(), 1000U);
+  EXPECT_TRUE(hear(3) == added);
+  gContactAddedCallback = nullptr;
+}
+
+std::atomic<int> numAdded = 0;
+
+bool countAdded(btManifoldPoint&, const btCollisionObjectWrapper*, int, int, const btCollisionObjectWrapper*,
+                int, int) {
+  ++numAdded;
+  return false;
+}
+
+TEST(Threads, MayCallBackAnywhereIfAProgramPromises) {
+  gContactAddedCallback = countAdded;
+  int counts[2];
+  for (const int threads : {1, 3}) {
+    numAdded = 0;
+    Crowd crowd(7);
+    crowd.world.setNumThreads(threads);
+    crowd.world.setPromises(BT_HYBRID_NEAR_CALLBACK_FORWARDS | BT_HYBRID_CONTACT_ADDED_ON_ANY_THREAD);
+    for (auto& body : crowd.bodies)
+      body->setCollisionFlags(body->getCollisionFlags() | btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
+    for (int step = 0; step < 60; ++step) crowd.pull();
+    counts[threads == 1 ? 0 : 1] = numAdded;
+  }
+  gContactAddedCallback = nullptr;
+  EXPECT_GT(counts[0], 1000);
+  EXPECT_EQ(counts[0], counts[1]);
+}
+
+// A program that leaves pairs out has the same bits too: their contacts stay as they are.
+TEST(Threads, LeaveContactsOfPairsThatAreLeftOut) {
+  Crowd one(5);
+  Crowd other(5);
+  other.world.setNumThreads(3);
+  for (Crowd* crowd : {&one, &other}) crowd->dispatcher.setNearCallback(skipSome);
+  for (int step = 0; step < 100; ++step) {
+    skipsNow = step % 4 == 3;
+    one.pull();
+    other.pull();
+    ASSERT_EQ(other.bits(), one.bits()) << "step " << step;
+  }
+  skipsNow = false;
 }
 
 TEST(Threads, AreFrom1To64) {
