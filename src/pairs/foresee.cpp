@@ -1,5 +1,7 @@
 #include "pairs/foresee.h"
 
+#include <algorithm>
+
 #include "pairs/ground_look.h"
 
 namespace scatter::pairs {
@@ -206,26 +208,41 @@ bool foresee(Pair& pair, const PlacedBodies& bodies, const PairSteps& steps, con
   return !foresight.isAwake || ChildForesight(pair.parts, bodies, steps, peek, locks, foresight).run();
 }
 
-bool isForeseeable(const GroundPair& pair, const PlacedBody& placed, int level, const Frame& ground,
-                   int groundVersion, const PairSteps& steps) {
+namespace {
+
+bool isAsItWas(const GroundPair& pair, const PlacedBody& placed, int level, int groundVersion) {
   const bool isSame =
       pair.level == level && pair.versions[0] == placed.version && pair.versions[1] == groundVersion;
-  if (!isSame || pair.hasFallenBack || pair.isTooFine || placed.body->parts().hasOpaque()) return false;
+  return isSame && !pair.hasFallenBack && !pair.isTooFine;
+}
+
+}  // namespace
+
+bool onlyCarries(const GroundPair& pair, const PlacedBody& placed, int level, const Frame& ground,
+                 int groundVersion, const PairSteps& steps) {
+  return isAsItWas(pair, placed, level, groundVersion) && mayRecycle(pair, *placed.body, ground, steps);
+}
+
+bool isForeseeable(const GroundPair& pair, const PlacedBody& placed, int level, const Frame& ground,
+                   int groundVersion, const PairSteps& steps) {
+  if (!isAsItWas(pair, placed, level, groundVersion) || placed.body->parts().hasOpaque()) return false;
   if (mayRecycle(pair, *placed.body, ground, steps)) return false;
   const Frame bodyInGround = relativeFrame(ground, placed.body->frame());
   return !(pair.region.room(placed.body->parts(), bodyInGround) < 0.0F) && !pair.region.empty();
 }
 
-void foresee(GroundPair& pair, const PlacedBody& placed, const Frame& ground, const PairSteps& steps,
+bool foresee(GroundPair& pair, const PlacedBody& placed, const Frame& ground, const PairSteps& steps,
              ForesightScratch& scratch) {
   Foresight& foresight = scratch.take();
   pair.foresight = &foresight;
   PartBody& region = pair.region.moveTo(ground);
   foresight.isAwake = pair.parts.advance(region, *placed.body, steps, scratch.parts, foresight.work);
-  if (!foresight.isAwake) return;
+  if (!foresight.isAwake) return true;
   judgeAll(pair.parts, region, *placed.body, steps, foresight);
   pair.parts.settle(region, *placed.body, steps);
   foresight.isSettled = true;
+  return std::ranges::none_of(foresight.looks,
+                              [](const ChildLook& look) { return look.verdict == ChildVerdict::kAskEngine; });
 }
 
 }  // namespace scatter::pairs

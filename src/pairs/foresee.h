@@ -75,10 +75,13 @@ bool foresee(Pair& pair, const PlacedBodies& bodies, const PairSteps& steps, con
              BoundsLocks& locks, ForesightScratch& scratch);
 
 /// The same of a body and its ground, which is at `ground`: not of half-spaces, and only while the pieces
-/// that are near are known. `level`: that the pair is going to look at.
+/// that are near are known. `level`: that the pair is going to look at. Nothing is to be found out of a pair
+/// that onlyCarries() contacts along.
+[[nodiscard]] bool onlyCarries(const GroundPair& pair, const PlacedBody& placed, int level,
+                               const Frame& ground, int groundVersion, const PairSteps& steps);
 [[nodiscard]] bool isForeseeable(const GroundPair& pair, const PlacedBody& placed, int level,
                                  const Frame& ground, int groundVersion, const PairSteps& steps);
-void foresee(GroundPair& pair, const PlacedBody& placed, const Frame& ground, const PairSteps& steps,
+bool foresee(GroundPair& pair, const PlacedBody& placed, const Frame& ground, const PairSteps& steps,
              ForesightScratch& scratch);
 
 }  // namespace scatter::pairs

@@ -43,6 +43,13 @@ struct GroundPair {
 
   /// Of the step under way, until it has been made use of. Has no contacts.
   Foresight* foresight = nullptr;
+  StepAhead* ahead = nullptr;  ///< Or it has been made already.
+
+  /// Calls `use(manifold)` for all, which may be changed.
+  template <class Use>
+  void forEachContact(Use&& use) {
+    for (GroundContact& contact : contacts) use(contact.manifold);
+  }
 
   /// Gives the manifolds back, and forgets what was known of distances.
   void restart(float threshold, Manifolds& engine);

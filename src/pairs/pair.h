@@ -95,6 +95,14 @@ struct Pair {
       use(manifold);
   }
 
+  /// Calls `use(contact)` for those of the child pairs that have one, which may be changed.
+  template <class Use>
+  void forEachContact(Use&& use) {
+    for (ChildPair& child : parts.children()) {
+      if (child.contact != nullptr) use(child.contact);
+    }
+  }
+
   /// As new, but with the memory that it has.
   void renew();
 };

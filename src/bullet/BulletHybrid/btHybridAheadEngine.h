@@ -1,26 +1,72 @@
 #ifndef BT_HYBRID_AHEAD_ENGINE_H
 #define BT_HYBRID_AHEAD_ENGINE_H
 
-#include "btHybridPairEngine.h"
+#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
+
+#include <utility>
+#include <vector>
+
 #include "btHybridStepMemory.h"
 
+class btCollisionDispatcher;
+class btDispatcher;
+
 /// Bullet, as a pair sees it whose step is made ahead, on any thread: the dispatcher is told later of manifolds that are new and
-/// of those that are released.
-class btHybridAheadEngine : public btHybridPairEngine
+/// of those that are released. `Engine` is what the pair sees otherwise.
+template <class Engine>
+class btHybridAheadEngine : public Engine
 {
 	btHybridStepMemory& m_memory;
 	std::vector<scatter::pairs::ManifoldNote>& m_notes;
 
 public:
-	/// As of btHybridPairEngine; what is added must outlive it, too.
-	btHybridAheadEngine(btCollisionDispatcher* dispatcher, btHybridObjects& objects, btHybridPairBodies& bodies, const btHybridPairCall& call, btHybridFallback& fallback, bool ownGjk, bool switches, btHybridStepMemory& memory, std::vector<scatter::pairs::ManifoldNote>& notes)
-	    : btHybridPairEngine(dispatcher, objects, bodies, call, fallback, ownGjk, switches), m_memory(memory), m_notes(notes)
+	/// The rest is for the engine. All must outlive it.
+	template <class... Rest>
+	btHybridAheadEngine(btHybridStepMemory& memory, std::vector<scatter::pairs::ManifoldNote>& notes, Rest&&... rest)
+	    : Engine(std::forward<Rest>(rest)...), m_memory(memory), m_notes(notes)
 	{
 	}
 
-	virtual void* newManifold();
-	virtual void release(void* manifold);
+	virtual void* newManifold()
+	{
+		const btCollisionObject* objects[2] = {this->m_wraps[0]->getCollisionObject(), this->m_wraps[1]->getCollisionObject()};
+		const scatter::pairs::ManifoldNote note = {m_memory.standIn(objects[0], objects[1], this->threshold()), true};
+		m_notes.push_back(note);
+		return note.manifold;
+	}
+	virtual void release(void* manifold)
+	{
+		const scatter::pairs::ManifoldNote note = {manifold, false};
+		m_notes.push_back(note);
+	}
+};
 
+/// Tells the dispatcher of the manifolds of a step that was made ahead.
+class btHybridAdoption
+{
+	struct Adopted
+	{
+		const void* m_standIn;
+		btPersistentManifold* m_manifold;
+	};
+	std::vector<Adopted> m_adopted;
+
+public:
+	/// Of two objects, in the order of their manifolds.
+	btHybridAdoption(btDispatcher* dispatcher, const btCollisionObject* a, const btCollisionObject* b, const std::vector<scatter::pairs::ManifoldNote>& notes);
+
+	bool empty() const
+	{
+		return m_adopted.empty();
+	}
+
+	/// The manifold for which another stood in, or this itself.
+	btPersistentManifold* find(void* manifold) const;
+};
+
+/// When steps may be made ahead.
+struct btHybridAheadRules
+{
 	/// Whether every pair's turn is going to come; `promises` of btHybridPromises.
 	static bool isDispatchSure(const btCollisionDispatcher* dispatcher, const btDispatcherInfo& info, int promises);
 
@@ -28,10 +74,7 @@ public:
 	/// mayAdd(), of all objects; else of those that let no callback hear of new contacts.
 	static bool mayStep();
 	static bool mayAdd(int promises);
-	static bool hearsOfNew(const btCollisionObject* object);
-
-	/// Tells the dispatcher, and gives the child pairs the manifolds for which others stood in.
-	static void tell(btDispatcher* dispatcher, const btCollisionObject* a, const btCollisionObject* b, scatter::pairs::Pair& pair);
+	static bool mayStep(const btHybridAhead& ahead, const btCollisionObject* a, const btCollisionObject* b);
 };
 
 #endif  // BT_HYBRID_AHEAD_ENGINE_H

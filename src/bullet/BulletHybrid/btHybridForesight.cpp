@@ -94,7 +94,7 @@ void btHybridForesight::lookAhead(int index, int first, int last) const
 void btHybridForesight::begin(btHybridNarrowphase& narrowphase, btCollisionDispatcher* dispatcher, const btDispatcherInfo& info)
 {
 	m_pairs.clear();
-	if ((!m_threads && !m_scheduler) || m_pause-- > 0 || !btHybridAheadEngine::isDispatchSure(dispatcher, info, m_promises))
+	if ((!m_threads && !m_scheduler) || m_pause-- > 0 || !btHybridAheadRules::isDispatchSure(dispatcher, info, m_promises))
 		return;
 	m_pause = 0;
 	narrowphase.collectOwners(m_pairs);
@@ -104,8 +104,8 @@ void btHybridForesight::begin(btHybridNarrowphase& narrowphase, btCollisionDispa
 		return;
 	}
 	m_ahead.m_info = &info;
-	m_ahead.m_mayStep = btHybridAheadEngine::mayStep();
-	m_ahead.m_mayAdd = btHybridAheadEngine::mayAdd(m_promises);
+	m_ahead.m_mayStep = btHybridAheadRules::mayStep();
+	m_ahead.m_mayAdd = btHybridAheadRules::mayAdd(m_promises);
 	m_chosen.assign(m_pairs.size(), 0);
 	const int count = int(m_pairs.size());
 	forEachBlock(count,

@@ -2,6 +2,7 @@
 
 #include <BulletCollision/CollisionDispatch/btCompoundCompoundCollisionAlgorithm.h>
 
+#include "btHybridAheadEngine.h"
 #include "btHybridNarrowphase.h"
 #include "btHybridPlanner.h"
 #include "pairs/ground_step.h"
@@ -32,6 +33,7 @@ btHybridGroundAlgorithm::btHybridGroundAlgorithm(const btCollisionAlgorithmConst
 // What is freed here was got from the dispatcher, whichever call was under way.
 btHybridGroundAlgorithm::~btHybridGroundAlgorithm()
 {
+	endForesight();
 	for (const GroundContact& contact : getPair().contacts)
 		m_dispatcher->releaseManifold(btHybridContacts::at(contact.manifold));
 	m_fallback.release(m_dispatcher);
@@ -98,25 +100,70 @@ scatter::pairs::PlacedBody btHybridGroundAlgorithm::getPlaced() const
 	return placed;
 }
 
-void btHybridGroundAlgorithm::foresee(btHybridAhead&, btHybridStepMemory& memory)
+void btHybridGroundAlgorithm::foresee(btHybridAhead& ahead, btHybridStepMemory& memory)
 {
 	GroundPair& pair = getPair();
 	const scatter::pairs::PlacedBody placed = getPlaced();
 	const scatter::Frame ground = btHybridFrameOf(m_bodies->m_groundObject->getWorldTransform());
 	const int version = m_bodies->m_ground.getVersion();
+	const scatter::PairSteps& steps = m_narrowphase->getSteps();
 	if (pair.quietUntil >= 0 && scatter::pairs::staysQuiet(pair, placed, ground, version))
 		return;
-	if (scatter::pairs::isForeseeable(pair, placed, m_bodies->m_level, ground, version, m_narrowphase->getSteps()))
-		scatter::pairs::foresee(pair, placed, ground, m_narrowphase->getSteps(), memory.m_foresight);
+	const size_t used = memory.m_foresight.used;
+	bool isDecided = scatter::pairs::onlyCarries(pair, placed, m_bodies->m_level, ground, version, steps);
+	if (!isDecided && scatter::pairs::isForeseeable(pair, placed, m_bodies->m_level, ground, version, steps))
+		isDecided = scatter::pairs::foresee(pair, placed, ground, steps, memory.m_foresight);
+	if (!isDecided || !btHybridAheadRules::mayStep(ahead, m_bodies->m_object->getObject(), m_bodies->m_groundObject))
+		return;
+	stepAhead(ahead, memory);
+	// The step has made use of it: the next pair may have its memory.
+	memory.m_foresight.used = used;
+}
+
+// As the dispatcher's near callback calls it, and processCollision() the pair.
+void btHybridGroundAlgorithm::stepAhead(const btHybridAhead& ahead, btHybridStepMemory& memory)
+{
+	btHybridNarrowphase& shared = *m_narrowphase;
+	const btCollisionObject* body = m_bodies->m_object->getObject();
+	const btCollisionObject* ground = m_bodies->m_groundObject;
+	const btCollisionObjectWrapper bodyWrap(0, body->getCollisionShape(), body, body->getWorldTransform(), -1, -1);
+	const btCollisionObjectWrapper groundWrap(0, ground->getCollisionShape(), ground, ground->getWorldTransform(), -1, -1);
+	const bool isFirst = m_bodies->m_side == 0;
+	btManifoldResult result(isFirst ? &bodyWrap : &groundWrap, isFirst ? &groundWrap : &bodyWrap);
+	const btHybridGroundCall call = {&bodyWrap, &groundWrap, *ahead.m_info, &result};
+	scatter::pairs::StepAhead& step = memory.m_foresight.takeStep();
+	btHybridAheadEngine<btHybridGroundEngine> engine(memory, step.notes, static_cast<btCollisionDispatcher*>(m_dispatcher), shared.getObjects(), *m_bodies, call, m_fallback, memory.m_bounds);
+	if (m_planIndex >= 0)
+		step.outcome = scatter::pairs::stepGround(getPair(), shared.getPlanner()->planPair(m_planIndex), shared.getSteps(), engine, memory.m_step, step.work);
+	else
+		scatter::pairs::collideGround(getPair(), m_bodies->m_level, shared.getSteps(), engine, memory.m_step, step.work);
+	getPair().ahead = &step;
+}
+
+void btHybridGroundAlgorithm::takeAhead()
+{
+	GroundPair& pair = getPair();
+	const btHybridAdoption adoption(m_dispatcher, m_bodies->m_object->getObject(), m_bodies->m_groundObject, pair.ahead->notes);
+	if (!adoption.empty())
+		pair.forEachContact([&adoption](void*& manifold)
+		                    { manifold = adoption.find(manifold); });
+	m_narrowphase->getWork() += pair.ahead->work;
+	if (m_planIndex >= 0)
+		m_narrowphase->getPlanner()->take(m_planIndex, pair.ahead->outcome);
+	pair.ahead = 0;
 }
 
 void btHybridGroundAlgorithm::endForesight()
 {
+	if (getPair().ahead)
+		takeAhead();
 	getPair().foresight = 0;
 }
 
 void btHybridGroundAlgorithm::processCollision(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut)
 {
+	if (getPair().ahead)
+		return takeAhead();
 	btHybridNarrowphase& shared = *m_narrowphase;
 	btHybridPlanner* planner = m_planIndex >= 0 ? shared.getPlanner() : 0;
 	const bool isFirst = m_bodies->m_side == 0;

@@ -20,6 +20,8 @@ class btHybridGroundAlgorithm : public btHybridAlgorithm
 
 	scatter::pairs::GroundPair& getPair() const;
 	scatter::pairs::PlacedBody getPlaced() const;
+	void stepAhead(const btHybridAhead& ahead, btHybridStepMemory& memory);
+	void takeAhead();
 	bool staysQuiet(btHybridGroundEngine& engine) const;
 
 public:

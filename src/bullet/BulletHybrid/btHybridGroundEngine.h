@@ -9,6 +9,7 @@
 #include "btHybridManifolds.h"
 #include "btHybridObjects.h"
 #include "btHybridPartBody.h"
+#include "btHybridPartBounds.h"
 #include "pairs/ground_engine.h"
 
 class btManifoldResult;
@@ -31,20 +32,6 @@ struct btHybridGroundBodies
 	}
 
 	void take(int level, btHybridObjects& objects);
-};
-
-/// Of a part, in one step: its bounds in the ground's frame, and whether Bullet lets it come into contact.
-struct btHybridPartBounds
-{
-	btVector3 m_min;
-	btVector3 m_max;
-	bool m_isKnown;
-	bool m_mayBegin;
-
-	btHybridPartBounds()
-	    : m_isKnown(false), m_mayBegin(false)
-	{
-	}
 };
 
 /// What one call of processCollision was given; the body first.

@@ -160,9 +160,7 @@ void btHybridPairAlgorithm::foresee(btHybridAhead& ahead, btHybridStepMemory& me
 	const size_t used = memory.m_foresight.used;
 	const ManifoldPeek peek(m_bodies, ahead.m_mayStep);
 	const bool isDecided = scatter::pairs::foresee(pair, bodies, m_narrowphase->getSteps(), peek, ahead.m_locks, memory.m_foresight);
-	const auto hearsOfNew = [this](int body)
-	{ return btHybridAheadEngine::hearsOfNew(m_bodies.m_objects[body]->getObject()); };
-	if (!isDecided || !ahead.m_mayStep || (!ahead.m_mayAdd && (hearsOfNew(0) || hearsOfNew(1))))
+	if (!isDecided || !btHybridAheadRules::mayStep(ahead, m_bodies.m_objects[0]->getObject(), m_bodies.m_objects[1]->getObject()))
 		return;
 	stepAhead(ahead, memory);
 	// The step has made use of it: the next pair may have its memory.
@@ -179,7 +177,7 @@ void btHybridPairAlgorithm::stepAhead(const btHybridAhead& ahead, btHybridStepMe
 	btManifoldResult result(&wrap0, &wrap1);
 	const btHybridPairCall call = {{&wrap0, &wrap1}, *ahead.m_info, &result};
 	scatter::pairs::StepAhead& step = memory.m_foresight.takeStep();
-	btHybridAheadEngine engine(static_cast<btCollisionDispatcher*>(m_dispatcher), shared.getObjects(), m_bodies, call, m_fallback, shared.getSteps().ownGjk, m_switches, memory, step.notes);
+	btHybridAheadEngine<btHybridPairEngine> engine(memory, step.notes, static_cast<btCollisionDispatcher*>(m_dispatcher), shared.getObjects(), m_bodies, call, m_fallback, shared.getSteps().ownGjk, m_switches);
 	Pair& pair = getPair();
 	if (m_switches)
 		step.outcome = scatter::pairs::stepPair(pair, shared.getPlanner()->planPair(m_planIndex), shared.getSteps(), engine, memory.m_step, step.work);
@@ -191,7 +189,10 @@ void btHybridPairAlgorithm::stepAhead(const btHybridAhead& ahead, btHybridStepMe
 void btHybridPairAlgorithm::takeAhead()
 {
 	Pair& pair = getPair();
-	btHybridAheadEngine::tell(m_dispatcher, m_bodies.m_objects[0]->getObject(), m_bodies.m_objects[1]->getObject(), pair);
+	const btHybridAdoption adoption(m_dispatcher, m_bodies.m_objects[0]->getObject(), m_bodies.m_objects[1]->getObject(), pair.ahead->notes);
+	if (!adoption.empty())
+		pair.forEachContact([&adoption](void*& manifold)
+		                    { manifold = adoption.find(manifold); });
 	m_narrowphase->getWork() += pair.ahead->work;
 	if (m_switches)
 		m_narrowphase->getPlanner()->take(m_planIndex, pair.ahead->outcome);

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "btHybridPartBounds.h"
 #include "pairs/foresee.h"
 #include "pairs/step_scratch.h"
 
@@ -25,6 +26,7 @@ struct btHybridStepMemory
 {
 	scatter::pairs::ForesightScratch m_foresight;
 	scatter::pairs::StepScratch m_step;
+	std::vector<btHybridPartBounds> m_bounds;
 
 	btHybridStepMemory()
 	    : m_used(0)
