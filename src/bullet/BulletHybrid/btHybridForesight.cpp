@@ -137,13 +137,13 @@ void btHybridForesight::end()
 	for (size_t i = 0; i < m_pairs.size(); ++i)
 		if (m_pairs[i] && m_chosen[i])
 			m_pairs[i]->endForesight();
-	size_t awake = 0;
+	int awake = 0;
 	for (const auto& memory : m_memories)
 	{
-		awake += memory->m_foresight.used + memory->m_foresight.stepsUsed;
+		awake += memory->m_looked;
 		memory->reset();
 	}
-	if (!m_pairs.empty() && awake < size_t(c_fewest))
+	if (!m_pairs.empty() && awake < c_fewest)
 		m_pause = c_pause;
 	m_pairs.clear();
 }

@@ -112,7 +112,10 @@ void btHybridGroundAlgorithm::foresee(btHybridAhead& ahead, btHybridStepMemory& 
 	const size_t used = memory.m_foresight.used;
 	bool isDecided = scatter::pairs::onlyCarries(pair, placed, m_bodies->m_level, ground, version, steps);
 	if (!isDecided && scatter::pairs::isForeseeable(pair, placed, m_bodies->m_level, ground, version, steps))
+	{
 		isDecided = scatter::pairs::foresee(pair, placed, ground, steps, memory.m_foresight);
+		memory.m_looked++;
+	}
 	if (!isDecided || !btHybridAheadRules::mayStep(ahead, m_bodies->m_object->getObject(), m_bodies->m_groundObject))
 		return;
 	stepAhead(ahead, memory);

@@ -160,6 +160,7 @@ void btHybridPairAlgorithm::foresee(btHybridAhead& ahead, btHybridStepMemory& me
 	const size_t used = memory.m_foresight.used;
 	const ManifoldPeek peek(m_bodies, ahead.m_mayStep);
 	const bool isDecided = scatter::pairs::foresee(pair, bodies, m_narrowphase->getSteps(), peek, ahead.m_locks, memory.m_foresight);
+	memory.m_looked += pair.foresight && !pair.foresight->isDone ? 1 : 0;
 	if (!isDecided || !btHybridAheadRules::mayStep(ahead, m_bodies.m_objects[0]->getObject(), m_bodies.m_objects[1]->getObject()))
 		return;
 	stepAhead(ahead, memory);

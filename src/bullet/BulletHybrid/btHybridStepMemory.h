@@ -28,8 +28,10 @@ struct btHybridStepMemory
 	scatter::pairs::StepScratch m_step;
 	std::vector<btHybridPartBounds> m_bounds;
 
+	int m_looked;  ///< pairs whose contacts did not only move along
+
 	btHybridStepMemory()
-	    : m_used(0)
+	    : m_looked(0), m_used(0)
 	{
 	}
 
@@ -40,6 +42,7 @@ struct btHybridStepMemory
 	{
 		m_foresight.used = m_foresight.stepsUsed = 0;
 		m_used = 0;
+		m_looked = 0;
 	}
 
 private:
