@@ -20,7 +20,8 @@ struct Arguments {
   bool unsafe = false;
 };
 
-constexpr const char* kRow = "%-9s %-5s %8ld %9ld %9ld %9ld %7ld %7ld %6ld %9ld %7ld %8ld %8ld %7ld %10.3g\n";
+constexpr const char* kRow =
+    "%-9s %-5s %8ld %9ld %9ld %9ld %7ld %7ld %6ld %9ld %7ld %8ld %8ld %8ld %7ld %10.3g\n";
 
 SwitchTally runAll(Situation situation, btHybridSwitchingMode mode, long switches,
                    const Arguments& arguments) {
@@ -42,9 +43,9 @@ long share(Situation situation, bool byPairs, long switches) {
 }
 
 int run(const Arguments& arguments) {
-  std::printf("%-9s %-5s %8s %9s %9s %9s %7s %7s %6s %9s %7s %8s %8s %7s %10s\n", "situation", "mode",
+  std::printf("%-9s %-5s %8s %9s %9s %9s %7s %7s %6s %9s %7s %8s %8s %8s %7s %10s\n", "situation", "mode",
               "moments", "switches", "coarser", "on credit", "unsafe", "deeper", "moved", "velocity",
-              "pushed", "restless", "weighed", "gained", "most gain");
+              "pushed", "restless", "released", "weighed", "gained", "most gain");
   SwitchTally total;
   std::string complaints;
   for (const btHybridSwitchingMode mode : {BT_HYBRID_PAIR_SWITCHING, BT_HYBRID_BODY_SWITCHING}) {
@@ -54,15 +55,15 @@ int run(const Arguments& arguments) {
           runAll(situation, mode, share(situation, byPairs, arguments.switches), arguments);
       std::printf(kRow, nameOf(situation), byPairs ? "pair" : "body", all.moments, all.switches, all.coarser,
                   all.onCredit, all.unsafe, all.deeper, all.moved, all.changedVelocity, all.pushed,
-                  all.restless, all.weighed, all.gained, all.mostGained);
+                  all.restless, all.released, all.weighed, all.gained, all.mostGained);
       std::fflush(stdout);
       if (!all.complaint.empty()) complaints += all.complaint + "\n";
       total += all;
     }
   }
   std::printf(kRow, "all", "", total.moments, total.switches, total.coarser, total.onCredit, total.unsafe,
-              total.deeper, total.moved, total.changedVelocity, total.pushed, total.restless, total.weighed,
-              total.gained, total.mostGained);
+              total.deeper, total.moved, total.changedVelocity, total.pushed, total.restless, total.released,
+              total.weighed, total.gained, total.mostGained);
   std::fputs(complaints.c_str(), stdout);
   return total.isClean() ? 0 : 1;
 }

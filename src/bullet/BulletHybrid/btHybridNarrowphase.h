@@ -103,7 +103,7 @@ public:
 
 	size_t countPairs() const
 	{
-		return size_t(m_pairs.count() + m_plainPairs.count());
+		return size_t(m_pairs.count()) + size_t(m_plainPairs.count());
 	}
 
 	/// Adds a pair to its table, whose index it keeps in `index`.

@@ -44,14 +44,19 @@ struct SwitchTally {
   /// millimetre; in a pile, and what falls freely in a step, as finer shapes may leave room below.
   long pushed = 0;
 
-  /// Moments whose energy was compared: at rest where bodies are (slower than a twentieth of their size a
-  /// second, and the copy gains nothing); else where no contact presses bodies apart, neither before nor in
-  /// the copy, as error reduction makes energy of its own.
+  /// Moments whose energy was compared: where the copy gains nothing, and at rest bodies are (slower than a
+  /// twentieth of their size a second), else no contact presses bodies apart, neither before nor in the copy,
+  /// as error reduction makes energy of its own.
   long weighed = 0;
 
   /// Moments that were not, because the copy, which does not switch, gained energy: bodies that are wedged
   /// into each other tremble, and error reduction lifts piles.
   long restless = 0;
+
+  /// Moments that were not, because what they gained is of overlap that pairs which did not switch had
+  /// before: nothing is gained once that presses nothing, with all else as it was. A body that goes finer
+  /// lets go of what was wedged below it.
+  long released = 0;
 
   /// Of those weighed, moments after whose step, and at rest in the 10 steps that follow, there was more
   /// energy than before and than in the copy. More is a ten-thousandth, what makes all bodies move at a
