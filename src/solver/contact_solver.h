@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "solver/colouring.h"
 #include "solver/contact_problem.h"
@@ -9,8 +10,9 @@
 namespace scatter::solver {
 
 /// Solves contacts with projected Gauss-Seidel as Bullet's solver does, four pairs of bodies at a time:
-/// in every iteration all normals, then all friction. In memory that it keeps from step to step. The same
-/// problem gives the same bits. Not for use by two threads at once.
+/// in every iteration all normals, then all friction, and of a pair that has many, a share at a turn. In
+/// memory that it keeps from step to step. The same problem gives the same bits. Not for use by two threads
+/// at once.
 class ContactSolver {
  public:
   struct Impulse {
@@ -46,8 +48,17 @@ class ContactSolver {
  private:
   [[nodiscard]] Impulse impulseOf(std::size_t row, int lane) const;
 
+  /// A share of a batch's rows: the one at `first`, and every numTurns_-th from there.
+  struct Turn {
+    int batch;
+    int first;
+  };
+  void takeTurns();
+
   Colouring colouring_;
   ContactRows rows_;
+  std::vector<Turn> turns_;  ///< In the order in which they are solved.
+  int numTurns_ = 1;         ///< Of a batch of many rows, in an iteration.
   bool clampsFriction_ = true;
   bool pushes_ = false;
 };

@@ -147,6 +147,36 @@ TEST(ContactSolver, ClampsTheFrictionOfAContactThatBearsNothing) {
   EXPECT_NEAR(kept.velocities()[0].linear.x, -0.2F, 1e-5F);
 }
 
+/// Bodies of 1 kg on each other, with 64 contacts between each two and below the lowest, under gravity.
+ContactProblem stackOf(int bodies) {
+  ContactProblem problem;
+  problem.bodies.push_back(ContactBody{});
+  for (int k = 1; k <= bodies; ++k) {
+    problem.bodies.push_back(ball(1, {0, static_cast<float>(k) - 0.5F, 0, 0}, {}));
+    problem.bodies.back().force = {0, -9.81F * kStep, 0, 0};
+    const int first = static_cast<int>(problem.points.size());
+    for (int i = 0; i < 64; ++i) {
+      const Quad place{static_cast<float>(i % 8) / 7 - 0.5F, static_cast<float>(k) - 1,
+                       static_cast<float>(i / 8) / 7 - 0.5F, 0};
+      problem.order.push_back(static_cast<int>(problem.points.size()));
+      problem.points.push_back(touch(place, {0, 1, 0, 0}, 0, 0.5F, 0));
+    }
+    problem.pairs.push_back({k, k - 1, first, 64});
+  }
+  return problem;
+}
+
+// All contacts of a pair one after another bear a pair at an iteration, and its upper end falls on.
+TEST(ContactSolver, BearsAStackInOneStep) {
+  const ContactProblem problem = stackOf(10);
+  ContactSolver solver;
+  solve(solver, problem, {.timeStep = kStep}, 10);
+  for (std::size_t k = 1; k < problem.bodies.size(); ++k) {
+    const float fall = 1 - solver.velocities()[k].linear.y / (9.81F * kStep);
+    EXPECT_LT(fall, 0.2F) << "body " << k << " keeps this share of a step's fall";
+  }
+}
+
 TEST(ContactSolver, IsEmptyWithoutContacts) {
   ContactProblem problem;
   problem.bodies = {ball(1, {}, {})};
