@@ -48,17 +48,17 @@ class ContactSolver {
  private:
   [[nodiscard]] Impulse impulseOf(std::size_t row, int lane) const;
 
-  /// A share of a batch's rows: the one at `first`, and every numTurns_-th from there.
+  /// A share of a batch's rows: the one at `first`, and every `step`-th from there.
   struct Turn {
     int batch;
     int first;
+    int step;
   };
   void takeTurns();
 
   Colouring colouring_;
   ContactRows rows_;
   std::vector<Turn> turns_;  ///< In the order in which they are solved.
-  int numTurns_ = 1;         ///< Of a batch of many rows, in an iteration.
   bool clampsFriction_ = true;
   bool pushes_ = false;
 };
