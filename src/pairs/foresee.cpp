@@ -63,9 +63,14 @@ class ChildForesight {
     return look.state != ChildLook::State::kMeasured || look.verdict == ChildVerdict::kApart;
   }
 
+  // Its contacts move along, and are not found anew.
+  [[nodiscard]] bool isCarried(const ChildPair& child) const {
+    return foresight_.recycles && child.touching && !child.stale;
+  }
+
   [[nodiscard]] bool mayDetect(const ChildPair& child, const ChildLook& look) const {
     if (look.state == ChildLook::State::kMeasured) return look.verdict == ChildVerdict::kAskEngine;
-    return look.state == ChildLook::State::kOpen && !(foresight_.recycles && child.touching && !child.stale);
+    return look.state == ChildLook::State::kOpen && !isCarried(child);
   }
 
   // Without contacts, not even empty ones, a look at child pairs changes nothing but the counts.
@@ -82,7 +87,7 @@ class ChildForesight {
     PartBody& b = *bodies_.b;
     if (parts_.isToldApart(child, a, b, steps_, foresight_.work)) {
       look.state = ChildLook::State::kToldApart;
-    } else if (foresight_.recycles && child.touching && !child.stale) {
+    } else if (isCarried(child)) {
       return look;
     } else if (!overlap(child)) {
       look.state = ChildLook::State::kBoundsApart;

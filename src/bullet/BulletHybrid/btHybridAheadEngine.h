@@ -64,6 +64,16 @@ public:
 	btPersistentManifold* find(void* manifold) const;
 };
 
+/// Tells the dispatcher of the manifolds of a pair's step that was made ahead, and gives the pair those for which others stood in.
+template <class Pair>
+void btHybridAdopt(Pair& pair, btDispatcher* dispatcher, const btCollisionObject* a, const btCollisionObject* b)
+{
+	const btHybridAdoption adoption(dispatcher, a, b, pair.ahead->notes);
+	if (!adoption.empty())
+		pair.forEachContact([&adoption](void*& manifold)
+		                    { manifold = adoption.find(manifold); });
+}
+
 /// When steps may be made ahead.
 struct btHybridAheadRules
 {

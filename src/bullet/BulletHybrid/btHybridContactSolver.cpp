@@ -23,6 +23,9 @@ bool ordersRows(const btContactSolverInfo& info)
 	return (info.m_solverMode & (SOLVER_RANDMIZE_ORDER | SOLVER_INTERLEAVE_CONTACT_AND_FRICTION_CONSTRAINTS)) != 0;
 }
 
+// Manifolds ahead whose memory is fetched, as a pile's do not fit into a cache: time for one to come.
+const int c_ahead = 6;
+
 bool moves(const btSolverBody& body)
 {
 	return body.m_originalBody && body.m_originalBody->getInvMass() != 0;
@@ -47,7 +50,6 @@ void btHybridContactSolver::convertContacts(btPersistentManifold** manifolds, in
 	const bool leavesAll = ordersRows(info);
 	for (int i = 0; i < numManifolds; ++i)
 	{
-		const int c_ahead = 6;
 		if (i + c_ahead < numManifolds)
 			btHybridContacts::prefetch(manifolds[i + c_ahead]);
 		btPersistentManifold* manifold = manifolds[i];

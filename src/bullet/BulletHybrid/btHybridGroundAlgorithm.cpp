@@ -146,13 +146,8 @@ void btHybridGroundAlgorithm::stepAhead(const btHybridAhead& ahead, btHybridStep
 void btHybridGroundAlgorithm::takeAhead()
 {
 	GroundPair& pair = getPair();
-	const btHybridAdoption adoption(m_dispatcher, m_bodies->m_object->getObject(), m_bodies->m_groundObject, pair.ahead->notes);
-	if (!adoption.empty())
-		pair.forEachContact([&adoption](void*& manifold)
-		                    { manifold = adoption.find(manifold); });
-	m_narrowphase->getWork() += pair.ahead->work;
-	if (m_planIndex >= 0)
-		m_narrowphase->getPlanner()->take(m_planIndex, pair.ahead->outcome);
+	btHybridAdopt(pair, m_dispatcher, m_bodies->m_object->getObject(), m_bodies->m_groundObject);
+	m_narrowphase->takeAhead(*pair.ahead, m_planIndex);
 	pair.ahead = 0;
 }
 

@@ -74,6 +74,13 @@ void btHybridNarrowphase::beginStep()
 	m_work = btHybridCollisionCounts();
 }
 
+void btHybridNarrowphase::takeAhead(const scatter::pairs::StepAhead& step, int planIndex)
+{
+	m_work += step.work;
+	if (planIndex >= 0)
+		m_planner->take(planIndex, step.outcome);
+}
+
 static void count(const scatter::pairs::PairTable& pairs, size_t plannedBytes, btHybridCollisionMemory& memory)
 {
 	// An algorithm's place in Bullet's pool.

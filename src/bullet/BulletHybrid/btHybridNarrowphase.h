@@ -84,6 +84,8 @@ public:
 	{
 		return m_work;
 	}
+	/// Takes in a step that was made ahead; planIndex: of the pair in the planner, -1 if it does not switch.
+	void takeAhead(const scatter::pairs::StepAhead& step, int planIndex);
 	const btHybridCollisionCounts& getCounts() const
 	{
 		return m_work;

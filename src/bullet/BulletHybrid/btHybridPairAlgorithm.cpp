@@ -190,13 +190,8 @@ void btHybridPairAlgorithm::stepAhead(const btHybridAhead& ahead, btHybridStepMe
 void btHybridPairAlgorithm::takeAhead()
 {
 	Pair& pair = getPair();
-	const btHybridAdoption adoption(m_dispatcher, m_bodies.m_objects[0]->getObject(), m_bodies.m_objects[1]->getObject(), pair.ahead->notes);
-	if (!adoption.empty())
-		pair.forEachContact([&adoption](void*& manifold)
-		                    { manifold = adoption.find(manifold); });
-	m_narrowphase->getWork() += pair.ahead->work;
-	if (m_switches)
-		m_narrowphase->getPlanner()->take(m_planIndex, pair.ahead->outcome);
+	btHybridAdopt(pair, m_dispatcher, m_bodies.m_objects[0]->getObject(), m_bodies.m_objects[1]->getObject());
+	m_narrowphase->takeAhead(*pair.ahead, m_planIndex);
 	pair.ahead = 0;
 }
 

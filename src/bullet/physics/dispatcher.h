@@ -29,7 +29,7 @@ class BulletDispatcher final : public btCollisionDispatcher {
   PairCounts counts_;
 };
 
-/// While it lives, counts the contact points added on this thread, through Bullet's global contact-added
+/// While it lives, counts the contact points added on all threads, through Bullet's global contact-added
 /// callback, which it puts back afterwards.
 ///
 /// Exact: the callback is also made when a point replaces one close by, but that keeps its age. A point
