@@ -24,7 +24,7 @@ bool ordersRows(const btContactSolverInfo& info)
 }
 
 // Manifolds ahead whose memory is fetched, as a pile's do not fit into a cache: time for one to come.
-const int c_ahead = 6;
+const int c_manifoldsAhead = 6;
 
 bool moves(const btSolverBody& body)
 {
@@ -50,8 +50,8 @@ void btHybridContactSolver::convertContacts(btPersistentManifold** manifolds, in
 	const bool leavesAll = ordersRows(info);
 	for (int i = 0; i < numManifolds; ++i)
 	{
-		if (i + c_ahead < numManifolds)
-			btHybridContacts::prefetch(manifolds[i + c_ahead]);
+		if (i + c_manifoldsAhead < numManifolds)
+			btHybridContacts::prefetch(manifolds[i + c_manifoldsAhead]);
 		btPersistentManifold* manifold = manifolds[i];
 		btCollisionObject& object0 = *const_cast<btCollisionObject*>(manifold->getBody0());
 		btCollisionObject& object1 = *const_cast<btCollisionObject*>(manifold->getBody1());
