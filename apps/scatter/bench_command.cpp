@@ -42,7 +42,8 @@ Command addBenchCommand(CLI::App& program) {
   command->add_flag("--list", bench->list, "Show what can be measured");
   bench->commands = {addBenchCollisionCommand(*command), addBenchContactsCommand(*command),
                      addBenchSpreadCommand(*command),    addBenchWorldsCommand(*command),
-                     addBenchFidelityCommand(*command),  addBenchMemoryCommand(*command)};
+                     addBenchFidelityCommand(*command),  addBenchMemoryCommand(*command),
+                     addBenchBudgetCommand(*command)};
   return {command, [bench] { return execute(*bench); }};
 }
 

@@ -49,6 +49,7 @@ Command addLevelsShowCommand(CLI::App& levels);
 
 /// `bench` and the commands below it.
 Command addBenchCommand(CLI::App& program);
+Command addBenchBudgetCommand(CLI::App& bench);
 Command addBenchCollisionCommand(CLI::App& bench);
 Command addBenchContactsCommand(CLI::App& bench);
 Command addBenchSpreadCommand(CLI::App& bench);

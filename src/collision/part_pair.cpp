@@ -429,6 +429,11 @@ double PartPair::slackLeft(const PartBody& a, const PartBody& b) {
                   listedSlack_ - static_cast<double>(std::min(listedDisplacement(now), moved.length)));
 }
 
+float PartPair::movedSince(const Frame& now) const {
+  if (!listed_) return std::numeric_limits<float>::infinity();
+  return displacementBound(frameB_, now, listedCenter_, listedRadius_).length;
+}
+
 float PartPair::listedDisplacement(const Frame& now) const {
   if (followsWhole_) return std::numeric_limits<float>::infinity();
   return displacementBound(frameB_, now, listedCenter_, listedRadius_).length;

@@ -159,6 +159,10 @@ class PartPair {
   /// How far A has turned in the world, or B against A, in all, radians: an upper bound.
   [[nodiscard]] float turn() const { return turn_ + turnSince_; }
 
+  /// How far the listed parts have moved against each other at most since the last advance(), now that B is
+  /// at `now` in A's frame; infinite if there is no list.
+  [[nodiscard]] float movedSince(const Frame& now) const;
+
   [[nodiscard]] int jumps() const { return jumps_; }  ///< Of both bodies, at the last advance().
 
   [[nodiscard]] float threshold() const { return threshold_; }

@@ -60,11 +60,20 @@ double CostModel::units(const PairWorkload& work) const {
          weights_.manifold * work.manifolds + weights_.piece * counts.pieces;
 }
 
-double CostModel::fixedUnits(int bodies, int broadphasePairs) const {
-  return weights_.body * bodies + weights_.broadphasePair * broadphasePairs;
+double CostModel::commonUnits(const PairWorkload& work) const {
+  return weights_.pair + weights_.rebuild * work.counts.rebuilds;
 }
 
-void CostModel::learn(PairCost& cost, int level, int finest, bool touching, double units) {
+double CostModel::units(const StepLoad& load) const {
+  return weights_.object * load.objects + weights_.awakeBody * load.awake +
+         weights_.broadphasePair * load.broadphasePairs + weights_.joint * load.joints;
+}
+
+double CostModel::units(const LooseContacts& contacts) const {
+  return weights_.looseManifold * contacts.manifolds + weights_.contact * contacts.points;
+}
+
+void CostModel::learn(PairCost& cost, int level, int finest, bool touching, double units, double common) {
   assert(level >= 1 && level <= finest);
   grow(finest);
   Kind& kind = kinds_[indexOf(level, finest)];
@@ -72,6 +81,7 @@ void CostModel::learn(PairCost& cost, int level, int finest, bool touching, doub
   if (cost.level == level) {
     follow(cost, slot, units);
     if (units > 0.0) addToMeans(cost, level, finest, touching, units);
+    if (units > 0.0) kind.byTouch[touching ? 1 : 0].common.add(std::min(common, units));
   } else {
     // The first step at a level makes lists anew: what that takes does not belong to the level.
     const double expected = predict(cost, level, cost.level, finest, touching);
@@ -97,6 +107,16 @@ double CostModel::unknown(int level, int finest, bool touching) {
   return (touching ? kUnknownTouching : kUnknownApart) * std::pow(kUnknownRatio, finest - level);
 }
 
+/// Where nothing is known, a level costs what the best `known` one (0: none) makes likely, at the usual ratio
+/// but for what any level costs.
+double CostModel::likely(int level, int known, int finest, std::size_t touch) const {
+  if (known == 0) return unknown(level, finest, touch == 1);
+  const Costs& costs = kinds_[indexOf(known, finest)].byTouch[touch];
+  const double units = std::max(costs.all.units, kLeastUnits);
+  const double common = std::min(costs.common.units, units);
+  return common + (units - common) * std::pow(kUnknownRatio, known - level);
+}
+
 void CostModel::grow(int finest) {
   int known = 0;
   while (indexOf(1, known + 1) < kinds_.size()) ++known;
@@ -112,19 +132,14 @@ void CostModel::updateEstimates(int finest) {
 
 void CostModel::updateEstimates(int finest, std::size_t touch) {
   const auto costsOf = [&](int level) -> Costs& { return kinds_[indexOf(level, finest)].byTouch[touch]; };
-  // Where nothing is known, a level costs what the best known one makes likely, at the usual ratio.
-  double best = 0.0;
-  double scale = 1.0;
+  int best = 0;
   for (int level = finest; level >= 1; --level) {
-    const Mean& mean = costsOf(level).all;
-    if (mean.weight <= best) continue;
-    best = mean.weight;
-    scale = std::max(mean.units, kLeastUnits) / unknown(level, finest, touch == 1);
+    if (costsOf(level).all.weight > (best > 0 ? costsOf(best).all.weight : 0.0)) best = level;
   }
   const Costs& finestCosts = costsOf(finest);
   for (int level = finest; level >= 1; --level) {
     Costs& costs = costsOf(level);
-    const double own = costs.all.with(scale * unknown(level, finest, touch == 1));
+    const double own = costs.all.with(likely(level, best, finest, touch));
     const double ratio = costs.here.units / std::max(costs.finest.units, kLeastUnits);
     const double known = costs.here.weight / (costs.here.weight + kPriorPairs);
     costs.estimate = std::max(own + (ratio * finestCosts.estimate - own) * known, kLeastUnits);

@@ -19,20 +19,36 @@ struct PairWorkload {
   bool reuses = false;  ///< Kept the contacts of the step before: no example of what a step costs.
 };
 
+/// What a step has to do whatever levels pairs have. Exact counts.
+struct StepLoad {
+  int objects = 0;
+  int awake = 0;  ///< Of these, those that move and are not asleep.
+  int broadphasePairs = 0;
+  int joints = 0;
+};
+
+/// What of a step's contacts belongs to no pair that switches, and is solved: of bodies that are awake.
+struct LooseContacts {
+  int manifolds = 0;
+  int points = 0;
+};
+
 /// What a unit of work costs, relative to each other: about microseconds on the machine they were fitted on.
 struct CostWeights {
-  double body = 0.7;
-  double broadphasePair = 0.06;
+  double object = 0.02;
+  double awakeBody = 0.32;
+  double broadphasePair = 0.1;
+  double joint = 0.6;
+  double looseManifold = 0.75;  ///< With what found its contacts.
   double pair = 0.08;
-  double rebuild = 0.85;
-  double childPair = 0.09;
-  double gjkRun = 0.05;
-  double gjkIteration = 0.22;
-  double detectorRun = 1.1;
-  double contact = 0.28;
+  double rebuild = 1.05;
+  double childPair = 0.25;
+  double gjkRun = 0.02;
+  double gjkIteration = 0.06;
+  double detectorRun = 0.6;
+  double contact = 0.23;
   double manifold = 0.15;
-  double piece =
-      0.5;  ///< Timed in bench/grounds, with all of its region: 0.44 (ships-mesh), 0.72 (wheels-hills).
+  double piece = 0.75;  ///< With all of its region.
   double separationQuery = 3.0;
   double audit = 0.5;     ///< The distance between the finest shapes, from scratch.
   double switched = 5.0;  ///< Besides the queries: contacts dropped, lists made anew.
@@ -61,12 +77,16 @@ class CostModel {
 
   [[nodiscard]] const CostWeights& weights() const { return weights_; }
   [[nodiscard]] double units(const PairWorkload& work) const;
-  [[nodiscard]] double fixedUnits(int bodies, int broadphasePairs) const;
 
-  /// After a pair was processed at `level` of `finest`, 1 <= level <= finest: takes in what it cost. A pair
-  /// that was left out of a step because it sleeps cost 0: say so, or it counts as dear as before. (0 does
+  /// Of these, what a pair costs at any level.
+  [[nodiscard]] double commonUnits(const PairWorkload& work) const;
+  [[nodiscard]] double units(const StepLoad& load) const;
+  [[nodiscard]] double units(const LooseContacts& contacts) const;
+
+  /// After a pair was processed at `level` of `finest`, 1 <= level <= finest: takes in what it cost, and what
+  /// of that it would have cost at any level. A pair that was left out of a step because it sleeps cost 0: say so, or it counts as dear as before. (0 does
   /// not count in what is known of other pairs.)
-  void learn(PairCost& cost, int level, int finest, bool touching, double units);
+  void learn(PairCost& cost, int level, int finest, bool touching, double units, double common = 0.0);
 
   /// Units a step at `level` for a pair that is at `now` (0: new), without what the switch costs.
   [[nodiscard]] double predict(const PairCost& cost, int level, int now, int finest, bool touching) const {
@@ -88,6 +108,7 @@ class CostModel {
   struct Costs {
     Mean all{};  ///< Of the pairs at the level. At the finest: of all pairs that ever were, by what is
                  ///< remembered.
+    Mean common{};  ///< Of the pairs at the level: what they would cost at any other.
 
     /// Of the pairs at the level whose cost at the finest level is remembered: both costs. Who is at a
     /// coarser level is not chosen by chance, so means of different pairs do not compare.
@@ -123,6 +144,7 @@ class CostModel {
 
   void grow(int finest);
   void addToMeans(const PairCost& cost, int level, int finest, bool touching, double units);
+  [[nodiscard]] double likely(int level, int known, int finest, std::size_t touch) const;
   void updateEstimates(int finest);
   void updateEstimates(int finest, std::size_t touch);
 

@@ -8,22 +8,23 @@ namespace scatter::lod {
 namespace {
 
 // Of the capacity: up to where all may have their wish, from where on nobody, and what relief aims at.
-constexpr double kAllBelow = 0.88;
+constexpr double kAllBelow = 0.94;
 constexpr double kNoneFrom = 1.02;
 constexpr double kRelieved = 0.99;
 
-// Of the capacity: up to where detail is given back if all that is missing would not fit; what that, and
-// pairs that are apart and change, may take in one step.
-constexpr double kGiveBackBelow = 0.8;
-constexpr double kGiveBack = 0.04;
-constexpr double kChange = 0.03;
+// Of the capacity: up to where detail is given back if all that is missing would not fit; what that may take
+// in one step, and pairs that are apart and get finer or coarser: as much as is left, within bounds.
+constexpr double kGiveBackBelow = 0.9;
+constexpr double kGiveBack = 0.08;
+constexpr double kFiner = 0.03;
+constexpr double kLeastCoarser = 0.03;
+constexpr double kCoarser = 0.12;
 
 // Of the capacity: a load with all detail that is as good as fitting, and one that certainly does not fit.
 constexpr double kFits = 1.05;
 constexpr double kFitsNot = 1.3;
 
-// Budgets, in what all bodies would cost in one pile at the middle level: enough for it, and too little
-// again.
+// Budgets, in what all pairs would cost at the middle level: enough for it, and too little again.
 constexpr double kMiddleRoom = 1.3;
 constexpr double kMiddleKept = 1.1;
 
@@ -43,9 +44,22 @@ constexpr double kReused = 0.3;
 constexpr double kForesight = 1.0;
 constexpr double kTrendShare = 0.25;
 
+// Steps in which what is given may be had back: so far ahead room is kept for what there is no way around.
+constexpr double kHorizon = 120.0;
+
+// Steps from one look at that to the next, and how much of the newest trend is believed.
+constexpr int kFloorEvery = 4;
+constexpr double kFloorShare = 0.3;
+
 // What a pair costs on credit: the contacts that it holds, and looking at its finest shapes now and then.
+// The guess counts as much as so many looks at a pair on credit.
 constexpr double kHeldUnits = 3.0;
+constexpr double kPriorLooks = 10.0;
 constexpr double kAuditShare = 0.3;
+
+// Of the capacity: what switches to relieve a step may cost in it. They are looked at at both levels.
+constexpr double kRelief = 0.06;
+constexpr double kReliefShare = 0.25;  // Of what is too much, where that is more.
 
 // So many units must a switch save a step.
 constexpr double kWorthwhile = 1.0;
@@ -102,8 +116,7 @@ double predict(const PlannedPair& pair, const CostModel& costs, int level) {
 
 }  // namespace
 
-void Governor::plan(std::span<PlannedPair> pairs, const CostModel& costs, double fixed, double budget,
-                    int bodies) {
+void Governor::plan(std::span<PlannedPair> pairs, const CostModel& costs, double fixed, double budget) {
   fixed_ = fixed;
   predicted_ = spent_ = saved_ = 0.0;
   limit_ = kShort * budget;
@@ -112,7 +125,8 @@ void Governor::plan(std::span<PlannedPair> pairs, const CostModel& costs, double
     return;
   }
   const double detail = survey(pairs, costs);
-  forecast(budget, bodies, detail);
+  foreseeFloor(pairs, costs);
+  forecast(budget, detail);
   shareOut();
   for (PlannedPair& pair : pairs) planPair(pair, costs);
   const double foreseen = planned() + kForesight * std::max(trend_, 0.0);
@@ -172,20 +186,44 @@ double Governor::survey(std::span<PlannedPair> pairs, const CostModel& costs) {
   return detail;
 }
 
-void Governor::forecast(double budget, int bodies, double detail) {
+/// Where all pairs as coarse as they may be are going to. What is foreseen is what there is no way around:
+/// detail that is given while bodies are on their way must leave room for it.
+void Governor::foreseeFloor(std::span<const PlannedPair> pairs, const CostModel& costs) {
+  if (stepsToFloor_ > 0) {
+    --stepsToFloor_;
+    return;
+  }
+  stepsToFloor_ = kFloorEvery - 1;
+  double coarsest = 0.0;
+  double middle = 0.0;
+  for (const PlannedPair& pair : pairs) {
+    const int level = pair.view.level;
+    if (level == 0) continue;
+    const int low = std::min(lowest(pair), level);
+    const int between = std::min(std::max(middleOf(pair, def_.creditLevel), low), level);
+    coarsest += predict(pair, costs, low);
+    middle += predict(pair, costs, between);
+  }
+  coarsest *= correction_;
+  middle_ = correction_ * middle;
+  if (coarsest_ > 0.0) coarsestTrend_ += kFloorShare * ((coarsest - coarsest_) / kFloorEvery - coarsestTrend_);
+  coarsest_ = coarsest;
+}
+
+void Governor::forecast(double budget, double detail) {
   const double headroom = std::clamp(misses_.at(kMissShare), kLeastHeadroom * budget, kMostHeadroom * budget);
   const double reusable = kReused * reuseSaves_ * correction_ * contactUnits_;
   capacity_ = budget - std::max(headroom - reusable, kLeastKept * budget);
   // One level for all whom it refuses their wish, not changed for a little.
-  const double middle = def_.middlePileUnits * bodies;
-  isMiddle_ = capacity_ > (isMiddle_ ? kMiddleKept : kMiddleRoom) * middle;
-  // What all bodies would cost in one pile, as far as they do not cost it yet.
-  const double pile = isMiddle_ ? middle : def_.pileUnits * bodies;
-  const double reserve = std::max(pile - (planned() - correction_ * detail), 0.0);
+  const double growth = kHorizon * std::max(coarsestTrend_, 0.0);
+  isMiddle_ = capacity_ > (isMiddle_ ? kMiddleKept : kMiddleRoom) * (fixed_ + middle_ + growth);
+  // What there will be no way around, as far as it does not cost it yet.
+  const double reserve = std::max(fixed_ + coarsest_ + growth - (planned() - correction_ * detail), 0.0);
   const double foreseen = planned() + kForesight * std::max(trend_, 0.0) + reserve;
   admission_ =
       std::clamp((kNoneFrom * capacity_ - foreseen) / ((kNoneFrom - kAllBelow) * capacity_), 0.0, 1.0);
-  changeRoom_ = kChange * capacity_;
+  finerRoom_ = kFiner * capacity_;
+  coarserRoom_ = std::clamp(capacity_ - planned(), kLeastCoarser * capacity_, kCoarser * capacity_);
 }
 
 void Governor::learnKind(const PlannedPair& pair, double units) {
@@ -193,6 +231,16 @@ void Governor::learnKind(const PlannedPair& pair, double units) {
   Kind& kind = kinds_[pair.kind];
   kind.weight = std::min(kind.weight + 1.0, kMemory);
   kind.units += (units - kind.units) / kind.weight;
+}
+
+/// What pairs on credit cost against what they did, most of it in the last few hundred looks at one. The
+/// dearest were chosen, of which many would have become cheaper: half of what they did cost more is left out.
+void Governor::learnCredit(const PlannedPair& pair, double units) {
+  constexpr double kKept = 0.998;
+  if (!(pair.relieved > 0.0F) || pair.view.level >= pair.view.finest) return;
+  Kind& kind = kinds_[pair.kind];
+  kind.onCredit = kKept * kind.onCredit + units;
+  kind.beforeCredit = kKept * kind.beforeCredit + 0.5 * (static_cast<double>(pair.relieved) + kind.units);
 }
 
 /// As detail costs less in one kind of pairs than in another, a larger share of them is admitted.
@@ -203,9 +251,10 @@ void Governor::shareOut() {
     units += kind.units * kind.weight;
     weight += kind.weight;
   }
+  const double loyalty = std::min(kLoyalty, admission_);
   for (Kind& kind : kinds_) {
     for (const bool has : {false, true}) {
-      const double share = std::clamp(admission_ + (has ? kLoyalty : 0.0), 0.0, 1.0);
+      const double share = std::min(admission_ + (has ? loyalty : 0.0), 1.0);
       const double cheapness =
           kind.weight > 0.0 ? units / (weight * std::max(kind.units, kLeastKindUnits)) : 1.0;
       kind.share[has ? 1 : 0] = 1.0 - std::pow(1.0 - share, std::pow(cheapness, kThrift));
@@ -242,11 +291,15 @@ void Governor::planPair(PlannedPair& pair, const CostModel& costs) {
   if (isDear) target = high;
   pair.mustSave = isDear;
   const bool isFree = !view.touching && !view.credited && pair.blockedSteps == 0;
-  if (isFree && changeRoom_ > 0.0) {
+  if (isFree) {
     // One that is near others at its finest level hardly costs more there than at a middle one.
     const bool admitted = isAdmitted(pair);
-    target = isMiddle_ && !admitted ? target : levelFor(pair, admitted);
-    if (target != view.level) changeRoom_ -= costs.weights().switched + costs.weights().separationQuery;
+    const int wanted = isMiddle_ && !admitted ? target : levelFor(pair, admitted);
+    double& room = wanted < view.level ? coarserRoom_ : finerRoom_;
+    if (wanted != view.level && room > 0.0) {
+      room -= costs.weights().switched + costs.weights().separationQuery;
+      target = wanted;
+    }
   }
   pair.target = static_cast<std::uint8_t>(target);
 }
@@ -266,14 +319,32 @@ void Governor::relieve(std::span<PlannedPair> pairs, const CostModel& costs, dou
     offers_.push_back(
         {units / (kCreditLoss * importanceOf(pair)), units, i, static_cast<std::uint8_t>(coarser)});
   }
-  accept(pairs, std::max(excess, bestCost()), -1.0);
+  acceptRelief(pairs, costs, excess);
 }
 
-/// What a pair that costs `now` in contact would cost on credit at `level`: as it did, else as most do.
-double Governor::creditUnits(const PlannedPair& pair, int level, double now) {
+/// The best offers that save the excess, as far as the step has room for their switches.
+void Governor::acceptRelief(std::span<PlannedPair> pairs, const CostModel& costs, double excess) {
+  const double each = costs.weights().switched + costs.weights().separationQuery;
+  PriceCut cut = search_.find(offers_, std::max(excess, bestCost()));
+  std::erase_if(offers_, [&](const Offer& offer) { return !cut.take(offer); });
+  for (Offer& offer : offers_) {
+    PlannedPair& pair = pairs[offer.pair];
+    pair.relieved = static_cast<float>(predict(pair, costs, pair.view.level));
+    offer.cost = static_cast<float>(correction_ * (each + static_cast<double>(pair.relieved)));
+  }
+  accept(pairs, std::max({kRelief * capacity_, kReliefShare * excess, bestCost()}), 1.0);
+}
+
+/// What a pair that costs `now` in contact would cost on credit at `level`: as it did, else as others of its
+/// kind do; as long as little is known of these, as most do.
+double Governor::creditUnits(const PlannedPair& pair, int level, double now) const {
   const std::size_t slot = PairCost::slotOf(level, pair.view.finest);
   const bool isKnown = pair.cost.units[slot] > 0.0F && pair.cost.touching[slot];
-  return isKnown ? static_cast<double>(pair.cost.units[slot]) : kHeldUnits + kAuditShare * now;
+  if (isKnown) return static_cast<double>(pair.cost.units[slot]);
+  const Kind& kind = kinds_[pair.kind];
+  const double prior = kPriorLooks * now;
+  const double ratio = (kind.onCredit + kPriorLooks * (kHeldUnits + kAuditShare * now)) / (kind.beforeCredit + prior);
+  return ratio * now;
 }
 
 /// What a pair in contact would cost at its finest level: as it did, else as others of its kind do.

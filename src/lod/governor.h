@@ -15,14 +15,6 @@ namespace scatter::lod {
 struct GovernorDef {
   /// The coarsest level that a pair in contact takes on credit.
   int creditLevel = 2;
-
-  /// Units that a body costs in a dense pile without any detail. Detail that is given while bodies are still
-  /// on their way must leave room for that, as it is cheap to refuse and dear to take back.
-  double pileUnits = 10.0;
-
-  /// The same at the middle level, creditLevel: a budget with ample room for that gives it to the pairs that
-  /// are refused their wish.
-  double middlePileUnits = 11.0;
 };
 
 /// The global policy: keeps the cost of a step within a budget. Plans before the narrowphase, from the cost
@@ -45,9 +37,9 @@ class Governor {
   void setCreditLevel(int level) { def_.creditLevel = level; }
 
   /// Sets `target` and `byBudget` of every pair. `budget`: units for the whole step; infinite for none.
-  /// `fixed`: units of the step that no level changes (bodies, broadphase); `bodies`: how many move. The
-  /// target is within the wish, even while the pair is blocked.
-  void plan(std::span<PlannedPair> pairs, const CostModel& costs, double fixed, double budget, int bodies);
+  /// `fixed`: units of the step that no level changes (bodies, broadphase). The target is within the wish,
+  /// even while the pair is blocked.
+  void plan(std::span<PlannedPair> pairs, const CostModel& costs, double fixed, double budget);
 
   /// The level for a pair that has come up after plan() (its view.level is 0).
   [[nodiscard]] int planNew(const PlannedPair& pair, const CostModel& costs);
@@ -60,6 +52,7 @@ class Governor {
     if (full > units) reuseSaves_ += kReuseMemory * ((full - units) / full - reuseSaves_);
     remaining_ -= pair.expected;
     pair.expected = 0.0F;
+    if (pair.view.credited && pair.view.touching && full == units) learnCredit(pair, units);
   }
   void spend(double units) { spent_ += units; }
 
@@ -86,25 +79,31 @@ class Governor {
   void planUnlimited(std::span<PlannedPair> pairs, const CostModel& costs);
   void planPair(PlannedPair& pair, const CostModel& costs);
   [[nodiscard]] double survey(std::span<PlannedPair> pairs, const CostModel& costs);
-  void forecast(double budget, int bodies, double detail);
+  void forecast(double budget, double detail);
+  void foreseeFloor(std::span<const PlannedPair> pairs, const CostModel& costs);
   void await();
   [[nodiscard]] double giveBackLimit(double foreseen) const;
   void learnKind(const PlannedPair& pair, double units);
+  void learnCredit(const PlannedPair& pair, double units);
   void shareOut();
-  [[nodiscard]] static double creditUnits(const PlannedPair& pair, int level, double now);
+  [[nodiscard]] double creditUnits(const PlannedPair& pair, int level, double now) const;
   [[nodiscard]] double finestUnits(const PlannedPair& pair, const CostModel& costs) const;
   [[nodiscard]] bool isAdmitted(const PlannedPair& pair) const;
   [[nodiscard]] int levelFor(const PlannedPair& pair, bool isAdmitted) const;
   void relieve(std::span<PlannedPair> pairs, const CostModel& costs, double excess);
+  void acceptRelief(std::span<PlannedPair> pairs, const CostModel& costs, double excess);
   void giveBack(std::span<PlannedPair> pairs, const CostModel& costs, double room);
   [[nodiscard]] double bestCost() const;
   void accept(std::span<PlannedPair> pairs, double room, double sign);
 
-  /// Pairs of a kind: what a touching one costs at its finest level, and the share of them that is admitted,
-  /// of those that are at their finest level already and of the others.
+  /// Pairs of a kind: what a touching one costs at its finest level; what those on credit cost, and what they
+  /// did cost at their finest level; and the share of them that is admitted, of those that are at their finest
+  /// level already and of the others.
   struct Kind {
     double units = 0.0;
     double weight = 0.0;
+    double onCredit = 0.0;
+    double beforeCredit = 0.0;
     double share[2]{1.0, 1.0};
   };
 
@@ -125,8 +124,13 @@ class Governor {
   double foreseen_ = 0.0;      ///< What the step was expected to cost when its narrowphase began.
   RecentQuantile<32> misses_;  ///< How much more steps did cost.
   double reuseSaves_ = 0.2;    ///< Of what a pair costs: what it saves when its contacts are reused.
-  double changeRoom_ = 0.0;    ///< Units left for changes of pairs that are apart.
+  double finerRoom_ = 0.0;     ///< Units left for pairs that are apart and get finer.
+  double coarserRoom_ = 0.0;   ///< The same for those that get coarser.
   double trend_ = 0.0;         ///< Units a step by which steps get dearer.
+  double coarsest_ = 0.0;      ///< What all pairs would cost as coarse as they may be.
+  double middle_ = 0.0;        ///< The same with all at the middle level.
+  double coarsestTrend_ = 0.0;  ///< Units a step by which `coarsest_` grows; negative if it shrinks.
+  int stepsToFloor_ = 0;       ///< Until these are found anew.
   double admission_ = 1.0;
   bool isMiddle_ = false;    ///< Pairs that are refused their wish get a middle level, not the least.
   double correction_ = 1.0;  ///< For predictions, from how much steps cost against what was predicted.

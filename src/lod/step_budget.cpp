@@ -11,16 +11,16 @@ void StepBudget::set(const UnitBudget& budget) {
   governor_ = Governor(GovernorDef());
 }
 
-void StepBudget::begin(int bodies, int broadphasePairs) {
+void StepBudget::begin(const StepLoad& load) {
   auditUnits_ = 0.0;
-  fixedUnits_ = costs_.fixedUnits(bodies, broadphasePairs);
+  fixedUnits_ = costs_.units(load) + looseUnits_;
   units_ = fixedUnits_;
   budgetUnits_ = budget_.next();
 }
 
-void StepBudget::plan(std::span<PlannedPair> pairs, int creditLevel, int moving) {
+void StepBudget::plan(std::span<PlannedPair> pairs, int creditLevel) {
   governor_.setCreditLevel(creditLevel);
-  governor_.plan(pairs, costs_, fixedUnits_, budgetUnits_, moving);
+  governor_.plan(pairs, costs_, fixedUnits_, budgetUnits_);
 }
 
 void StepBudget::planNew(PlannedPair& pair) {
@@ -54,15 +54,22 @@ void StepBudget::countAudit(const PairWorkload& work) {
   auditUnits_ += costs_.weights().audit + costs_.units(work);
 }
 
-double StepBudget::takeWork(PlannedPair& pair, const PairWorkload& work) {
+PairUnits StepBudget::takeWork(PlannedPair& pair, const PairWorkload& work) {
   const double units = costs_.units(work);
   units_ += units;
   governor_.spend(pair, units, work.reuses ? std::max(static_cast<double>(pair.expected), units) : units);
-  return units;
+  return {units, costs_.commonUnits(work)};
 }
 
-void StepBudget::learn(PlannedPair& pair, bool touching, double units) {
-  if (isLimited()) costs_.learn(pair.cost, pair.view.level, pair.view.finest, touching, units);
+void StepBudget::learn(PlannedPair& pair, bool touching, const PairUnits& units) {
+  if (!isLimited()) return;
+  costs_.learn(pair.cost, pair.view.level, pair.view.finest, touching, units.all, units.common);
+}
+
+void StepBudget::takeLoose(const LooseContacts& contacts) {
+  const double known = looseUnits_;
+  looseUnits_ = costs_.units(contacts);
+  spend(looseUnits_ - known);
 }
 
 void StepBudget::finish(bool isPlanned) {

@@ -9,6 +9,12 @@
 
 namespace scatter::lod {
 
+/// What a pair did cost in a step, and what of that it would have cost at any level.
+struct PairUnits {
+  double all = 0.0;
+  double common = 0.0;
+};
+
 /// What the step under way costs and may cost: the governor with what it is given to govern by. Clock-free
 /// but for takeTime().
 class StepBudget {
@@ -21,11 +27,12 @@ class StepBudget {
   [[nodiscard]] bool isLimited() const { return budget_.isLimited(); }
   [[nodiscard]] bool needsTime() const { return budget_.needsTime(); }
 
-  /// Begins a step of a world with so many bodies and broadphase pairs.
-  void begin(int bodies, int broadphasePairs);
+  /// Begins a step. Contacts that belong to no pair are taken to be those of the step before until
+  /// takeLoose() tells.
+  void begin(const StepLoad& load);
 
-  /// Gives every pair its target; `moving`: bodies that move.
-  void plan(std::span<PlannedPair> pairs, int creditLevel, int moving);
+  /// Gives every pair its target.
+  void plan(std::span<PlannedPair> pairs, int creditLevel);
 
   /// Gives a pair that has come up since a target.
   void planNew(PlannedPair& pair);
@@ -45,14 +52,17 @@ class StepBudget {
   /// Of what takeWork() is told as well.
   void countAudit(const PairWorkload& work);
 
-  /// What a pair's step did cost, units.
-  double takeWork(PlannedPair& pair, const PairWorkload& work);
+  /// What a pair's step did cost.
+  PairUnits takeWork(PlannedPair& pair, const PairWorkload& work);
 
   /// A pair was left without a look.
   void takeQuiet(PlannedPair& pair) { governor_.spend(pair, 0.0, 0.0); }
 
   /// What a pair costs a step at its level, for the plans to come; only a budget learns.
-  void learn(PlannedPair& pair, bool touching, double units);
+  void learn(PlannedPair& pair, bool touching, const PairUnits& units);
+
+  /// After the narrowphase: contacts that belong to no pair.
+  void takeLoose(const LooseContacts& contacts);
 
   /// Ends a step; `isPlanned`: plan() was called in it.
   void finish(bool isPlanned);
@@ -79,6 +89,7 @@ class StepBudget {
   Governor governor_;
   UnitBudget budget_;
   double fixedUnits_ = 0.0;
+  double looseUnits_ = 0.0;  ///< Of these, as they are taken to be.
   double units_ = 0.0;
   double lastUnits_ = 0.0;
   double budgetUnits_ = 0.0;

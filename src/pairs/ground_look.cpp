@@ -38,6 +38,18 @@ float partsNear(const PartList& parts, const Below& below, float limit, std::vec
   return simd::stdx::hmin(least);
 }
 
+// What is on credit is settled by contacts that have just been found.
+bool mayCarry(const GroundPair& pair, const PartBody& body, const Frame& ground) {
+  return !pair.contacts.empty() && ground == pair.ground && body.jumps() == pair.jumps &&
+         std::ranges::none_of(pair.contacts,
+                              [](const GroundContact& contact) { return contact.credit > 0.0F; });
+}
+
+Displacement movedSince(const GroundPair& pair, const PartBody& body, const Frame& ground) {
+  return displacementBound(pair.looked, relativeFrame(ground, body.frame()), body.parts().center(),
+                           body.parts().radius());
+}
+
 /// Of the lowest point of a part; of one that is not known exactly, of the polytope around it.
 float heightOf(const PartList::Part& part, const Below& below) {
   if (part.kind == PartKind::kBox) return below.height - reach(part.sharp, -below.normal);
@@ -47,13 +59,8 @@ float heightOf(const PartList::Part& part, const Below& below) {
 }  // namespace
 
 bool mayRecycle(const GroundPair& pair, const PartBody& body, const Frame& ground, const PairSteps& steps) {
-  if (!(steps.recycling > 0.0F) || !pair.isSettled || pair.contacts.empty()) return false;
-  if (ground != pair.ground || body.jumps() != pair.jumps) return false;
-  // What is on credit is settled by contacts that have just been found.
-  if (std::ranges::any_of(pair.contacts, [](const GroundContact& contact) { return contact.credit > 0.0F; }))
-    return false;
-  const Displacement moved = displacementBound(pair.looked, relativeFrame(ground, body.frame()),
-                                               body.parts().center(), body.parts().radius());
+  if (!(steps.recycling > 0.0F) || !pair.isSettled || !mayCarry(pair, body, ground)) return false;
+  const Displacement moved = movedSince(pair, body, ground);
   return moved.length < std::min(steps.recycling, 0.25F * pair.parts.threshold()) &&
          moved.turn < kMostRecycledTurn;
 }
@@ -61,6 +68,29 @@ bool mayRecycle(const GroundPair& pair, const PartBody& body, const Frame& groun
 void GroundLook::atLevel(int level) {
   pair_.restarted = pair_.hasRecycled = false;
   if (!place(level)) return;
+  look();
+}
+
+bool GroundLook::keepsAtLevel(int level, float furthest) {
+  pair_.restarted = pair_.hasRecycled = false;
+  if (!place(level)) return false;
+  const bool keeps = !pair_.restarted && mayKeep(furthest);
+  if (keeps) {
+    foresight_ = std::exchange(pair_.foresight, nullptr);
+    pair_.hasRecycled = true;
+    carry();
+  } else {
+    look();
+  }
+  return keeps;
+}
+
+bool GroundLook::mayKeep(float furthest) const {
+  const Frame ground = engine_.groundFrame();
+  return mayCarry(pair_, *body_, ground) && movedSince(pair_, *body_, ground).length < furthest;
+}
+
+void GroundLook::look() {
   pair_.hasRecycled = steps_.recycling > 0.0F && !pair_.restarted;
   foresight_ = std::exchange(pair_.foresight, nullptr);
   if (foresight_ == nullptr && mayRecycle(pair_, *body_, engine_.groundFrame(), steps_)) {

@@ -48,7 +48,13 @@ class GroundLook {
   /// have no contact any more.
   void atLevel(int level);
 
+  /// The same, unless the body has moved less than `furthest` (metres) since the last look, and has contacts
+  /// without credit: those of the step before stay, where the body is now. Whether they do.
+  [[nodiscard]] bool keepsAtLevel(int level, float furthest);
+
  private:
+  [[nodiscard]] bool mayKeep(float furthest) const;
+  void look();
   bool place(int level);
   bool fallBack();
   void refresh();

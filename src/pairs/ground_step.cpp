@@ -29,7 +29,11 @@ class GroundStep {
     if (!plan_.tries && pair_.landing > 0) {
       land();
     } else if (!plan_.tries) {
-      look_.atLevel(plan_.view.level);
+      if (plan_.keepsFrom == 0) {
+        outcome_.work.reuses = look_.keepsAtLevel(plan_.view.level, furthest());
+      } else {
+        look_.atLevel(plan_.view.level);
+      }
       settleCredit();
     } else if (plan_.view.level == 0) {
       begin();
@@ -41,6 +45,9 @@ class GroundStep {
   }
 
  private:
+  // That the body may move without a look: as parts of a pair may between two audits.
+  [[nodiscard]] float furthest() const { return furthestUnseen(plan_, engine_.threshold()); }
+
   // A new pair takes a coarse level only if nothing overlaps there.
   void begin() {
     int level = plan_.target;

@@ -24,6 +24,14 @@ struct PairPlan {
   static constexpr int kNever = std::numeric_limits<int>::max();
 };
 
+/// How far the parts of a pair, or of a body and its ground, may move against each other without a look for
+/// contacts, metres. Small bodies may move less: a multiple of the distance at which their contacts end, which
+/// is a fiftieth of their size. Bodies of a metre have the usual audit distance.
+[[nodiscard]] inline float furthestUnseen(const PairPlan& plan, float threshold) {
+  constexpr float kThresholds = 1.5F;
+  return plan.auditDistance < kThresholds * threshold ? plan.auditDistance : kThresholds * threshold;
+}
+
 /// What has become of a pair in one step.
 struct PairOutcome {
   bool tried = false;

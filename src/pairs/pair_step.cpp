@@ -16,10 +16,6 @@ constexpr float kWidestGap = 0.25F;
 /// ones.
 constexpr float kLateness = 2.0F;
 
-/// Audits of small bodies are sooner: after so many times the distance at which their contacts end, which is
-/// a fiftieth of their size. Bodies of a metre have the usual audit distance.
-constexpr float kAuditThresholds = 1.5F;
-
 /// How far a pair may move before the first audit, metres; from then on as far again as it has moved.
 constexpr double kFirstAudit = 0.002;
 
@@ -159,19 +155,26 @@ class PairStep {
     return overlap;
   }
 
+  // That parts may move against each other without a look, metres.
+  [[nodiscard]] float furthest() const {
+    return furthestUnseen(plan_, pair_.parts.threshold());
+  }
+
   // Nothing can come into contact before the gap has closed. Contacts that are new need not be all that there
   // will be, as engines find a point at a time, or only those that are deep: the first looks are soon.
   void freshen() {
-    const float distance = std::min(plan_.auditDistance, kAuditThresholds * pair_.parts.threshold());
+    const float distance = furthest();
     const double looks = std::min(static_cast<double>(distance), std::max(kFirstAudit, credit_.freshUntil));
     credit_.freshUntil += std::max(static_cast<double>(credit_.gap - kTouching), looks);
     credit_.latest = static_cast<double>(kLateness * distance);
   }
 
-  // Not twice running, so that what comes upon the pair is found a step late at most.
-  [[nodiscard]] bool mayKeep() const {
-    return pair_.origin != ContactOrigin::kKept && !pair_.hasFallenBack && pair_.held.empty() &&
-           pair_.versions[0] != Pair::kNoParts && outcome_.choiceQueries >= plan_.keepsFrom;
+  // What comes upon the pair is found a step late, or before the parts have moved as far against each other
+  // as they may between two audits.
+  [[nodiscard]] bool mayKeep() {
+    const bool canKeep = !pair_.hasFallenBack && pair_.held.empty() && pair_.versions[0] != Pair::kNoParts &&
+                         outcome_.choiceQueries >= plan_.keepsFrom;
+    return canKeep && (pair_.origin != ContactOrigin::kKept || pair_.parts.movedSince(frameB()) < furthest());
   }
 
   // The contacts of the step before, where the bodies are now.

@@ -133,7 +133,8 @@ void Planner::applyAsked(std::size_t pair) {
 
 void Planner::plan(const PlanInput& input) {
   ++step_;
-  budget_.begin(input.objects, input.broadphasePairs);
+  own_ = {};
+  budget_.begin(input.load);
   plans_ = budget_.isLimited() || !policies_.empty() || asks_ || numBelowFinest_ > 0;
   if (!plans_) return;
   if (!policies_.empty()) {
@@ -154,7 +155,7 @@ void Planner::plan(const PlanInput& input) {
     known_[i].targetBefore = planned.target;
   }
   advisesAll_ = false;
-  budget_.plan(planned_, settings_.creditLevel, input.moving);
+  budget_.plan(planned_, settings_.creditLevel);
   for (std::size_t i = 0; i < planned_.size(); ++i) followRequest(i);
 }
 
@@ -234,7 +235,7 @@ lod::SwitchRules Planner::rulesOf(std::size_t pair) const {
 int Planner::keepsFrom(std::size_t pair) const {
   const PlannedPair& planned = planned_[pair];
   const PairView& view = planned.view;
-  const bool isPlain = view.touching && view.level == view.finest && !view.credited;
+  const bool isPlain = view.touching && !view.credited;
   if (!plans_ || !isPlain || planned.wish.atLeast >= view.finest) return PairPlan::kNever;
   for (int queries = 0; queries <= view.finest; ++queries) {
     if (budget_.isShortAfterQueries(queries)) return queries;
@@ -324,14 +325,14 @@ void Planner::takeWork(std::size_t pair, const PairOutcome& outcome) {
   PlannedPair& planned = planned_[pair];
   PairView& view = planned.view;
   Known& known = known_[pair];
-  const double units = budget_.takeWork(planned, outcome.work);
+  lod::PairUnits units = budget_.takeWork(planned, outcome.work);
   known.step = step_;
+  own_.manifolds += outcome.work.manifolds;
+  own_.points += outcome.work.contacts;
   counts_.reusedPairs += outcome.work.reuses ? 1 : 0;
-  if (outcome.credited) known.averageUnits += (static_cast<float>(units) - known.averageUnits) / kCostMemory;
-  if (!outcome.work.reuses) {
-    budget_.learn(planned, outcome.touching,
-                  outcome.credited ? static_cast<double>(known.averageUnits) : units);
-  }
+  if (outcome.credited) known.averageUnits += (static_cast<float>(units.all) - known.averageUnits) / kCostMemory;
+  if (outcome.credited) units.all = static_cast<double>(known.averageUnits);
+  if (!outcome.work.reuses) budget_.learn(planned, outcome.touching, units);
   constexpr std::uint16_t kMost = std::numeric_limits<std::uint16_t>::max();
   if (!outcome.touching) {
     view.contactSteps = 0;
@@ -364,7 +365,7 @@ void Planner::finishPair(std::size_t pair) {
   counts_.requests += known_[pair].request.stands ? 1 : 0;
   // Asleep, or filtered out.
   if (known_[pair].step != step_ && planned.view.level > 0)
-    budget_.learn(planned, planned.view.touching, 0.0);
+    budget_.learn(planned, planned.view.touching, {});
 }
 
 void Planner::takeTime(double milliseconds) {

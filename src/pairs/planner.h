@@ -29,9 +29,7 @@ struct SwitchSettings {
 /// What a plan is made with.
 struct PlanInput {
   std::span<const lod::BodyView> bodies{};  ///< Stays valid until the next plan. Only if needsBodies().
-  int objects = 0;                          ///< In the world.
-  int moving = 0;                           ///< Of these, those that move.
-  int broadphasePairs = 0;
+  lod::StepLoad load{};
 };
 
 /// Says what level every pair should have: keeps the table of all pairs that switch, shows it to policies and
@@ -112,7 +110,16 @@ class Planner {
            !(plans_ && planned.view.touching);
   }
 
-  /// After the narrowphase.
+  /// Whether anything asks for other levels than the finest.
+  [[nodiscard]] bool plans() const { return plans_; }
+
+  /// After the narrowphase: manifolds and contact points that pairs of the plan have had in this step.
+  [[nodiscard]] lod::LooseContacts ownContacts() const { return own_; }
+
+  /// Then: those that belong to no pair of the plan.
+  void takeLoose(const lod::LooseContacts& contacts) { budget_.takeLoose(contacts); }
+
+  /// Ends the step.
   void finish();
 
   /// After the step, of processor time.
@@ -168,6 +175,7 @@ class Planner {
   PairListener* listener_ = nullptr;
   PairStepCounts counts_;  ///< Of the step under way, and of what happened since the last one.
   PairStepCounts lastCounts_;
+  lod::LooseContacts own_;  ///< Of the step under way.
   int step_ = 0;
   std::uint32_t numCreated_ = 0;  ///< Pairs, ever.
   int numBelowFinest_ = 0;        ///< Pairs that are coarser than their finest level.

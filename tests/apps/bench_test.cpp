@@ -25,13 +25,13 @@ class BenchTest : public ProgramTest {
 
 TEST_F(BenchTest, ListShowsWhatCanBeMeasured) {
   const std::string output = bench({"--list"});
-  for (const char* name : {"collision", "contacts", "spread", "worlds", "fidelity", "memory"}) {
+  for (const char* name : {"budget", "collision", "contacts", "spread", "worlds", "fidelity", "memory"}) {
     EXPECT_THAT(output, HasSubstr(name));
   }
 }
 
 TEST_F(BenchTest, EveryBenchCommandHasHelp) {
-  for (const char* name : {"collision", "contacts", "spread", "worlds", "fidelity", "memory"}) {
+  for (const char* name : {"budget", "collision", "contacts", "spread", "worlds", "fidelity", "memory"}) {
     EXPECT_THAT(bench({name, "--help"}), HasSubstr(std::string("scatter bench ") + name));
   }
 }
@@ -54,6 +54,16 @@ TEST_F(BenchTest, ContactsVerifiesEveryScene) {
   EXPECT_THAT(output, ContainsRegex("duel +20 +2 "));
   EXPECT_THAT(output, ContainsRegex("all +40 +4 "));
   EXPECT_EQ(linesOfCsv("contacts.csv"), 3U);
+}
+
+TEST_F(BenchTest, BudgetGoesThroughScenesAndFamilies) {
+  const std::string output =
+      bench({"budget", "--scenes", "convergence", "--families", "wheel_stack", "--seeds", "2,3", "--scale",
+             "0.2", "--frames", "30", "--floors", "1.5,40", "--csv", "budgets.csv"});
+  EXPECT_THAT(output, ContainsRegex("convergence +1.50 "));
+  EXPECT_THAT(output, ContainsRegex("wheel_stack-3 +40.0 .* 0.00 +0.00 +0.[0-9]+"));
+  EXPECT_THAT(output, HasSubstr("6 runs, 180 frames"));
+  EXPECT_EQ(linesOfCsv("budgets.csv"), 7U);
 }
 
 TEST_F(BenchTest, SpreadHasALineForEveryWorldAndSeed) {

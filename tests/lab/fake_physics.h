@@ -11,6 +11,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -25,6 +26,9 @@ struct FakeBehaviour {
   std::optional<PairWork> work{};  ///< Of every step, in the place of the usual.
   std::uint64_t jumpStep =
       0;  ///< In this step the first body is moved 0.5 m up, whatever its velocity; 0: never.
+  /// Of the steps in order, the last one ever after: what they cost, and what of it could not be given up. A
+  /// step below 100 units has withheld some detail.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> costs{};
   bool countsTouching =
       false;  ///< Counts touching pairs in every step: 10, of which one is coarse in step 7.
 };
@@ -169,6 +173,7 @@ class FakePhysics final : public Physics {
       counters_.touchingPairs = 10;
       counters_.touchingFinestPairs = step == 7 ? 9 : 10;
     }
+    countCosts();
     switching_.steps = steps_;
     switching_.events.clear();
     if (hybrid && step == 2) {
@@ -188,6 +193,14 @@ class FakePhysics final : public Physics {
     for (std::size_t stage = 0; stage < kStageCount; ++stage) {
       stageTimes_[stage] = def_.profiling ? static_cast<double>(stage + 1) : 0.0;
     }
+  }
+
+  void countCosts() {
+    counters_.finestPairs = counters_.narrowphasePairs;
+    if (behaviour_.costs.empty()) return;
+    const auto at = std::min<std::uint64_t>(steps_, behaviour_.costs.size()) - 1;
+    std::tie(counters_.costUnits, counters_.floorUnits) = behaviour_.costs[static_cast<std::size_t>(at)];
+    if (counters_.costUnits < 100) --counters_.finestPairs;
   }
 
   void verify() {

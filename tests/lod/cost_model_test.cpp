@@ -33,15 +33,33 @@ TEST(CostModel, AddsUpTheWorkOfAPair) {
                         .gjkIterations = 4,
                         .detectorRuns = 5,
                         .pieces = 8};
-  EXPECT_DOUBLE_EQ(costs.units({.counts = counts, .contacts = 6, .manifolds = 7}), 456.0);
-  EXPECT_DOUBLE_EQ(costs.units({}), 1.0);
+  EXPECT_DOUBLE_EQ(costs.units(PairWorkload{.counts = counts, .contacts = 6, .manifolds = 7}), 456.0);
+  EXPECT_DOUBLE_EQ(costs.units(PairWorkload{}), 1.0);
 }
 
-TEST(CostModel, FixedUnitsCountBodiesAndBroadphasePairs) {
+TEST(CostModel, CountsWhatNoLevelChanges) {
   CostWeights weights;
-  weights.body = 2.0;
+  weights.object = 2.0;
+  weights.awakeBody = 3.0;
   weights.broadphasePair = 0.5;
-  EXPECT_DOUBLE_EQ(CostModel(weights).fixedUnits(10, 8), 24.0);
+  weights.joint = 5.0;
+  weights.looseManifold = 4.0;
+  weights.contact = 0.25;
+  const CostModel costs(weights);
+  EXPECT_DOUBLE_EQ(costs.units(StepLoad{.objects = 10, .awake = 4, .broadphasePairs = 8, .joints = 2}), 46.0);
+  EXPECT_DOUBLE_EQ(costs.units(LooseContacts{.manifolds = 3, .points = 8}), 14.0);
+}
+
+TEST(CostModel, WhatAPairCostsAnywayIsNotTakenToShrinkWithItsLevel) {
+  CostModel costs{CostWeights{}};
+  PairCost cost;
+  for (int i = 0; i < 200; ++i) costs.learn(cost, 3, 3, !kTouching, 10.0, 8.0);
+  EXPECT_GT(costs.predict({}, 1, 0, 3, !kTouching), 7.0);
+  EXPECT_LT(costs.predict({}, 1, 0, 3, !kTouching), costs.predict({}, 3, 0, 3, !kTouching));
+  CostModel detailed{CostWeights{}};
+  PairCost other;
+  for (int i = 0; i < 200; ++i) detailed.learn(other, 3, 3, !kTouching, 10.0, 0.0);
+  EXPECT_LT(detailed.predict({}, 1, 0, 3, !kTouching), 4.0);
 }
 
 TEST(CostModel, ExpectsFinerLevelsToCostMoreBeforeItKnowsAnything) {

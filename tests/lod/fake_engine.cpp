@@ -30,7 +30,7 @@ FakeEngine::FakeEngine(const FakeDef& def, std::vector<FakePair> script)
       script_(std::move(script)),
       random_(def.seed),
       governor_(def.governor),
-      reused_(script_.size(), false) {
+      reused_(script_.size(), 0) {
   std::stable_sort(script_.begin(), script_.end(),
                    [](const FakePair& a, const FakePair& b) { return a.born < b.born; });
 }
@@ -43,7 +43,7 @@ FakeStep FakeEngine::step(double budget) {
     pairs_[i].wish = {script.importance, script.atMost, script.atLeast, 0};
     if (pairs_[i].blockedSteps > 0) --pairs_[i].blockedSteps;
   }
-  governor_.plan(pairs_, costs_, def_.fixed, budget, def_.bodies);
+  governor_.plan(pairs_, costs_, def_.fixed, budget);
   result.units = def_.fixed;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     result.units += process(pairs_[i], script_[owners_[i]], result);
@@ -100,12 +100,14 @@ double FakeEngine::process(PlannedPair& pair, const FakePair& script, FakeStep& 
   return units + switching;
 }
 
-/// Not twice running.
+/// Not for longer than until the bodies have moved too far against each other.
 bool FakeEngine::mayReuse(const PlannedPair& pair, const FakePair& script) {
-  bool& has = reused_[static_cast<std::size_t>(&script - script_.data())];
+  constexpr int kMost = 3;
+  int& steps = reused_[static_cast<std::size_t>(&script - script_.data())];
   const PairView& view = pair.view;
-  has = !has && view.touching && view.level == view.finest && !view.credited && governor_.isShort();
-  return has;
+  const bool may = steps < kMost && view.touching && !view.credited && governor_.isShort();
+  steps = may ? steps + 1 : 0;
+  return may;
 }
 
 double FakeEngine::switchTo(PlannedPair& pair, FakeStep& result) {

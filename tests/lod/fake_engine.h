@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <random>
 #include <vector>
@@ -43,7 +42,6 @@ struct FakeDef {
   double spike = 0.05;   ///< Chance of a step in which a pair costs twice as much.
   double blocked = 0.2;  ///< Chance that a switch which overlap can prevent is not safe.
   double fixed = 300.0;  ///< Units besides the pairs.
-  int bodies = 250;
   std::function<double(int step)> activity{};  ///< What all costs are multiplied by.
   GovernorDef governor{};
 };
@@ -87,7 +85,7 @@ class FakeEngine {
   Governor governor_;
   std::vector<PlannedPair> pairs_;
   std::vector<std::size_t> owners_;  ///< By pair: its script.
-  std::deque<bool> reused_;          ///< By script: in the last step.
+  std::vector<int> reused_;          ///< By script: steps in a row.
   std::size_t nextBorn_ = 0;
   int step_ = 0;
 };

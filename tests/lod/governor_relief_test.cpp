@@ -25,6 +25,27 @@ std::vector<PlannedPair> variousPairs(CostModel& costs, int count) {
   return pairs;
 }
 
+double onCredit(const PlannedPair& pair) {
+  return std::min(static_cast<double>(pair.cost.units[0]), 3.0 + 0.3 * static_cast<double>(pair.cost.units[0]));
+}
+
+/// So many steps in which all switches are safe that no more are to come.
+void planUntilRest(Governor& governor, CostModel& costs, std::vector<PlannedPair>& pairs, double budget) {
+  constexpr int kSteps = 100;
+  for (int i = 0; i < kSteps; ++i) {
+    governor.plan(pairs, costs, 0.0, budget);
+    followPlan(pairs);
+    double units = 0.0;
+    for (PlannedPair& pair : pairs) {
+      const double own = pair.view.credited ? onCredit(pair) : static_cast<double>(pair.cost.units[0]);
+      if (pair.view.credited) costs.learn(pair.cost, pair.view.level, pair.view.finest, true, own);
+      governor.spend(pair, own, own);
+      units += own;
+    }
+    governor.learn(units);
+  }
+}
+
 double predictNow(const CostModel& costs, const PlannedPair& pair) {
   return costs.predict(pair.cost, pair.view.level, pair.view.level, pair.view.finest, pair.view.touching);
 }
@@ -33,7 +54,7 @@ TEST(GovernorRelief, NothingIsTakenWithinTheBudget) {
   CostModel costs{CostWeights{}};
   Governor governor({});
   std::vector<PlannedPair> pairs = knownPairs(costs, 100, 3);
-  governor.plan(pairs, costs, 0.0, 1500.0, 0);
+  governor.plan(pairs, costs, 0.0, 1500.0);
   EXPECT_EQ(countAt(pairs, 3), 100);
 }
 
@@ -44,10 +65,12 @@ TEST(GovernorRelief, TakesAboutAsMuchAsIsNeeded) {
     std::vector<PlannedPair> pairs = variousPairs(costs, 200);
     double all = 0.0;
     for (const PlannedPair& pair : pairs) all += predictNow(costs, pair);
-    governor.plan(pairs, costs, 0.0, share * all, 0);
+    planUntilRest(governor, costs, pairs, share * all);
+    double left = 0.0;
+    for (const PlannedPair& pair : pairs) left += pair.target < 3 ? onCredit(pair) : pair.cost.units[0];
     EXPECT_GT(countAt(pairs, 2), 0);
-    EXPECT_LE(governor.planned(), share * all);
-    EXPECT_GE(governor.planned(), 0.75 * share * all);
+    EXPECT_LE(left, share * all);
+    EXPECT_GE(left, 0.75 * share * all);
   }
 }
 
@@ -55,15 +78,27 @@ TEST(GovernorRelief, WhatCannotFitLosesAllItCan) {
   CostModel costs{CostWeights{}};
   Governor governor({});
   std::vector<PlannedPair> pairs = variousPairs(costs, 100);
-  governor.plan(pairs, costs, 0.0, 50.0, 0);
+  planUntilRest(governor, costs, pairs, 50.0);
   EXPECT_EQ(countAt(pairs, 2), 100);
+}
+
+TEST(GovernorRelief, SwitchesAreSpreadOverSteps) {
+  CostModel costs{CostWeights{}};
+  Governor governor({});
+  std::vector<PlannedPair> pairs = knownPairs(costs, 300, 3, 20.0);
+  // Three quarters of the budget too much.
+  governor.plan(pairs, costs, 0.0, 3500.0);
+  EXPECT_GT(countAt(pairs, 2), 0);
+  EXPECT_LE(countAt(pairs, 2) * 20.0, 0.2 * 3500.0);
+  // They are looked at at both levels in the step of the switch.
+  EXPECT_GT(governor.planned(), 6000.0);
 }
 
 TEST(GovernorRelief, TheDearestGoFirst) {
   CostModel costs{CostWeights{}};
   Governor governor({});
   std::vector<PlannedPair> pairs = variousPairs(costs, 200);
-  governor.plan(pairs, costs, 0.0, 0.85 * 200 * 23.5, 0);
+  governor.plan(pairs, costs, 0.0, 0.85 * 200 * 23.5);
   double cheapestTaken = 1e9;
   double dearestLeft = 0.0;
   for (const PlannedPair& pair : pairs) {
@@ -85,7 +120,7 @@ TEST(GovernorRelief, OfEqualsTheLeastImportantGoFirst) {
     Governor governor({});
     std::vector<PlannedPair> pairs = knownPairs(costs, 300, 3, 20.0);
     for (PlannedPair& pair : pairs) pair.wish.importance = static_cast<float>(random.uniform(0.1, 10.0));
-    governor.plan(pairs, costs, 0.0, 6000.0 * random.uniform(0.6, 1.0), 0);
+    governor.plan(pairs, costs, 0.0, 6000.0 * random.uniform(0.6, 1.0));
     ASSERT_GT(countAt(pairs, 2), 0);
     for (const PlannedPair& a : pairs) {
       for (const PlannedPair& b : pairs) {
@@ -104,7 +139,7 @@ TEST(GovernorRelief, TakesOnlyFromPairsThatItMakesCheaper) {
   pairs[1].blockedSteps = 3;
   pairs[2].wish.atLeast = 3;
   pairs[3] = knownPair(costs, 3, 1.0);  // Not worth a switch.
-  governor.plan(pairs, costs, 0.0, 10.0, 0);
+  governor.plan(pairs, costs, 0.0, 10.0);
   for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(pairs[i].target, 3) << i;
   EXPECT_EQ(pairs[4].target, 2);
 }
@@ -117,7 +152,7 @@ TEST(GovernorRelief, GoesNoCoarserThanCreditAndThePromiseAllow) {
     Governor governor(def);
     std::vector<PlannedPair> pairs = knownPairs(costs, 10, 3, 20.0);
     pairs[3].wish.atLeast = 2;
-    governor.plan(pairs, costs, 0.0, 20.0, 0);
+    planUntilRest(governor, costs, pairs, 20.0);
     EXPECT_EQ(pairs[0].target, creditLevel);
     EXPECT_EQ(pairs[3].target, 2);
   }
@@ -132,7 +167,7 @@ TEST(GovernorRelief, APairWithFewLevelsIsRelievedToo) {
     std::vector<PlannedPair> pairs = {knownPair(costs, 3, 20.0), knownPair(costs, 3, 20.0)};
     pairs[1].view.finest = 2;
     pairs[1].view.level = 2;
-    governor.plan(pairs, costs, 0.0, 10.0, 0);
+    planUntilRest(governor, costs, pairs, 10.0);
     EXPECT_EQ(pairs[0].target, 2);
     EXPECT_EQ(pairs[1].target, 1);
   }
@@ -143,7 +178,7 @@ TEST(GovernorRelief, WhatCreditDidNotSaveIsNotTriedAgain) {
   Governor governor({});
   std::vector<PlannedPair> pairs = knownPairs(costs, 2, 3, 20.0);
   pairs[0].cost.units[1] = 19.5F;
-  governor.plan(pairs, costs, 0.0, 10.0, 0);
+  governor.plan(pairs, costs, 0.0, 10.0);
   EXPECT_EQ(pairs[0].target, 3);
   EXPECT_EQ(pairs[1].target, 2);
 }
@@ -156,7 +191,7 @@ TEST(GovernorRelief, CreditThatDoesNotPayIsEnded) {
   pairs[0].cost.units[1] = 30.0F;
   pairs[1].cost.units[1] = 30.0F;
   pairs[1].blockedSteps = 1;
-  governor.plan(pairs, costs, 0.0, 10.0, 0);
+  governor.plan(pairs, costs, 0.0, 10.0);
   EXPECT_EQ(pairs[0].target, 3);
   EXPECT_EQ(pairs[1].target, 2);
   EXPECT_EQ(pairs[2].target, 2);
@@ -168,7 +203,7 @@ TEST(GovernorRelief, ASmallExcessIsCoveredByOneDearPair) {
   // Nothing less can be taken than what the dearest pair saves, which is more than is needed.
   std::vector<PlannedPair> pairs = knownPairs(costs, 9, 3, 5.0);
   pairs.push_back(knownPair(costs, 3, 50.0));
-  governor.plan(pairs, costs, 0.0, 95.0, 0);
+  governor.plan(pairs, costs, 0.0, 95.0);
   EXPECT_EQ(countAt(pairs, 2), 1);
   EXPECT_EQ(pairs[9].target, 2);
 }
@@ -181,9 +216,9 @@ TEST(GovernorGivingBack, AllComesBackAShareInAStep) {
   int steps = 0;
   while (countAt(pairs, 3) < 200 && steps < 100) {
     const double before = countAt(pairs, 3) * 10.0 + countAt(pairs, 1) * 1.0;
-    governor.plan(pairs, costs, 0.0, budget, 0);
+    governor.plan(pairs, costs, 0.0, budget);
     ASSERT_GT(followPlan(pairs), 0);
-    ASSERT_LE(countAt(pairs, 3) * 10.0 + countAt(pairs, 1) * 1.0 - before, 0.05 * budget);
+    ASSERT_LE(countAt(pairs, 3) * 10.0 + countAt(pairs, 1) * 1.0 - before, 0.1 * budget);
     ++steps;
   }
   EXPECT_GT(steps, 5);
@@ -196,7 +231,7 @@ TEST(GovernorGivingBack, TheImportantComeFirst) {
   Random random(9);
   std::vector<PlannedPair> pairs = knownPairs(costs, 100, 1);
   for (PlannedPair& pair : pairs) pair.wish.importance = static_cast<float>(random.uniform(0.1, 10.0));
-  governor.plan(pairs, costs, 0.0, 2000.0, 0);
+  governor.plan(pairs, costs, 0.0, 2000.0);
   const int back = countAt(pairs, 3);
   EXPECT_GT(back, 0);
   EXPECT_LT(back, 50);
@@ -215,7 +250,7 @@ TEST(GovernorGivingBack, NothingComesBackWithoutRoom) {
     std::vector<PlannedPair> pairs = knownPairs(costs, 100, 2);
     for (PlannedPair& pair : pairs) pair.view.credited = true;
     // The pairs take 400.
-    governor.plan(pairs, costs, 1000.0 * share - 400.0, 1000.0, 0);
+    governor.plan(pairs, costs, 1000.0 * share - 400.0, 1000.0);
     EXPECT_EQ(countAt(pairs, 2), 100) << share;
   }
 }
@@ -225,7 +260,7 @@ TEST(GovernorGivingBack, ABlockedPairIsNotAsked) {
   Governor governor({});
   std::vector<PlannedPair> pairs = knownPairs(costs, 2, 1);
   pairs[0].blockedSteps = 1;
-  governor.plan(pairs, costs, 0.0, 2000.0, 0);
+  governor.plan(pairs, costs, 0.0, 2000.0);
   EXPECT_EQ(pairs[0].target, 1);
   EXPECT_EQ(pairs[1].target, 3);
 }
@@ -238,7 +273,7 @@ TEST(GovernorGivingBack, ADearImportantPairDoesNotHoldUpTheOthers) {
   pairs.push_back(knownPair(costs, 1, 500.0));
   pairs[20].wish.importance = 50.0F;
   for (int i = 0; i < 50; ++i) {
-    governor.plan(pairs, costs, 500.0, 1000.0, 0);
+    governor.plan(pairs, costs, 500.0, 1000.0);
     followPlan(pairs);
   }
   EXPECT_EQ(countAt(pairs, 3), 20);
@@ -248,7 +283,7 @@ TEST(GovernorGivingBack, APairThatIsDearerThanAStepsShareComesBackToo) {
   CostModel costs{CostWeights{}};
   Governor governor({});
   std::vector<PlannedPair> pairs = {knownPair(costs, 1, 60.0)};
-  governor.plan(pairs, costs, 0.0, 500.0, 0);
+  governor.plan(pairs, costs, 0.0, 500.0);
   EXPECT_EQ(pairs[0].target, 3);
 }
 
@@ -259,7 +294,7 @@ TEST(GovernorGivingBack, ThePlanComesToRest) {
     std::vector<PlannedPair> pairs = variousPairs(costs, 200);
     int changes = 0;
     for (int i = 0; i < 120; ++i) {
-      governor.plan(pairs, costs, 100.0, share * 4800.0, 0);
+      governor.plan(pairs, costs, 100.0, share * 4800.0);
       const int now = followPlan(pairs);
       if (i >= 60) changes += now;
       double units = 100.0;

@@ -17,10 +17,12 @@ PairWorkload work(int queries) {
 TEST(StepBudget, CountsWhatAStepCostsWithoutLimit) {
   StepBudget budget;
   PlannedPair pair;
-  budget.begin(10, 5);
+  budget.begin({.objects = 10, .awake = 8, .broadphasePairs = 5, .joints = 1});
   const double fixed = budget.units();
   EXPECT_GT(fixed, 0.0);
-  EXPECT_GT(budget.takeWork(pair, work(10)), 0.0);
+  const PairUnits units = budget.takeWork(pair, work(10));
+  EXPECT_GT(units.common, 0.0);
+  EXPECT_GT(units.all, units.common);
   budget.spendSwitch();
   budget.spendQueries(3);
   EXPECT_GT(budget.units(), fixed);
@@ -37,8 +39,8 @@ TEST(StepBudget, IsShortOnceItIsSpent) {
   std::vector<PlannedPair> pairs(1);
   pairs[0].view = {.level = 2, .finest = 2};
   pairs[0].target = 2;
-  budget.begin(2, 1);
-  budget.plan(pairs, 1, 2);
+  budget.begin({.objects = 2, .awake = 2, .broadphasePairs = 1});
+  budget.plan(pairs, 1);
   EXPECT_FALSE(budget.isShort());
   EXPECT_TRUE(budget.mayAudit());
   EXPECT_TRUE(budget.isShort(2000.0));
@@ -52,8 +54,8 @@ TEST(StepBudget, HasAShareForAudits) {
   StepBudget budget;
   budget.set(UnitBudget::ofUnits(1e6));
   std::vector<PlannedPair> none;
-  budget.begin(0, 0);
-  budget.plan(none, 1, 0);
+  budget.begin({});
+  budget.plan(none, 1);
   int audits = 0;
   while (budget.mayAudit() && audits < 1'000'000) {
     budget.countAudit(work(10));
@@ -61,8 +63,23 @@ TEST(StepBudget, HasAShareForAudits) {
   }
   EXPECT_GT(audits, 10);
   EXPECT_LT(audits, 1'000'000);
-  budget.begin(0, 0);
+  budget.begin({});
   EXPECT_TRUE(budget.mayAudit()) << "the next step has its own";
+}
+
+TEST(StepBudget, CountsContactsOfNoPairOfItsOwn) {
+  StepBudget budget;
+  budget.begin({});
+  const double before = budget.units();
+  budget.takeLoose({.manifolds = 10, .points = 30});
+  const double loose = budget.units() - before;
+  EXPECT_GT(loose, 0.0);
+  budget.finish(false);
+  // Until they are counted again they are taken to be the same.
+  budget.begin({});
+  EXPECT_EQ(budget.units(), before + loose);
+  budget.takeLoose({});
+  EXPECT_NEAR(budget.units(), before, 1e-9);
 }
 
 TEST(StepBudget, OfMillisecondsNeedsTheClock) {

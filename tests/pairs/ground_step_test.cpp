@@ -115,6 +115,25 @@ TEST_P(GroundStep, MissesNothingOnTheWay) {
   EXPECT_GT(touching, 1000);
 }
 
+TEST_P(GroundStep, KeepsItsContactsUntilTheBodyHasMovedTooFar) {
+  body.plan.auditDistance = 0.02F;
+  body.stepAt(0.79F);
+  body.stepAt(0.79F);
+  const std::size_t contacts = body.pair.contacts.size();
+  ASSERT_GT(contacts, 0U);
+  body.plan.keepsFrom = 0;
+  const PairOutcome kept = body.stepAt(0.78F);
+  EXPECT_TRUE(kept.work.reuses);
+  EXPECT_EQ(body.pair.contacts.size(), contacts);
+  EXPECT_TRUE(kept.touching);
+  EXPECT_TRUE(body.stepAt(0.775F).work.reuses);
+  // 2.5 cm from where it was looked at.
+  EXPECT_FALSE(body.stepAt(0.765F).work.reuses);
+  EXPECT_TRUE(body.stepAt(0.764F).work.reuses);
+  body.plan.keepsFrom = PairPlan::kNever;
+  EXPECT_FALSE(body.stepAt(0.764F).work.reuses);
+}
+
 TEST(GroundRegion, IsLookedUpOncePerSkin) {
   LivingGround body(true);
   for (int i = 0; i < 100; ++i) body.step(Vec3(0.01F * static_cast<float>(i), 0.81F, 0.0F));

@@ -219,7 +219,7 @@ TEST(PairStep, StaysWhereASwitchIsNotSafe) {
   EXPECT_TRUE(outcome.touching);
 }
 
-TEST(PairStep, KeepsItsContactsOnceButNotTwice) {
+TEST(PairStep, KeepsItsContactsUntilItHasMovedTooFar) {
   LivingPair living;
   living.step(3.0F);
   const int looked = living.step(1.59F).work.counts.detectorRuns;
@@ -230,8 +230,15 @@ TEST(PairStep, KeepsItsContactsOnceButNotTwice) {
   EXPECT_EQ(kept.work.counts.detectorRuns, 0);
   EXPECT_TRUE(kept.touching);
   EXPECT_NEAR(living.press(), 0.02F, 1e-4F) << "where the bodies are now";
-  EXPECT_FALSE(living.step(1.58F).work.reuses);
-  EXPECT_TRUE(living.step(1.58F).work.reuses);
+  // As far as between two audits, from where it was looked at.
+  living.plan.auditDistance = 0.02F;
+  EXPECT_TRUE(living.step(1.575F).work.reuses);
+  EXPECT_FALSE(living.step(1.569F).work.reuses);
+  EXPECT_TRUE(living.step(1.56F).work.reuses);
+  EXPECT_FALSE(living.step(1.5F).work.reuses);
+  // Once whatever it has moved: what comes upon it is found a step late.
+  EXPECT_TRUE(living.step(1.4F).work.reuses);
+  EXPECT_FALSE(living.step(1.4F - 0.05F).work.reuses);
 }
 
 TEST(PairStep, LeavesShapesThatAreNoPartListsToTheEngine) {

@@ -54,7 +54,7 @@ struct PlannedRow {
 
   void step(SwitchKind kind = SwitchKind::kFree) {
     const int count = static_cast<int>(bodies.size());
-    planner.plan({.bodies = views, .objects = count, .moving = count, .broadphasePairs = count - 1});
+    planner.plan({.bodies = views, .load = {.objects = count, .awake = count, .broadphasePairs = count - 1}});
     for (const int place : places) {
       if (place >= 0) take(place, kind);
     }
@@ -178,7 +178,7 @@ TEST(Planner, NeverTakesTheCoarsestLevelOnAGround) {
   planner.addGround(body, ground, kLevels, 20, &place);
   ASSERT_TRUE(planner.addPolicy("coarsest"));
   const std::vector<lod::BodyView> views(2);
-  planner.plan({.bodies = views, .objects = 2, .moving = 1, .broadphasePairs = 1});
+  planner.plan({.bodies = views, .load = {.objects = 2, .awake = 1, .broadphasePairs = 1}});
   EXPECT_EQ(planner.planPair(place).target, 2);
 }
 
@@ -200,7 +200,7 @@ TEST(Planner, KeepsAStepWithinItsUnits) {
 TEST(Planner, PlansAPairThatComesUpInTheNarrowphase) {
   PlannedRow row(3);
   ASSERT_TRUE(row.planner.addPolicy("coarsest"));
-  row.planner.plan({.bodies = row.views, .objects = 3, .moving = 3, .broadphasePairs = 2});
+  row.planner.plan({.bodies = row.views, .load = {.objects = 3, .awake = 3, .broadphasePairs = 2}});
   int place = -1;
   row.planner.addPair(*row.bodies[0], *row.bodies[2], kLevels, 100.0, &place);
   row.take(place, SwitchKind::kFree);

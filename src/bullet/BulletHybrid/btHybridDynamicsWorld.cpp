@@ -467,7 +467,7 @@ void btHybridDynamicsWorld::performDiscreteCollisionDetection()
 	}
 	if (m_planner)
 	{
-		m_planner->finish();
+		m_planner->finish(getDispatcher());
 		closeRequests();
 	}
 	if (m_verifyEvery > 0)
@@ -501,7 +501,7 @@ void btHybridDynamicsWorld::planPairs()
 		if (m_hybrids[i]->m_request.isStanding())
 			m_requests->acknowledge(m_hybrids[i]);
 	m_planner->setInfo(btHybridEffective(m_pairSwitching));
-	m_planner->plan(m_collisionObjects, m_nonStaticRigidBodies.size(), m_broadphasePairCache->getOverlappingPairCache()->getNumOverlappingPairs());
+	m_planner->plan(m_collisionObjects, m_nonStaticRigidBodies, m_broadphasePairCache->getOverlappingPairCache()->getNumOverlappingPairs(), m_constraints.size());
 }
 
 // A body has switched when all its pairs have.

@@ -7,6 +7,7 @@
 #include "btHybridLevelBodies.h"
 
 using scatter::lod::BodyView;
+using scatter::lod::LooseContacts;
 using scatter::lod::PlannedPair;
 
 namespace
@@ -37,6 +38,12 @@ BodyView viewOf(const btCollisionObject* object)
 	view.radius = radiusOf(object, hybrid);
 	view.held = hybrid && hybrid->isHeld();
 	return view;
+}
+
+// Such an object's contacts are solved.
+bool isAwake(const btCollisionObject* object)
+{
+	return object->isActive() && !object->isStaticOrKinematicObject();
 }
 
 const btCollisionObject* objectOf(const scatter::pairs::PlannedBody& body)
@@ -115,7 +122,7 @@ void btHybridPlanner::addGround(btHybridLevelBodies* body, btHybridLevelBodies* 
 	Planner::addGround(*body, *ground, body->getNumLevels(), body->getNumParts(), place);
 }
 
-void btHybridPlanner::plan(const btCollisionObjectArray& objects, int numMoving, int numOverlappingPairs)
+void btHybridPlanner::plan(const btCollisionObjectArray& objects, const btAlignedObjectArray<btRigidBody*>& moving, int numOverlappingPairs, int numJoints)
 {
 	if (needsBodies())
 	{
@@ -123,7 +130,30 @@ void btHybridPlanner::plan(const btCollisionObjectArray& objects, int numMoving,
 		for (int i = 0; i < objects.size(); i++)
 			m_bodies[i] = viewOf(objects[i]);
 	}
-	Planner::plan({m_bodies, objects.size(), numMoving, numOverlappingPairs});
+	int numAwake = 0;
+	for (int i = 0; i < moving.size(); i++)
+		numAwake += moving[i]->isActive() ? 1 : 0;
+	Planner::plan({m_bodies, {objects.size(), numAwake, numOverlappingPairs, numJoints}});
+}
+
+void btHybridPlanner::finish(btDispatcher* dispatcher)
+{
+	const LooseContacts own = ownContacts();
+	const bool hasOthers = plans() && dispatcher->getNumManifolds() > own.manifolds;
+	LooseContacts loose;
+	for (int i = 0; hasOthers && i < dispatcher->getNumManifolds(); i++)
+	{
+		const btPersistentManifold* manifold = dispatcher->getManifoldByIndexInternal(i);
+		if (!isAwake(manifold->getBody0()) && !isAwake(manifold->getBody1()))
+			continue;
+		loose.manifolds++;
+		loose.points += manifold->getNumContacts();
+	}
+	if (hasOthers)
+		takeLoose({btMax(loose.manifolds - own.manifolds, 0), btMax(loose.points - own.points, 0)});
+	else
+		takeLoose(loose);
+	Planner::finish();
 }
 
 btHybridPairView btHybridPlanner::viewPair(int index) const

@@ -40,7 +40,10 @@ public:
 	void addGround(btHybridLevelBodies* body, btHybridLevelBodies* ground, int* place);
 
 	/// Between broadphase and narrowphase.
-	void plan(const btCollisionObjectArray& objects, int numMoving, int numOverlappingPairs);
+	void plan(const btCollisionObjectArray& objects, const btAlignedObjectArray<btRigidBody*>& moving, int numOverlappingPairs, int numJoints);
+
+	/// After the narrowphase.
+	void finish(btDispatcher* dispatcher);
 
 	btHybridPairView viewPair(int pair) const;
 

@@ -181,7 +181,7 @@ TEST(Allocations, PairsThatSwitchWithinABudgetMakeNoneAfterWarmUp) {
   std::vector<double> units;
   for (int i = 0; i < 100 * Swaying::kPeriod; ++i) units.push_back(i % Swaying::kPeriod < 25 ? 150 : 20000);
   w.world.replayBudget(units.data(), static_cast<int>(units.size()));
-  EXPECT_GT(run(12 * Swaying::kPeriod), 0);
+  EXPECT_GT(run(24 * Swaying::kPeriod), 0);
   switches = 0;
   EXPECT_EQ(run(6 * Swaying::kPeriod), 0);
   EXPECT_GT(switches, 100);

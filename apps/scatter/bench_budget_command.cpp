@@ -1,0 +1,141 @@
+#include <scatter/lab/budget_study.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bench_arguments.h"
+#include "family_arguments.h"
+
+namespace scatter::app {
+
+namespace {
+
+struct BenchBudgetArguments {
+  BenchArguments bench;
+  FamilyArguments drawn;
+  std::vector<std::string> scenes;
+  std::vector<std::string> families;
+  std::vector<double> floors{1.2, 1.5, 2.0, 3.0};
+  std::string world = "hybrid";
+  bool byClock = false;
+  double cut = 0.0;
+};
+
+std::string nameOf(const std::string& scene) {
+  return std::filesystem::path(scene).stem().string();
+}
+
+// Those that were named, and of each family one for each seed, written into the folder.
+Result<std::vector<std::string>> scenesOf(const BenchBudgetArguments& arguments,
+                                          const std::filesystem::path& folder) {
+  std::vector<std::string> scenes = arguments.scenes;
+  if (!scenes.empty() && arguments.families.empty()) {
+    return scenes;
+  }
+  const auto files = writeFamilies(arguments.families.empty() ? familyNames() : arguments.families,
+                                   arguments.drawn, folder);
+  if (!files) {
+    return tl::unexpected(files.error());
+  }
+  scenes.insert(scenes.end(), files->begin(), files->end());
+  return scenes;
+}
+
+Result<BudgetStudyOptions> makeStudy(const BenchBudgetArguments& arguments,
+                                     const std::filesystem::path& folder) {
+  const auto scenes = scenesOf(arguments, folder);
+  if (!scenes) {
+    return tl::unexpected(scenes.error());
+  }
+  BudgetStudyOptions options{.floors = arguments.floors, .byClock = arguments.byClock, .cut = arguments.cut};
+  for (const std::string& scene : *scenes) {
+    auto governed = makeBenchRun(arguments.bench, scene, arguments.world);
+    if (!governed) {
+      return tl::unexpected(governed.error());
+    }
+    auto resolved = resolveRun(*governed);
+    if (!resolved) {
+      return tl::unexpected(resolved.error());
+    }
+    RunOptions coarsest = *resolved;
+    coarsest.physics.switching.policy = Policy::kCoarsest;
+    options.scenes.push_back(
+        {.name = nameOf(scene), .governed = std::move(*resolved), .coarsest = std::move(coarsest)});
+  }
+  return options;
+}
+
+Result<void> checkMeaning(const CLI::App& command, const BenchBudgetArguments& arguments) {
+  if (arguments.byClock && arguments.cut > 0.0) {
+    return fail("--cut has no meaning with --clock: it is for budgets in units");
+  }
+  const bool drawsFamilies = arguments.scenes.empty() || !arguments.families.empty();
+  for (const char* option : {"--seeds", "--scale"}) {
+    if (command.count(option) > 0 && !drawsFamilies) {
+      return fail(std::string(option) + " has no meaning here; it goes with --families");
+    }
+  }
+  return {};
+}
+
+ExitStatus study(const CLI::App& command, const BenchBudgetArguments& arguments) {
+  if (auto meaningful = checkMeaning(command, arguments); !meaningful) {
+    return refuse(meaningful.error());
+  }
+  const auto folder = makeFamilyFolder(arguments.scenes.empty() || !arguments.families.empty());
+  if (!folder) {
+    return refuse(folder.error());
+  }
+  const auto options = makeStudy(arguments, *folder ? (*folder)->path() : std::filesystem::path());
+  if (!options) {
+    return refuse(options.error());
+  }
+  if (auto writable = prepareCsv(arguments.bench); !writable) {
+    return refuse(writable.error());
+  }
+  const auto result = studyBudgets(*options, benchProgress(arguments.bench, "budgets"));
+  if (!result) {
+    return failed(result.error());
+  }
+  return report(arguments.bench, formatBudgets(*result), budgetsCsv(*result));
+}
+
+}  // namespace
+
+Command addBenchBudgetCommand(CLI::App& bench) {
+  CLI::App* command = bench.add_subcommand(
+      "budget", "Are budgets kept? Multiples of what each scene takes with everything at level 1");
+  auto arguments = std::make_shared<BenchBudgetArguments>();
+  command->add_option("--scenes", arguments->scenes, "Scenes and files [all families]")
+      ->type_name("NAME,NAME")
+      ->delimiter(',');
+  command
+      ->add_option("--families", arguments->families,
+                   "Families of scenes, as `scatter families` writes them [all]")
+      ->type_name("NAME,NAME")
+      ->delimiter(',');
+  addFamilyArguments(*command, arguments->drawn);
+  command
+      ->add_option("--floors", arguments->floors,
+                   "Budgets, as multiples of what the scene's dearest frame takes with everything at level 1")
+      ->check(CLI::Range(0.01, 1000.0))
+      ->type_name("X,X")
+      ->delimiter(',')
+      ->capture_default_str();
+  command->add_option("--world", arguments->world, "The world that is given budgets; see `scatter list`")
+      ->type_name("NAME")
+      ->capture_default_str();
+  command->add_flag("--clock", arguments->byClock,
+                    "Budgets of milliseconds [of units, the same run after run]");
+  command
+      ->add_option("--cut", arguments->cut, "From the middle of each run on its budget is divided by this")
+      ->check(CLI::Range(1.0, 1000.0))
+      ->type_name("X");
+  addBenchArguments(*command, arguments->bench);
+  return {command, [command, arguments] { return study(*command, *arguments); }};
+}
+
+}  // namespace scatter::app

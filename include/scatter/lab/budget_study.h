@@ -1,0 +1,63 @@
+#pragma once
+
+#include <scatter/lab/comparison.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace scatter {
+
+/// A scene, and its worlds.
+struct BudgetScene {
+  std::string name;     ///< In tables.
+  RunOptions governed;  ///< The world that is given budgets.
+  RunOptions coarsest;  ///< The same with everything at level 1: what it takes is the reachable floor.
+};
+
+struct BudgetStudyOptions {
+  std::vector<BudgetScene> scenes{};
+  std::vector<double> floors{};  ///< Budgets, as multiples of the scene's reachable floor.
+  bool byClock = false;          ///< In milliseconds of processor time; otherwise in units, clock-free.
+
+  /// Above 0: from the middle of the run on the budget is divided by this.
+  double cut = 0.0;
+};
+
+/// How one budget was kept in one scene.
+struct BudgetTrial {
+  std::string scene;
+  double floors = 0.0;  ///< The budget as a multiple of the reachable floor.
+  double budget = 0.0;  ///< Units or milliseconds a step; after the cut, if there is one.
+  int frames = 0;
+  int over2 = 0;         ///< Frames that took more than 1.02 of the budget. With a cut: later than
+                         ///< kBudgetWayDown frames after it.
+  int over5 = 0;         ///< More than 1.05.
+  double worst = 0.0;    ///< The dearest frame, in budgets; with a cut, of the same frames.
+  int withheld = 0;      ///< Frames in which some pair was not at its finest level.
+  double use = 0.0;      ///< The median of these, in budgets; 0 if there were none.
+  double finest = 0.0;   ///< Of touching pairs with a hybrid, over all frames, at their finest level; 1 for none.
+  int impossible = 0;    ///< Frames over the budget in which what could not be given up was over it as well.
+};
+
+/// Frames that a world has to come down to a budget that was cut.
+inline constexpr int kBudgetWayDown = 30;
+
+struct BudgetStudy {
+  bool byClock = false;
+  std::vector<BudgetTrial> trials;  ///< Scene by scene, in the order of the floors.
+};
+
+/// Runs each scene once in its coarsest world, and once in its governed world for each budget. The reachable
+/// floor is what the dearest frame of the coarsest world takes (by the clock: dearer than 99 % of them, as
+/// odd frames are the machine's). Fails as runScene does, and without a scene or a floor.
+[[nodiscard]] Result<BudgetStudy> studyBudgets(
+    const BudgetStudyOptions& options, const std::function<void(const CompareProgress&)>& progress = {});
+
+/// A line for each trial, and what came out of all; ends with a new line.
+[[nodiscard]] std::string formatBudgets(const BudgetStudy& study);
+
+/// One line for each trial.
+[[nodiscard]] std::string budgetsCsv(const BudgetStudy& study);
+
+}  // namespace scatter

@@ -1,0 +1,97 @@
+#include <scatter/lab/budget_study.h>
+
+#include "lab/fake_physics.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace scatter {
+namespace {
+
+using testing::HasSubstr;
+
+using Costs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
+/// A world whose steps cost what is given, whatever its budget; `seen` is told the budgets.
+RunOptions costing(const Costs& costs, int frames, std::vector<BudgetDef>* seen = nullptr) {
+  RunOptions options = test::fakeRun(WorldKind::kHybrid, frames);
+  options.engine = [costs, seen](const PhysicsDef& def) -> Result<std::unique_ptr<Physics>> {
+    if (seen != nullptr) {
+      seen->push_back(def.switching.budget);
+    }
+    return std::make_unique<test::FakePhysics>(def, test::FakeBehaviour{.costs = costs});
+  };
+  return options;
+}
+
+TEST(BudgetStudy, GivesMultiplesOfTheDearestFrameThatIsCoarse) {
+  std::vector<BudgetDef> budgets;
+  const auto study = studyBudgets({.scenes = {{.name = "a",
+                                               .governed = costing({{90, 0}}, 5, &budgets),
+                                               .coarsest = costing({{10, 0}, {50, 0}, {20, 0}}, 5)}},
+                                   .floors = {1.5, 3.0}});
+  ASSERT_TRUE(study);
+  ASSERT_EQ(budgets.size(), 2U);
+  EXPECT_EQ(budgets[0].units, 75.0);
+  EXPECT_EQ(budgets[1].units, 150.0);
+  ASSERT_EQ(study->trials.size(), 2U);
+  EXPECT_EQ(study->trials[0].over5, 5);
+  EXPECT_EQ(study->trials[1].over2, 0);
+  EXPECT_DOUBLE_EQ(study->trials[1].worst, 0.6);
+}
+
+TEST(BudgetStudy, CountsFramesThatTookMoreAndThoseThatHadTo) {
+  const Costs costs{{103, 0}, {104, 102}, {120, 130}, {80, 0}, {90, 0}, {96, 0}, {150, 0}};
+  const auto study = studyBudgets({.scenes = {{.name = "a",
+                                               .governed = costing(costs, 7),
+                                               .coarsest = costing({{100, 0}}, 7)}},
+                                   .floors = {1.0}});
+  ASSERT_TRUE(study);
+  const BudgetTrial& trial = study->trials.front();
+  EXPECT_EQ(trial.frames, 7);
+  EXPECT_EQ(trial.over2, 4);
+  EXPECT_EQ(trial.over5, 2);
+  EXPECT_EQ(trial.impossible, 2);
+  EXPECT_DOUBLE_EQ(trial.worst, 1.5);
+  EXPECT_EQ(trial.withheld, 3);
+  EXPECT_DOUBLE_EQ(trial.use, 0.9);
+  const std::string table = formatBudgets(*study);
+  EXPECT_THAT(table, HasSubstr("1 runs, 7 frames: 57.14 % took more than 1.02"));
+  EXPECT_THAT(budgetsCsv(*study), HasSubstr("a,1,100,7,4,2,1.5,3,0.9,1,2"));
+}
+
+TEST(BudgetStudy, ABudgetThatIsCutIsJudgedOnceThereWasTimeForIt) {
+  std::vector<BudgetDef> budgets;
+  Costs costs(60 + kBudgetWayDown, {180, 0});
+  costs.push_back({99, 0});
+  const auto study = studyBudgets({.scenes = {{.name = "a",
+                                               .governed = costing(costs, 120, &budgets),
+                                               .coarsest = costing({{100, 0}}, 120)}},
+                                   .floors = {2.0},
+                                   .cut = 2.0});
+  ASSERT_TRUE(study);
+  ASSERT_EQ(budgets.front().recorded.size(), 61U);
+  EXPECT_EQ(budgets.front().recorded.front(), 200.0);
+  EXPECT_EQ(budgets.front().recorded.back(), 100.0);
+  EXPECT_EQ(study->trials.front().over2, 0);
+  EXPECT_DOUBLE_EQ(study->trials.front().worst, 0.99);
+}
+
+TEST(BudgetStudy, RefusesWhatTellsNothing) {
+  EXPECT_FALSE(studyBudgets({}));
+  const auto free = studyBudgets({.scenes = {{.name = "empty",
+                                              .governed = costing({{90, 0}}, 2),
+                                              .coarsest = costing({{0, 0}}, 2)}},
+                                  .floors = {2.0}});
+  ASSERT_FALSE(free);
+  EXPECT_THAT(free.error().message, HasSubstr("the scene empty has nothing to govern"));
+}
+
+}  // namespace
+}  // namespace scatter
