@@ -84,6 +84,8 @@ public:
 	/// one. The listener is not called any more.
 	virtual ~btHybridDynamicsWorld();
 
+	virtual int stepSimulation(btScalar timeStep, int maxSubSteps = 1, btScalar fixedTimeStep = btScalar(1) / btScalar(60));
+
 	btHybridSwitchingMode getSwitchingMode() const
 	{
 		return m_planner ? BT_HYBRID_PAIR_SWITCHING : BT_HYBRID_BODY_SWITCHING;
@@ -153,8 +155,8 @@ public:
 	const char* checkPolicy(const char* specification);
 	const char* removePolicies();
 
-	/// What a step may cost. Detail is taken away where it is worth least, and given back when there is room. A new budget
-	/// replaces the one before it, and starts to learn.
+	/// What stepSimulation may cost: its steps share it. Detail is taken away where it is worth least, and given back when
+	/// there is room. A new budget replaces the one before it, and starts to learn.
 	/// Milliseconds of processor time of the stepping thread: depends on the clock. Refuses what is not finite and above 0.
 	const char* setBudgetMilliseconds(double milliseconds);
 
@@ -167,6 +169,10 @@ public:
 	/// not finite.
 	const char* replayBudget(const double* units, int count);
 	const char* removeBudget();
+
+	/// What has become of the budget in the last step: kept, exceeded, or impossible, and what was given up for it.
+	/// scatter::describe says it in words.
+	btHybridBudgetState getBudgetState() const;
 
 	/// Where the viewer looks, for the policy "focus". fieldOfView: vertical, radians. Refuses places that are not finite,
 	/// and angles that are not between 0 and pi.

@@ -2,6 +2,7 @@
 #define BT_HYBRID_SWITCHING_H
 
 #include <LinearMath/btScalar.h>
+#include <scatter/lod/budget_state.h>
 #include <scatter/lod/pair_step_counts.h>
 
 /// What has a level.
@@ -87,6 +88,9 @@ struct btHybridPairSwitchingInfo
 	{
 	}
 };
+
+/// What has become of a budget.
+typedef scatter::BudgetState btHybridBudgetState;
 
 /// Counts of one step.
 typedef scatter::PairStepCounts btHybridPairStepInfo;

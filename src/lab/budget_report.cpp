@@ -18,6 +18,7 @@ struct BudgetUse {
 
 struct Overrun {
   std::size_t frames = 0;
+  std::size_t impossible = 0;  ///< Frames in which the budget could not have been kept at the coarsest levels.
   std::size_t belowFloor = 0;  ///< Frames in which the budget was less than what could not be given up.
   double most = 0.0;           ///< That a frame took.
   std::vector<double> floors;  ///< Of the frames that have one.
@@ -44,6 +45,10 @@ double floorOf(const Run& run, const BudgetUse& use, std::size_t frame) {
   return cost > 0.0 ? std::min(units / cost, 1.0) * (*use.taken)[frame] : 0.0;
 }
 
+BudgetVerdict verdictOf(const Run& run, std::size_t frame) {
+  return static_cast<BudgetVerdict>(static_cast<int>(run.table.values("budget_verdict")[frame]));
+}
+
 Overrun overrunOf(const Run& run, const BudgetUse& use) {
   Overrun overrun;
   for (std::size_t frame = 0; frame < use.allowed.size(); ++frame) {
@@ -52,6 +57,7 @@ Overrun overrunOf(const Run& run, const BudgetUse& use) {
       continue;
     }
     ++overrun.frames;
+    overrun.impossible += verdictOf(run, frame) == BudgetVerdict::kImpossible ? 1 : 0;
     overrun.most = std::max(overrun.most, taken);
     const double floor = floorOf(run, use, frame);
     if (floor > 0.0) {
@@ -83,6 +89,15 @@ std::string floorSentence(const Overrun& overrun, const std::string& unit) {
          readableNumber(*most) + unit + "): " + inHowMany(overrun) + '.';
 }
 
+std::string impossibleSentence(const Overrun& overrun) {
+  if (overrun.impossible == 0) {
+    return {};
+  }
+  return " In " + std::to_string(overrun.impossible) +
+         " of them it could not have been kept with every pair at its coarsest level: give it more, or the "
+         "scene fewer bodies.";
+}
+
 }  // namespace
 
 std::string budgetSentence(const Run& run, bool isRepeated) {
@@ -100,7 +115,7 @@ std::string budgetSentence(const Run& run, bool isRepeated) {
   }
   return budget + " was exceeded in " + std::to_string(overrun.frames) + " of " + frames +
          " frames; the dearest took " + readableNumber(overrun.most) + use.unit + "." +
-         floorSentence(overrun, use.unit);
+         floorSentence(overrun, use.unit) + impossibleSentence(overrun);
 }
 
 }  // namespace scatter::lab

@@ -38,6 +38,9 @@ constexpr std::array kCounters{
     CounterColumn{"cost_units", &StepCounters::costUnits},
     CounterColumn{"planned_units", &StepCounters::plannedUnits},
     CounterColumn{"floor_units", &StepCounters::floorUnits},
+    CounterColumn{"reachable_units", &StepCounters::reachableUnits},
+    CounterColumn{"budget_verdict", &StepCounters::budgetVerdict},
+    CounterColumn{"withheld_pairs", &StepCounters::withheldPairs},
 };
 
 struct PairWorkColumn {

@@ -152,6 +152,7 @@ double Governor::giveBackLimit(double foreseen) const {
 }
 
 void Governor::planUnlimited(std::span<PlannedPair> pairs, const CostModel& costs) {
+  coarsest_ = middle_ = coarsestTrend_ = 0.0;
   capacity_ = std::numeric_limits<double>::infinity();
   admission_ = 1.0;
   shareOut();

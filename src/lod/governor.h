@@ -69,6 +69,10 @@ class Governor {
   /// level that it may have in its place, or at its own where that is cheaper.
   [[nodiscard]] double floorUnits(std::span<const PlannedPair> pairs, const CostModel& costs) const;
 
+  /// About what the step would cost with every pair at the coarsest level that it may have, as known a few
+  /// steps ago; the fixed units alone without a budget.
+  [[nodiscard]] double reachableUnits() const { return fixed_ + coarsest_; }
+
   /// What the plan expects the step to cost; grows with each planNew().
   [[nodiscard]] double planned() const { return fixed_ + correction_ * predicted_; }
 

@@ -1,6 +1,7 @@
 #include "lod/step_budget.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace scatter::lod {
 
@@ -74,7 +75,29 @@ void StepBudget::takeLoose(const LooseContacts& contacts) {
 
 void StepBudget::finish(bool isPlanned) {
   if (isPlanned) governor_.learn(units_);
+  budget_.take(units_);
   lastUnits_ = units_;
+}
+
+BudgetState StepBudget::state(std::span<const PlannedPair> pairs) const {
+  constexpr double kKept = 1.02;
+  BudgetState state;
+  if (!isLimited() || std::isinf(budgetUnits_)) return state;
+  state.budget = budgetUnits_;
+  state.taken = units_;
+  state.fixed = fixedUnits_;
+  state.reachable = std::min(governor_.reachableUnits(), units_);
+  state.millisecondsPerUnit = budget_.millisecondsPerUnit();
+  state.verdict = BudgetVerdict::kKept;
+  if (units_ <= kKept * budgetUnits_) return state;
+  state.floor = std::min(floorUnits(pairs), units_);
+  if (state.reachable > budgetUnits_) {
+    state.verdict = BudgetVerdict::kImpossible;
+  } else {
+    const bool isStuck = state.floor > budgetUnits_;
+    state.verdict = isStuck ? BudgetVerdict::kImpossibleNow : BudgetVerdict::kExceeded;
+  }
+  return state;
 }
 
 }  // namespace scatter::lod

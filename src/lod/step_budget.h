@@ -1,5 +1,7 @@
 #pragma once
 
+#include <scatter/lod/budget_state.h>
+
 #include <span>
 
 #include "lod/cost_model.h"
@@ -26,6 +28,9 @@ class StepBudget {
 
   [[nodiscard]] bool isLimited() const { return budget_.isLimited(); }
   [[nodiscard]] bool needsTime() const { return budget_.needsTime(); }
+
+  /// The next so many steps share one budget.
+  void share(int steps) { budget_.share(steps); }
 
   /// Begins a step. Contacts that belong to no pair are taken to be those of the step before until
   /// takeLoose() tells.
@@ -76,6 +81,10 @@ class StepBudget {
   [[nodiscard]] double plannedUnits() const { return governor_.planned(); }
   [[nodiscard]] double budgetUnits() const { return budgetUnits_; }  ///< Infinite for none.
   [[nodiscard]] bool isExceeded() const { return isLimited() && units_ > budgetUnits_; }
+
+  /// Of the step that has ended; `pairs` are those of its plan. What pairs have given up is the planner's to
+  /// tell.
+  [[nodiscard]] BudgetState state(std::span<const PlannedPair> pairs) const;
 
   /// As Governor has it.
   [[nodiscard]] double floorUnits(std::span<const PlannedPair> pairs) const {

@@ -14,7 +14,9 @@ constexpr double kUnitsPerMillisecond = 1000.0;
 
 UnitBudget UnitBudget::ofUnits(double units) {
   assert(units > 0.0);
-  return replay({units});
+  UnitBudget budget;
+  budget.constant_ = units;
+  return budget;
 }
 
 UnitBudget UnitBudget::ofMilliseconds(double milliseconds) {
@@ -30,11 +32,26 @@ UnitBudget UnitBudget::replay(std::vector<double> units) {
   return budget;
 }
 
+void UnitBudget::share(int steps) {
+  shared_ = left_ = std::max(steps, 1);
+  taken_ = 0.0;
+}
+
+/// What those before have left, to equal parts; and something if they have left nothing.
+double UnitBudget::ofShared(double units) {
+  constexpr double kLeast = 0.1;
+  if (left_ == 0) share(1);
+  const double part = (units - taken_) / left_;
+  --left_;
+  return std::max(part, kLeast * units / shared_);
+}
+
 double UnitBudget::next() {
   if (milliseconds_ > 0.0) {
     const double units = unitTime_.unitsIn(milliseconds_);
-    return units > 0.0 ? units : milliseconds_ * kUnitsPerMillisecond;
+    return ofShared(units > 0.0 ? units : milliseconds_ * kUnitsPerMillisecond);
   }
+  if (constant_ > 0.0) return ofShared(constant_);
   if (units_.empty()) return std::numeric_limits<double>::infinity();
   const double units = units_[std::min(step_, units_.size() - 1)];
   ++step_;
@@ -45,9 +62,10 @@ void UnitBudget::learn(double units, double milliseconds) {
   if (milliseconds_ <= 0.0) return;
   // In a light step most of the time goes into what no unit stands for.
   constexpr double kLight = 0.25;
-  const double known = unitTime_.unitsIn(milliseconds_);
-  const double allowed = known > 0.0 ? known : milliseconds_ * kUnitsPerMillisecond;
-  if (units < kLight * allowed && milliseconds < kLight * milliseconds_) return;
+  const double share = milliseconds_ / shared_;
+  const double known = unitTime_.unitsIn(share);
+  const double allowed = known > 0.0 ? known : share * kUnitsPerMillisecond;
+  if (units < kLight * allowed && milliseconds < kLight * share) return;
   unitTime_.learn(units, milliseconds);
 }
 

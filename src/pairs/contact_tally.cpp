@@ -4,11 +4,11 @@
 
 namespace scatter::pairs {
 
-void addCredit(void* manifold, float credit, Manifolds& engine) {
+void addCredit(void* manifold, float credit, Manifolds& engine, bool eases) {
   for (int i = 0; i < engine.countPoints(manifold); ++i) {
     ContactPoint point = engine.point(manifold, i);
     point.distance += credit;
-    point.eased = true;
+    point.eased = eases;
     engine.write(manifold, i, point);
   }
 }

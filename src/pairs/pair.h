@@ -31,6 +31,8 @@ struct CreditState {
   float gap =
       0.0F;  ///< Between the finest shapes, when it was last measured; negative if they overlap. Metres.
 
+  int landing = 0;  ///< Steps after a switch to the finest level on credit in which bodies may still settle.
+
   /// Of the finest shapes, what their contacts did not press when the pair left its finest level, metres.
   float easedOverlap = 0.0F;
 

@@ -16,6 +16,9 @@ constexpr float kWidestGap = 0.25F;
 /// ones.
 constexpr float kLateness = 2.0F;
 
+/// Bodies that came back to their finest shapes settle on them: in so many steps they have come to rest.
+constexpr int kSettlingSteps = 10;
+
 /// How far a pair may move before the first audit, metres; from then on as far again as it has moved.
 constexpr double kFirstAudit = 0.002;
 
@@ -103,6 +106,7 @@ class PairStep {
     const int next = outcome_.choice.level;
     const bool wasFinest = level_ == finest();
     returns_ = next == finest() && !pair_.held.empty();
+    rememberPresses();
     if (next < finest() && !isOnCredit_) {
       pair_.held.release(engine_);
     } else if (wasFinest) {
@@ -114,6 +118,28 @@ class PairStep {
     openCredit(wasFinest);
     pair_.dropContacts(engine_);
     pair_.versions[0] = pair_.versions[1] = Pair::kNoParts;
+  }
+
+  // Of those contacts that go back to the finest level.
+  void rememberPresses() {
+    scratch_.presses.clear();
+    if (!returns_) return;
+    for (const void* manifold : pair_.held.manifolds()) {
+      for (int i = 0; i < engine_.countPoints(manifold); ++i) {
+        const ContactPoint point = engine_.point(manifold, i);
+        const float depth = -engine_.distanceNow(manifold, i);
+        if (point.presses && depth > 0.0F) scratch_.presses.push_back({point.partA, point.partB, depth});
+      }
+    }
+  }
+
+  // How deep a child pair did press before the pair came back to its finest level.
+  [[nodiscard]] float pressOf(const ChildPair& child) const {
+    float most = 0.0F;
+    for (const StepScratch::Press& press : scratch_.presses) {
+      if (press.partA == child.a && press.partB == child.b) most = std::max(most, press.depth);
+    }
+    return most;
   }
 
   // The contacts of the finest level were looked for once more, before it is left on credit.
@@ -216,7 +242,9 @@ class PairStep {
   // Adds credit to the contacts of the child pairs that were looked at.
   void settleCredit() {
     const bool hadCredit = !credit_.account.empty();
+    if (credit_.landing > 0) --credit_.landing;
     if (hasSwitched_ && credit_.kind == CreditKind::kFinest) {
+      credit_.landing = kSettlingSteps;
       openFinestCredit();
     } else {
       shrinkCredit();
@@ -224,14 +252,21 @@ class PairStep {
     tally_ = settleContacts(hadCredit);
   }
 
-  // The finest shapes overlap a little: as deep as their contacts were found just now.
+  // The finest shapes overlap a little: as deep as their contacts were found just now. What they did press
+  // before they press still: a body that lies on others would sink into them, and stacks would lean.
   void openFinestCredit() {
     for (const ChildPair& child : pair_.parts.children()) {
       if (!child.touching) continue;
       ContactTally tally;
       tally.add(child.contact, engine_);
-      if (tally.least < 0.0F) credit_.account.grant(child.a, child.b, -tally.least, 0.0F);
+      const float overlap = -tally.least - pressOf(child);
+      if (overlap > 0.0F) credit_.account.grant(child.a, child.b, overlap, 0.0F);
     }
+  }
+
+  // What is deeper than it was when it had settled is pressed apart again, or bodies would sink.
+  [[nodiscard]] bool isEased() const {
+    return credit_.kind != CreditKind::kFinest || credit_.landing > 0 || hasSwitched_;
   }
 
   [[nodiscard]] ContactTally settleContacts(bool hadCredit) {
@@ -241,7 +276,7 @@ class PairStep {
       if (!child.touching) continue;
       const float granted = credit_.account.of(child.a, child.b);
       if (granted > 0.0F) {
-        addCredit(child.contact, granted, engine_);
+        addCredit(child.contact, granted, engine_, isEased());
       } else if (hadCredit || hasSwitched_) {
         endCredit(child.contact, engine_);
       }

@@ -355,8 +355,21 @@ void Planner::finish() {
   // Steps of a replayed run may have had none.
   counts_.budgetUnits = std::isfinite(budget_.budgetUnits()) ? budget_.budgetUnits() : 0.0;
   if (budget_.isExceeded()) counts_.floorUnits = budget_.floorUnits(planned_);
+  settleState();
   lastCounts_ = counts_;
   counts_ = {};
+}
+
+void Planner::settleState() {
+  const BudgetState before = budgetState_;
+  budgetState_ = plans_ ? budget_.state(planned_) : BudgetState();
+  budgetState_.steps = budgetState_.verdict == before.verdict ? before.steps + 1 : 1;
+  if (budgetState_.verdict == BudgetVerdict::kNone) return;
+  budgetState_.creditedPairs = counts_.creditedPairs;
+  budgetState_.keptPairs = counts_.reusedPairs;
+  budgetState_.withheldPairs = static_cast<int>(std::ranges::count_if(planned_, [](const PlannedPair& pair) {
+    return pair.byBudget && pair.view.level < std::min(pair.wish.atMost, pair.view.finest);
+  }));
 }
 
 void Planner::finishPair(std::size_t pair) {

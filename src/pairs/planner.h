@@ -12,6 +12,7 @@
 #include "pairs/pair_plan.h"
 #include "pairs/pair_request.h"
 #include "pairs/planned_body.h"
+#include "scatter/lod/budget_state.h"
 #include "scatter/lod/pair_step_counts.h"
 #include "scatter/result.h"
 
@@ -83,6 +84,12 @@ class Planner {
 
   /// Whether plan() is to be given bodies.
   [[nodiscard]] bool needsBodies() const { return !policies_.empty(); }
+
+  /// The next so many steps share one budget.
+  void shareBudget(int steps) { budget_.share(steps); }
+
+  /// What has become of the budget in the last step.
+  [[nodiscard]] const BudgetState& budgetState() const { return budgetState_; }
 
   /// Between broadphase and narrowphase.
   void plan(const PlanInput& input);
@@ -163,6 +170,7 @@ class Planner {
   void takeWork(std::size_t pair, const PairOutcome& outcome);
   void count(const lod::PlannedPair& planned);
   void finishPair(std::size_t pair);
+  void settleState();
 
   std::vector<lod::PlannedPair> planned_;
   std::vector<Known> known_;  ///< In the same order.
@@ -176,6 +184,7 @@ class Planner {
   PairStepCounts counts_;  ///< Of the step under way, and of what happened since the last one.
   PairStepCounts lastCounts_;
   lod::LooseContacts own_;  ///< Of the step under way.
+  BudgetState budgetState_;
   int step_ = 0;
   std::uint32_t numCreated_ = 0;  ///< Pairs, ever.
   int numBelowFinest_ = 0;        ///< Pairs that are coarser than their finest level.

@@ -18,6 +18,14 @@ struct StepScratch {
   HeldScratch held{};
   PartPair audit{};  ///< Of a look at the finest level from a coarser one.
   std::vector<int> looked{};
+
+  /// How deep a contact that is held presses the bodies apart, and the parts that it is of.
+  struct Press {
+    int partA;
+    int partB;
+    float depth;
+  };
+  std::vector<Press> presses{};
   GroundScratch ground{};
   RecyclingScratch recycling{};
 };

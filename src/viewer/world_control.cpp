@@ -34,6 +34,14 @@ void WorldControl::setBudgetMilliseconds(double milliseconds) {
   now_.budget = budget;
 }
 
+std::string WorldControl::describeBudget() const {
+  for (const auto& pane : panes_) {
+    const BudgetState state = physicsOf(pane).switching().budgetState();
+    if (state.verdict != BudgetVerdict::kNone) return describe(state);
+  }
+  return {};
+}
+
 void WorldControl::setPolicies(Policy policy, const std::vector<std::string>& policies) {
   message_.clear();
   for (const auto& pane : panes_) {

@@ -29,6 +29,9 @@ class WorldControl {
   /// Where the user looks, for the policy "focus".
   void setFocus(const ViewFocus& focus);
 
+  /// Of the first hybrid world that has a budget, as scatter::describe() says it; empty without one.
+  [[nodiscard]] std::string describeBudget() const;
+
   /// What was refused last; empty if nothing was.
   [[nodiscard]] const std::string& message() const { return message_; }
 

@@ -15,6 +15,7 @@ struct FrameCost {
   double ms;
   double units;
   double floorUnits;  ///< As the physics reports it: 0 where the budget was kept.
+  double verdict = 0.0;
 };
 
 scatter::Run governedRun(double milliseconds, double units, const std::vector<FrameCost>& frames) {
@@ -29,6 +30,7 @@ scatter::Run governedRun(double milliseconds, double units, const std::vector<Fr
   add("physics_cpu_ms", &FrameCost::ms);
   add("cost_units", &FrameCost::units);
   add("floor_units", &FrameCost::floorUnits);
+  add("budget_verdict", &FrameCost::verdict);
   scatter::Run run;
   run.table = FrameTable(std::move(columns));
   run.options.label = "hybrid";
@@ -58,6 +60,13 @@ TEST(BudgetSentence, CountsUnitsForABudgetOfUnits) {
   EXPECT_THAT(sentence,
               HasSubstr("the budget of 100 units was exceeded in 1 of 2 frames; the dearest took 120 units"));
   EXPECT_THAT(sentence, HasSubstr("about 60.0 units (60.0 to 60.0 units): less than the budget."));
+}
+
+TEST(BudgetSentence, SaysThatNoLevelsWouldHaveKeptIt) {
+  const std::string sentence = lab::budgetSentence(
+      governedRun(0.0, 100.0, {{9.0, 120, 110, 4.0}, {9.0, 130, 60, 2.0}, {9.0, 90, 0, 1.0}}), false);
+  EXPECT_THAT(sentence, HasSubstr("exceeded in 2 of 3 frames"));
+  EXPECT_THAT(sentence, HasSubstr("In 1 of them it could not have been kept with every pair at its coarsest"));
 }
 
 TEST(BudgetSentence, SaysNothingWithoutABudget) {

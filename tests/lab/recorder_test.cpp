@@ -32,7 +32,7 @@ TEST(FrameRecorder, HasExactlyTheAgreedColumnsInOrder) {
       "pairs_without_hybrid,manifolds,contacts,new_contacts,requests,switches_coarser,switches_finer,"
       "retractions,credited_pairs,finest_pairs,touching_pairs,touching_finest_pairs,reused_pairs,blocked_"
       "tries,"
-      "separation_queries,cost_units,planned_units,floor_units,pairs_skipped,list_rebuilds,child_pairs,child_"
+      "separation_queries,cost_units,planned_units,floor_units,reachable_units,budget_verdict,withheld_pairs,pairs_skipped,list_rebuilds,child_pairs,child_"
       "pairs_"
       "asleep,recycled,"
       "bounds_rejected,axis_rejected,gjk_runs,gjk_iterations,detector_runs,ground_pieces,awake_bodies,budget_"

@@ -25,6 +25,42 @@ TEST(UnitBudget, UnitsStayWhateverTheClockSays) {
   }
 }
 
+TEST(UnitBudget, StepsOfOneCallShareWhatItMayCost) {
+  UnitBudget budget = UnitBudget::ofUnits(1200.0);
+  budget.share(3);
+  EXPECT_EQ(budget.next(), 400.0);
+  budget.take(600.0);
+  EXPECT_EQ(budget.next(), 300.0);
+  budget.take(100.0);
+  EXPECT_EQ(budget.next(), 500.0);
+  budget.take(500.0);
+  // The next call has its own.
+  budget.share(1);
+  EXPECT_EQ(budget.next(), 1200.0);
+  // Where nothing is left, a tenth of a step's share is.
+  budget.share(2);
+  EXPECT_EQ(budget.next(), 600.0);
+  budget.take(5000.0);
+  EXPECT_EQ(budget.next(), 60.0);
+}
+
+TEST(UnitBudget, MillisecondsAreSharedToo) {
+  UnitBudget budget = UnitBudget::ofMilliseconds(5.0);
+  for (int i = 0; i < 20; ++i) budget.learn(2000.0, 4.0);
+  budget.share(2);
+  EXPECT_DOUBLE_EQ(budget.next(), 1250.0);
+  EXPECT_TRUE(budget.isExceededBy(2.6));
+  EXPECT_FALSE(budget.isExceededBy(2.4));
+}
+
+TEST(UnitBudget, WhatIsRecordedIsNotShared) {
+  UnitBudget budget = UnitBudget::replay({100.0, 200.0});
+  budget.share(2);
+  EXPECT_EQ(budget.next(), 100.0);
+  budget.take(1000.0);
+  EXPECT_EQ(budget.next(), 200.0);
+}
+
 TEST(UnitBudget, MillisecondsStartWithAMicrosecondForAUnit) {
   UnitBudget budget = UnitBudget::ofMilliseconds(5.0);
   EXPECT_TRUE(budget.isLimited());

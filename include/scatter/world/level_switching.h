@@ -1,5 +1,6 @@
 #pragma once
 
+#include <scatter/lod/budget_state.h>
 #include <scatter/math.h>
 #include <scatter/result.h>
 #include <scatter/world/body.h>
@@ -103,6 +104,9 @@ class LevelSwitching {
   /// What the last step was allowed to cost, in units; 0 without a budget. Repeats the run exactly when given
   /// as BudgetDef::recorded.
   [[nodiscard]] virtual double budgetUnits() const { return 0.0; }
+
+  /// What has become of the budget in the last step; without one, and in engines that take none, so it says.
+  [[nodiscard]] virtual BudgetState budgetState() const { return {}; }
 
   /// What a step may cost from the next one on; a default BudgetDef ends the budget. Clock-free budgets leave
   /// the run the same every time. Values that are negative or not finite are asserted, and refused with a

@@ -474,6 +474,15 @@ void btHybridDynamicsWorld::performDiscreteCollisionDetection()
 		m_verifier->finish(this, m_requests->getStep() % m_verifyEvery == 0);
 }
 
+// The steps that Bullet is going to make of the time that it is given.
+int btHybridDynamicsWorld::stepSimulation(btScalar timeStep, int maxSubSteps, btScalar fixedTimeStep)
+{
+	const int due = maxSubSteps > 0 && fixedTimeStep > 0 ? int((m_localTime + timeStep) / fixedTimeStep) : 1;
+	if (m_planner)
+		m_planner->shareBudget(maxSubSteps > 0 ? btMin(due, maxSubSteps) : 1);
+	return btDiscreteDynamicsWorld::stepSimulation(timeStep, maxSubSteps, fixedTimeStep);
+}
+
 void btHybridDynamicsWorld::internalSingleStepSimulation(btScalar timeStep)
 {
 	if (!m_planner || m_hybrids.size() == 0 || !m_planner->needsTime())
@@ -523,6 +532,11 @@ void btHybridDynamicsWorld::findAsked()
 	for (int i = 0; !asks && i < m_hybrids.size(); i++)
 		asks = m_hybrids[i]->m_level < m_hybrids[i]->getFinestLevel();
 	m_planner->setAsks(asks);
+}
+
+btHybridBudgetState btHybridDynamicsWorld::getBudgetState() const
+{
+	return m_planner ? m_planner->budgetState() : btHybridBudgetState();
 }
 
 btHybridPairStepInfo btHybridDynamicsWorld::getPairStepInfo() const

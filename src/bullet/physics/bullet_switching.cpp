@@ -2,6 +2,8 @@
 
 #include <BulletHybrid/btHybridDynamicsWorld.h>
 
+#include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include "bullet/physics/switching_report.h"
@@ -43,7 +45,16 @@ void BulletSwitching::endStep(StepCounters& counters) {
     const btHybridPairStepInfo info = hybrid->getPairStepInfo();
     addPairCounts(info, counters);
     budgetUnits_ = info.budgetUnits;
+    const BudgetState state = hybrid->getBudgetState();
+    counters.budgetVerdict = static_cast<std::uint32_t>(state.verdict);
+    counters.reachableUnits = static_cast<std::uint32_t>(std::lround(state.reachable));
+    counters.withheldPairs = static_cast<std::uint32_t>(state.withheldPairs);
   }
+}
+
+BudgetState BulletSwitching::budgetState() const {
+  const btHybridDynamicsWorld* hybrid = engine_.switching();
+  return hybrid != nullptr ? hybrid->getBudgetState() : BudgetState();
 }
 
 int BulletSwitching::level(BodyId body) const {

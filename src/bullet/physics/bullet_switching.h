@@ -28,6 +28,7 @@ class BulletSwitching final : public LevelSwitching {
   void retractAllRequests() override;
   [[nodiscard]] int pairLevel(BodyId a, BodyId b) const override;
   [[nodiscard]] double budgetUnits() const override { return budgetUnits_; }
+  [[nodiscard]] BudgetState budgetState() const override;
   bool setBudget(const BudgetDef& budget) override;
   [[nodiscard]] Result<void> setPolicies(Policy policy, const std::vector<std::string>& policies) override;
   [[nodiscard]] Result<void> setSwitching(Switching switching) override;

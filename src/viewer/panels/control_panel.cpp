@@ -18,6 +18,8 @@ void showBudget(ViewerState& state) {
     state.control.setBudgetMilliseconds(budget < 0.1F ? 0.0 : static_cast<double>(budget));
   }
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("Processor milliseconds that a physics step may cost");
+  const std::string words = state.control.describeBudget();
+  if (!words.empty()) ImGui::TextWrapped("%s", words.c_str());
 }
 
 /// Of bodies one policy, of pairs as many as are wanted.

@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -86,6 +87,44 @@ TEST(Budget, InMillisecondsIsReplayedFromItsUnits) {
   int switches = 0;
   for (const int count : recorded.switches) switches += count;
   EXPECT_GT(switches, 20);
+}
+
+TEST(Budget, IsSharedByTheStepsOfACall) {
+  Gathering w;
+  constexpr double kUnits = 3000;
+  w.world.setBudgetUnits(kUnits);
+  w.pull();
+  EXPECT_EQ(w.pairInfo().budgetUnits, kUnits);
+  EXPECT_EQ(w.world.stepSimulation(3.0F / 60 + 1e-4F, 3, 1.0F / 60), 3);
+  // The last of three has what the others have left, which cost less than two thirds.
+  EXPECT_GT(w.pairInfo().budgetUnits, kUnits / 3);
+  EXPECT_LT(w.pairInfo().budgetUnits, kUnits);
+  w.pull();
+  EXPECT_EQ(w.pairInfo().budgetUnits, kUnits);
+}
+
+TEST(Budget, SaysWhetherItIsKeptAndWhatCannotBeGivenUp) {
+  Gathering w;
+  EXPECT_EQ(w.world.getBudgetState().verdict, BudgetVerdict::kNone);
+  w.world.setBudgetUnits(20000);
+  for (int i = 0; i < 3; ++i) w.pull();
+  btHybridBudgetState state = w.world.getBudgetState();
+  EXPECT_EQ(state.verdict, BudgetVerdict::kKept);
+  EXPECT_EQ(state.steps, 3);
+  EXPECT_EQ(state.withheldPairs, 0);
+  EXPECT_EQ(state.taken, w.pairInfo().units);
+  // Bodies alone cost more than this.
+  w.world.setBudgetUnits(2);
+  for (int i = 0; i < 30; ++i) w.pull();
+  state = w.world.getBudgetState();
+  EXPECT_EQ(state.verdict, BudgetVerdict::kImpossible);
+  EXPECT_GT(state.fixed, 2);
+  EXPECT_GE(state.reachable, state.fixed);
+  EXPECT_GT(state.withheldPairs, 0);
+  EXPECT_THAT(describe(state), testing::HasSubstr("cannot be kept in this scene"));
+  w.world.removeBudget();
+  w.pull();
+  EXPECT_EQ(w.world.getBudgetState().verdict, BudgetVerdict::kNone);
 }
 
 TEST(Budget, ContactsAreReusedOnlyWhileItIsExceededAndNeverForAHeldBody) {
