@@ -97,6 +97,7 @@ std::vector<PageCommand> readmeCommands() {
        says("warm simplex")},
       {"scatter bench contacts", "bench contacts --scenes mugs --frames 100", noneMissedOrExtra("3")},
       {"scatter bench spread", "bench spread --scene duel --frames 10 --seeds 2", says("standard")},
+      {"scatter bench budget", "bench budget --scenes duel --frames 10 --floors 2", says("took more than 1.02")},
       {"scatter bench memory", "bench memory --scene duel --frames 10 --every 5", says("lean")},
       {"scatter run fleet --budget-ms 4", "run duel --budget-ms 1e-6 --frames 20",
        says("What could not be given up")},
