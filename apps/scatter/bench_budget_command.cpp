@@ -35,8 +35,8 @@ Result<std::vector<std::string>> scenesOf(const BenchBudgetArguments& arguments,
   if (!scenes.empty() && arguments.families.empty()) {
     return scenes;
   }
-  const auto files = writeFamilies(arguments.families.empty() ? familyNames() : arguments.families,
-                                   arguments.drawn, folder);
+  const auto files =
+      writeFamilies(arguments.families.empty() ? familyNames() : arguments.families, arguments.drawn, folder);
   if (!files) {
     return tl::unexpected(files.error());
   }
@@ -130,8 +130,7 @@ Command addBenchBudgetCommand(CLI::App& bench) {
       ->capture_default_str();
   command->add_flag("--clock", arguments->byClock,
                     "Budgets of milliseconds [of units, the same run after run]");
-  command
-      ->add_option("--cut", arguments->cut, "From the middle of each run on its budget is divided by this")
+  command->add_option("--cut", arguments->cut, "From the middle of each run on its budget is divided by this")
       ->check(CLI::Range(1.0, 1000.0))
       ->type_name("X");
   addBenchArguments(*command, arguments->bench);

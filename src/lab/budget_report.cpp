@@ -18,7 +18,8 @@ struct BudgetUse {
 
 struct Overrun {
   std::size_t frames = 0;
-  std::size_t impossible = 0;  ///< Frames in which the budget could not have been kept at the coarsest levels.
+  std::size_t impossible =
+      0;  ///< Frames in which the budget could not have been kept at the coarsest levels.
   std::size_t belowFloor = 0;  ///< Frames in which the budget was less than what could not be given up.
   double most = 0.0;           ///< That a frame took.
   std::vector<double> floors;  ///< Of the frames that have one.

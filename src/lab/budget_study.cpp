@@ -154,10 +154,10 @@ std::string verdictOf(const BudgetStudy& study) {
     impossible += trial.impossible;
     worst = std::max(worst, trial.worst);
   }
-  return std::to_string(study.trials.size()) + " runs, " + std::to_string(frames) + " frames: " +
-         percent(over2, frames) + " % took more than 1.02 of the budget, " + percent(over5, frames) +
-         " % more than 1.05, the worst " + lab::fixedNumber(worst, 2) + "; in " + std::to_string(impossible) +
-         " frames what could not be given up was more than the budget.";
+  return std::to_string(study.trials.size()) + " runs, " + std::to_string(frames) +
+         " frames: " + percent(over2, frames) + " % took more than 1.02 of the budget, " +
+         percent(over5, frames) + " % more than 1.05, the worst " + lab::fixedNumber(worst, 2) + "; in " +
+         std::to_string(impossible) + " frames what could not be given up was more than the budget.";
 }
 
 }  // namespace
@@ -196,8 +196,8 @@ std::string formatBudgets(const BudgetStudy& study) {
 }
 
 std::string budgetsCsv(const BudgetStudy& study) {
-  std::vector<Cells> lines{{"scene", "floors", study.byClock ? "budget_ms" : "budget_units", "frames", "over_2",
-                            "over_5", "worst", "withheld", "use", "finest", "impossible"}};
+  std::vector<Cells> lines{{"scene", "floors", study.byClock ? "budget_ms" : "budget_units", "frames",
+                            "over_2", "over_5", "worst", "withheld", "use", "finest", "impossible"}};
   for (const BudgetTrial& trial : study.trials) {
     lines.push_back({trial.scene, lab::shortestNumber(trial.floors), lab::shortestNumber(trial.budget),
                      std::to_string(trial.frames), std::to_string(trial.over2), std::to_string(trial.over5),

@@ -18,9 +18,12 @@ std::string amount(const BudgetState& state, double units) {
 std::string verdictOf(const BudgetState& state) {
   const std::string budget = "the budget of " + amount(state, state.budget);
   switch (state.verdict) {
-    case BudgetVerdict::kNone: return "no budget";
-    case BudgetVerdict::kKept: return budget + " is kept";
-    case BudgetVerdict::kExceeded: return budget + " is exceeded: " + amount(state, state.taken);
+    case BudgetVerdict::kNone:
+      return "no budget";
+    case BudgetVerdict::kKept:
+      return budget + " is kept";
+    case BudgetVerdict::kExceeded:
+      return budget + " is exceeded: " + amount(state, state.taken);
     case BudgetVerdict::kImpossibleNow:
       return budget + " cannot be kept as the bodies lie: what cannot be given up takes " +
              amount(state, state.floor);

@@ -84,8 +84,8 @@ class CostModel {
   [[nodiscard]] double units(const LooseContacts& contacts) const;
 
   /// After a pair was processed at `level` of `finest`, 1 <= level <= finest: takes in what it cost, and what
-  /// of that it would have cost at any level. A pair that was left out of a step because it sleeps cost 0: say so, or it counts as dear as before. (0 does
-  /// not count in what is known of other pairs.)
+  /// of that it would have cost at any level. A pair that was left out of a step because it sleeps cost 0:
+  /// say so, or it counts as dear as before. (0 does not count in what is known of other pairs.)
   void learn(PairCost& cost, int level, int finest, bool touching, double units, double common = 0.0);
 
   /// Units a step at `level` for a pair that is at `now` (0: new), without what the switch costs.
@@ -106,8 +106,8 @@ class CostModel {
 
   /// What pairs of one kind cost at a level: those that touch, or those that do not.
   struct Costs {
-    Mean all{};  ///< Of the pairs at the level. At the finest: of all pairs that ever were, by what is
-                 ///< remembered.
+    Mean all{};     ///< Of the pairs at the level. At the finest: of all pairs that ever were, by what is
+                    ///< remembered.
     Mean common{};  ///< Of the pairs at the level: what they would cost at any other.
 
     /// Of the pairs at the level whose cost at the finest level is remembered: both costs. Who is at a

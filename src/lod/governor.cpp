@@ -207,7 +207,8 @@ void Governor::foreseeFloor(std::span<const PlannedPair> pairs, const CostModel&
   }
   coarsest *= correction_;
   middle_ = correction_ * middle;
-  if (coarsest_ > 0.0) coarsestTrend_ += kFloorShare * ((coarsest - coarsest_) / kFloorEvery - coarsestTrend_);
+  if (coarsest_ > 0.0)
+    coarsestTrend_ += kFloorShare * ((coarsest - coarsest_) / kFloorEvery - coarsestTrend_);
   coarsest_ = coarsest;
 }
 
@@ -344,7 +345,8 @@ double Governor::creditUnits(const PlannedPair& pair, int level, double now) con
   if (isKnown) return static_cast<double>(pair.cost.units[slot]);
   const Kind& kind = kinds_[pair.kind];
   const double prior = kPriorLooks * now;
-  const double ratio = (kind.onCredit + kPriorLooks * (kHeldUnits + kAuditShare * now)) / (kind.beforeCredit + prior);
+  const double ratio =
+      (kind.onCredit + kPriorLooks * (kHeldUnits + kAuditShare * now)) / (kind.beforeCredit + prior);
   return ratio * now;
 }
 

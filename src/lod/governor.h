@@ -101,8 +101,8 @@ class Governor {
   void accept(std::span<PlannedPair> pairs, double room, double sign);
 
   /// Pairs of a kind: what a touching one costs at its finest level; what those on credit cost, and what they
-  /// did cost at their finest level; and the share of them that is admitted, of those that are at their finest
-  /// level already and of the others.
+  /// did cost at their finest level; and the share of them that is admitted, of those that are at their
+  /// finest level already and of the others.
   struct Kind {
     double units = 0.0;
     double weight = 0.0;
@@ -116,25 +116,25 @@ class Governor {
   GovernorDef def_;
   std::array<Kind, PlannedPair::kKinds> kinds_{};
   double fixed_ = 0.0;
-  double predicted_ = 0.0;     ///< Units besides the fixed ones, not corrected.
-  double limit_ = 0.0;         ///< Units that the step should not exceed.
-  double spent_ = 0.0;         ///< Of the step under way, besides the fixed units.
-  double remaining_ = 0.0;     ///< What its pairs are still expected to take, not corrected.
-  double saved_ = 0.0;         ///< By putting off.
-  double lastActual_ = 0.0;    ///< 0: nothing was learned yet.
-  double capacity_ = 0.0;      ///< Units a step may be planned to cost.
-  double contactUnits_ = 0.0;  ///< Of pairs in contact at their finest level.
-  double missingUnits_ = 0.0;  ///< What pairs in contact would cost more at their finest level.
-  double foreseen_ = 0.0;      ///< What the step was expected to cost when its narrowphase began.
-  RecentQuantile<32> misses_;  ///< How much more steps did cost.
-  double reuseSaves_ = 0.2;    ///< Of what a pair costs: what it saves when its contacts are reused.
-  double finerRoom_ = 0.0;     ///< Units left for pairs that are apart and get finer.
-  double coarserRoom_ = 0.0;   ///< The same for those that get coarser.
-  double trend_ = 0.0;         ///< Units a step by which steps get dearer.
-  double coarsest_ = 0.0;      ///< What all pairs would cost as coarse as they may be.
-  double middle_ = 0.0;        ///< The same with all at the middle level.
+  double predicted_ = 0.0;      ///< Units besides the fixed ones, not corrected.
+  double limit_ = 0.0;          ///< Units that the step should not exceed.
+  double spent_ = 0.0;          ///< Of the step under way, besides the fixed units.
+  double remaining_ = 0.0;      ///< What its pairs are still expected to take, not corrected.
+  double saved_ = 0.0;          ///< By putting off.
+  double lastActual_ = 0.0;     ///< 0: nothing was learned yet.
+  double capacity_ = 0.0;       ///< Units a step may be planned to cost.
+  double contactUnits_ = 0.0;   ///< Of pairs in contact at their finest level.
+  double missingUnits_ = 0.0;   ///< What pairs in contact would cost more at their finest level.
+  double foreseen_ = 0.0;       ///< What the step was expected to cost when its narrowphase began.
+  RecentQuantile<32> misses_;   ///< How much more steps did cost.
+  double reuseSaves_ = 0.2;     ///< Of what a pair costs: what it saves when its contacts are reused.
+  double finerRoom_ = 0.0;      ///< Units left for pairs that are apart and get finer.
+  double coarserRoom_ = 0.0;    ///< The same for those that get coarser.
+  double trend_ = 0.0;          ///< Units a step by which steps get dearer.
+  double coarsest_ = 0.0;       ///< What all pairs would cost as coarse as they may be.
+  double middle_ = 0.0;         ///< The same with all at the middle level.
   double coarsestTrend_ = 0.0;  ///< Units a step by which `coarsest_` grows; negative if it shrinks.
-  int stepsToFloor_ = 0;       ///< Until these are found anew.
+  int stepsToFloor_ = 0;        ///< Until these are found anew.
   double admission_ = 1.0;
   bool isMiddle_ = false;    ///< Pairs that are refused their wish get a middle level, not the least.
   double correction_ = 1.0;  ///< For predictions, from how much steps cost against what was predicted.

@@ -37,6 +37,7 @@ bool StepBudget::mayAudit() const {
   constexpr double kLeast = 0.06;
   constexpr double kMost = 0.2;
   if (!isLimited()) return true;
+  if (auditUnits_ < kLeast * budgetUnits_) return true;
   const double share = kLeast + (kMost - kLeast) * governor_.admission();
   return !governor_.isShort() && auditUnits_ < share * budgetUnits_;
 }

@@ -48,7 +48,8 @@ class StepBudget {
   /// Whether it would be if so many more queries about separation are made.
   [[nodiscard]] bool isShortAfterQueries(int queries) const;
 
-  /// A fifth of the budget is for audits at most, so that looking does not cost the detail that it serves.
+  /// A fifth of the budget is for audits at most, so that looking does not cost the detail that it serves; a
+  /// little of it in any step, so that pairs on credit do not sink into each other.
   [[nodiscard]] bool mayAudit() const;
 
   void spendSwitch() { spend(costs_.weights().switched); }

@@ -25,8 +25,8 @@ struct PairPlan {
 };
 
 /// How far the parts of a pair, or of a body and its ground, may move against each other without a look for
-/// contacts, metres. Small bodies may move less: a multiple of the distance at which their contacts end, which
-/// is a fiftieth of their size. Bodies of a metre have the usual audit distance.
+/// contacts, metres. Small bodies may move less: a multiple of the distance at which their contacts end,
+/// which is a fiftieth of their size. Bodies of a metre have the usual audit distance.
 [[nodiscard]] inline float furthestUnseen(const PairPlan& plan, float threshold) {
   constexpr float kThresholds = 1.5F;
   return plan.auditDistance < kThresholds * threshold ? plan.auditDistance : kThresholds * threshold;

@@ -19,6 +19,9 @@ constexpr float kLateness = 2.0F;
 /// Bodies that came back to their finest shapes settle on them: in so many steps they have come to rest.
 constexpr int kSettlingSteps = 10;
 
+/// So little overlap is pressed as well as given credit for, metres.
+constexpr float kLeastCredit = 1e-4F;
+
 /// How far a pair may move before the first audit, metres; from then on as far again as it has moved.
 constexpr double kFirstAudit = 0.002;
 
@@ -182,9 +185,7 @@ class PairStep {
   }
 
   // That parts may move against each other without a look, metres.
-  [[nodiscard]] float furthest() const {
-    return furthestUnseen(plan_, pair_.parts.threshold());
-  }
+  [[nodiscard]] float furthest() const { return furthestUnseen(plan_, pair_.parts.threshold()); }
 
   // Nothing can come into contact before the gap has closed. Contacts that are new need not be all that there
   // will be, as engines find a point at a time, or only those that are deep: the first looks are soon.
@@ -195,12 +196,12 @@ class PairStep {
     credit_.latest = static_cast<double>(kLateness * distance);
   }
 
-  // What comes upon the pair is found a step late, or before the parts have moved as far against each other
-  // as they may between two audits.
+  // What comes upon the pair is found before the parts have moved as far against each other as they may
+  // between two audits.
   [[nodiscard]] bool mayKeep() {
     const bool canKeep = !pair_.hasFallenBack && pair_.held.empty() && pair_.versions[0] != Pair::kNoParts &&
                          outcome_.choiceQueries >= plan_.keepsFrom;
-    return canKeep && (pair_.origin != ContactOrigin::kKept || pair_.parts.movedSince(frameB()) < furthest());
+    return canKeep && pair_.parts.movedSince(frameB()) < furthest();
   }
 
   // The contacts of the step before, where the bodies are now.
@@ -260,7 +261,7 @@ class PairStep {
       ContactTally tally;
       tally.add(child.contact, engine_);
       const float overlap = -tally.least - pressOf(child);
-      if (overlap > 0.0F) credit_.account.grant(child.a, child.b, overlap, 0.0F);
+      if (overlap > kLeastCredit) credit_.account.grant(child.a, child.b, overlap, 0.0F);
     }
   }
 

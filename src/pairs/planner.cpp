@@ -330,7 +330,8 @@ void Planner::takeWork(std::size_t pair, const PairOutcome& outcome) {
   own_.manifolds += outcome.work.manifolds;
   own_.points += outcome.work.contacts;
   counts_.reusedPairs += outcome.work.reuses ? 1 : 0;
-  if (outcome.credited) known.averageUnits += (static_cast<float>(units.all) - known.averageUnits) / kCostMemory;
+  if (outcome.credited)
+    known.averageUnits += (static_cast<float>(units.all) - known.averageUnits) / kCostMemory;
   if (outcome.credited) units.all = static_cast<double>(known.averageUnits);
   if (!outcome.work.reuses) budget_.learn(planned, outcome.touching, units);
   constexpr std::uint16_t kMost = std::numeric_limits<std::uint16_t>::max();
@@ -377,8 +378,7 @@ void Planner::finishPair(std::size_t pair) {
   numBelowFinest_ += planned.view.level < planned.view.finest ? 1 : 0;
   counts_.requests += known_[pair].request.stands ? 1 : 0;
   // Asleep, or filtered out.
-  if (known_[pair].step != step_ && planned.view.level > 0)
-    budget_.learn(planned, planned.view.touching, {});
+  if (known_[pair].step != step_ && planned.view.level > 0) budget_.learn(planned, planned.view.touching, {});
 }
 
 void Planner::takeTime(double milliseconds) {

@@ -66,7 +66,8 @@ TEST(BudgetSentence, SaysThatNoLevelsWouldHaveKeptIt) {
   const std::string sentence = lab::budgetSentence(
       governedRun(0.0, 100.0, {{9.0, 120, 110, 4.0}, {9.0, 130, 60, 2.0}, {9.0, 90, 0, 1.0}}), false);
   EXPECT_THAT(sentence, HasSubstr("exceeded in 2 of 3 frames"));
-  EXPECT_THAT(sentence, HasSubstr("In 1 of them it could not have been kept with every pair at its coarsest"));
+  EXPECT_THAT(sentence,
+              HasSubstr("In 1 of them it could not have been kept with every pair at its coarsest"));
 }
 
 TEST(BudgetSentence, SaysNothingWithoutABudget) {

@@ -48,10 +48,9 @@ TEST(BudgetStudy, GivesMultiplesOfTheDearestFrameThatIsCoarse) {
 
 TEST(BudgetStudy, CountsFramesThatTookMoreAndThoseThatHadTo) {
   const Costs costs{{103, 0}, {104, 102}, {120, 130}, {80, 0}, {90, 0}, {96, 0}, {150, 0}};
-  const auto study = studyBudgets({.scenes = {{.name = "a",
-                                               .governed = costing(costs, 7),
-                                               .coarsest = costing({{100, 0}}, 7)}},
-                                   .floors = {1.0}});
+  const auto study = studyBudgets(
+      {.scenes = {{.name = "a", .governed = costing(costs, 7), .coarsest = costing({{100, 0}}, 7)}},
+       .floors = {1.0}});
   ASSERT_TRUE(study);
   const BudgetTrial& trial = study->trials.front();
   EXPECT_EQ(trial.frames, 7);
@@ -85,10 +84,9 @@ TEST(BudgetStudy, ABudgetThatIsCutIsJudgedOnceThereWasTimeForIt) {
 
 TEST(BudgetStudy, RefusesWhatTellsNothing) {
   EXPECT_FALSE(studyBudgets({}));
-  const auto free = studyBudgets({.scenes = {{.name = "empty",
-                                              .governed = costing({{90, 0}}, 2),
-                                              .coarsest = costing({{0, 0}}, 2)}},
-                                  .floors = {2.0}});
+  const auto free = studyBudgets(
+      {.scenes = {{.name = "empty", .governed = costing({{90, 0}}, 2), .coarsest = costing({{0, 0}}, 2)}},
+       .floors = {2.0}});
   ASSERT_FALSE(free);
   EXPECT_THAT(free.error().message, HasSubstr("the scene empty has nothing to govern"));
 }

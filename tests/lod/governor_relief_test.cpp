@@ -26,7 +26,8 @@ std::vector<PlannedPair> variousPairs(CostModel& costs, int count) {
 }
 
 double onCredit(const PlannedPair& pair) {
-  return std::min(static_cast<double>(pair.cost.units[0]), 3.0 + 0.3 * static_cast<double>(pair.cost.units[0]));
+  return std::min(static_cast<double>(pair.cost.units[0]),
+                  3.0 + 0.3 * static_cast<double>(pair.cost.units[0]));
 }
 
 /// So many steps in which all switches are safe that no more are to come.

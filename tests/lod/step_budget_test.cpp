@@ -46,6 +46,8 @@ TEST(StepBudget, IsShortOnceItIsSpent) {
   EXPECT_TRUE(budget.isShort(2000.0));
   budget.takeWork(pairs[0], work(100000));
   EXPECT_TRUE(budget.isShort());
+  EXPECT_TRUE(budget.mayAudit()) << "a little of any step is for audits";
+  for (int i = 0; i < 1000; ++i) budget.countAudit(work(10));
   EXPECT_FALSE(budget.mayAudit());
   EXPECT_TRUE(budget.isExceeded());
 }

@@ -236,9 +236,38 @@ TEST(PairStep, KeepsItsContactsUntilItHasMovedTooFar) {
   EXPECT_FALSE(living.step(1.569F).work.reuses);
   EXPECT_TRUE(living.step(1.56F).work.reuses);
   EXPECT_FALSE(living.step(1.5F).work.reuses);
-  // Once whatever it has moved: what comes upon it is found a step late.
-  EXPECT_TRUE(living.step(1.4F).work.reuses);
-  EXPECT_FALSE(living.step(1.4F - 0.05F).work.reuses);
+}
+
+TEST(PairStep, PressesAtItsFinestLevelWhatPressedBefore) {
+  LivingPair living;
+  living.step(3.0F);
+  living.step(1.59F);
+  living.plan.target = 2;
+  living.step(1.59F);
+  EXPECT_NEAR(living.press(), 0.01F, 1e-4F) << "the contacts that it holds";
+  living.plan.target = kFinest;
+  PairOutcome outcome = living.step(1.59F);
+  EXPECT_EQ(outcome.choice.kind, SwitchKind::kOnCredit);
+  EXPECT_FALSE(outcome.isUnsafe);
+  EXPECT_NEAR(living.press(), 0.01F, 1e-4F);
+}
+
+TEST(PairStep, PressesWhatSinksOnceItHasSettled) {
+  LivingPair living;
+  living.step(3.0F);
+  living.plan.target = 2;
+  living.plan.rules.safe = false;
+  living.step(1.7F);
+  living.plan.rules.safe = true;
+  // Nothing is held, and the finest shapes overlap: all of it is credit.
+  living.plan.target = kFinest;
+  const PairOutcome outcome = living.step(1.59F);
+  ASSERT_EQ(outcome.choice.kind, SwitchKind::kOnCredit);
+  EXPECT_EQ(living.press(), 0.0F);
+  for (int i = 0; i < 5; ++i) living.step(1.588F);
+  EXPECT_EQ(living.press(), 0.0F) << "it settles";
+  for (int i = 0; i < 10; ++i) living.step(1.588F);
+  EXPECT_NEAR(living.press(), 0.002F, 1e-4F);
 }
 
 TEST(PairStep, LeavesShapesThatAreNoPartListsToTheEngine) {

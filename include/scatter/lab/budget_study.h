@@ -30,14 +30,15 @@ struct BudgetTrial {
   double floors = 0.0;  ///< The budget as a multiple of the reachable floor.
   double budget = 0.0;  ///< Units or milliseconds a step; after the cut, if there is one.
   int frames = 0;
-  int over2 = 0;         ///< Frames that took more than 1.02 of the budget. With a cut: later than
-                         ///< kBudgetWayDown frames after it.
-  int over5 = 0;         ///< More than 1.05.
-  double worst = 0.0;    ///< The dearest frame, in budgets; with a cut, of the same frames.
-  int withheld = 0;      ///< Frames in which some pair was not at its finest level.
-  double use = 0.0;      ///< The median of these, in budgets; 0 if there were none.
-  double finest = 0.0;   ///< Of touching pairs with a hybrid, over all frames, at their finest level; 1 for none.
-  int impossible = 0;    ///< Frames over the budget in which what could not be given up was over it as well.
+  int over2 = 0;       ///< Frames that took more than 1.02 of the budget. With a cut: later than
+                       ///< kBudgetWayDown frames after it.
+  int over5 = 0;       ///< More than 1.05.
+  double worst = 0.0;  ///< The dearest frame, in budgets; with a cut, of the same frames.
+  int withheld = 0;    ///< Frames in which some pair was not at its finest level.
+  double use = 0.0;    ///< The median of these, in budgets; 0 if there were none.
+  double finest =
+      0.0;  ///< Of touching pairs with a hybrid, over all frames, at their finest level; 1 for none.
+  int impossible = 0;  ///< Frames over the budget in which what could not be given up was over it as well.
 };
 
 /// Frames that a world has to come down to a budget that was cut.

@@ -7,9 +7,9 @@ namespace scatter {
 
 /// How a step's budget was kept.
 enum class BudgetVerdict : std::uint8_t {
-  kNone,           ///< There is no budget.
-  kKept,           ///< The step took no more than 1.02 of it.
-  kExceeded,       ///< It took more, of what could have been given up: it was not foreseen, or is on its way out.
+  kNone,      ///< There is no budget.
+  kKept,      ///< The step took no more than 1.02 of it.
+  kExceeded,  ///< It took more, of what could have been given up: it was not foreseen, or is on its way out.
   kImpossibleNow,  ///< As the bodies lie, what could not be given up takes more than the budget.
   kImpossible,     ///< With every pair at the coarsest level that it may have the step would take more.
 };
@@ -19,11 +19,11 @@ struct BudgetState {
   BudgetVerdict verdict = BudgetVerdict::kNone;
   int steps = 0;  ///< For so many it has been that, this one included.
 
-  double budget = 0.0;     ///< Units that the step was allowed; infinite for none.
-  double taken = 0.0;      ///< That it took.
-  double fixed = 0.0;      ///< Of these, what no level changes: bodies, broadphase, joints, contacts of others.
-  double floor = 0.0;      ///< About what it would have taken with all given up that can be, as the bodies lie;
-                           ///< 0 of a step that kept its budget.
+  double budget = 0.0;  ///< Units that the step was allowed; infinite for none.
+  double taken = 0.0;   ///< That it took.
+  double fixed = 0.0;   ///< Of these, what no level changes: bodies, broadphase, joints, contacts of others.
+  double floor = 0.0;   ///< About what it would have taken with all given up that can be, as the bodies lie;
+                        ///< 0 of a step that kept its budget.
   double reachable = 0.0;  ///< The same with every pair at its coarsest level: once it has got there.
   double millisecondsPerUnit = 0.0;  ///< As a budget of milliseconds has learned it; 0 for others.
 

@@ -57,8 +57,8 @@ struct StepCounters {
   std::uint32_t costUnits = 0;            ///< What the step cost in the governor's units.
   std::uint32_t plannedUnits = 0;         ///< What it was planned to cost.
   std::uint32_t floorUnits = 0;  ///< What of it could not be given up, about; 0 where the budget was kept.
-  std::uint32_t reachableUnits = 0;  ///< What it would have cost with every pair at its coarsest level, about;
-                                     ///< 0 without a budget.
+  std::uint32_t reachableUnits = 0;  ///< What it would have cost with every pair at its coarsest level,
+                                     ///< about; 0 without a budget.
   std::uint32_t budgetVerdict = 0;   ///< BudgetVerdict, as a number.
   std::uint32_t withheldPairs = 0;   ///< Pairs that the budget kept below the level that they would have.
 
