@@ -356,7 +356,7 @@ TEST(Observation, CreditIsCountedInTheDistance) {
       kept += contact.kept ? 1 : 0;
     }
   }
-  EXPECT_GT(credited, 100);
+  EXPECT_GT(credited, 50);
   EXPECT_GT(kept, 100);
   EXPECT_EQ(wrong, 0);
 }
