@@ -28,11 +28,15 @@ std::string nameOf(const std::string& scene) {
   return std::filesystem::path(scene).stem().string();
 }
 
+bool drawsFamilies(const BenchBudgetArguments& arguments) {
+  return arguments.scenes.empty() || !arguments.families.empty();
+}
+
 // Those that were named, and of each family one for each seed, written into the folder.
 Result<std::vector<std::string>> scenesOf(const BenchBudgetArguments& arguments,
                                           const std::filesystem::path& folder) {
   std::vector<std::string> scenes = arguments.scenes;
-  if (!scenes.empty() && arguments.families.empty()) {
+  if (!drawsFamilies(arguments)) {
     return scenes;
   }
   const auto files =
@@ -72,20 +76,14 @@ Result<void> checkMeaning(const CLI::App& command, const BenchBudgetArguments& a
   if (arguments.byClock && arguments.cut > 0.0) {
     return fail("--cut has no meaning with --clock: it is for budgets in units");
   }
-  const bool drawsFamilies = arguments.scenes.empty() || !arguments.families.empty();
-  for (const char* option : {"--seeds", "--scale"}) {
-    if (command.count(option) > 0 && !drawsFamilies) {
-      return fail(std::string(option) + " has no meaning here; it goes with --families");
-    }
-  }
-  return {};
+  return checkFamilyArguments(command, drawsFamilies(arguments), "--families");
 }
 
 ExitStatus study(const CLI::App& command, const BenchBudgetArguments& arguments) {
   if (auto meaningful = checkMeaning(command, arguments); !meaningful) {
     return refuse(meaningful.error());
   }
-  const auto folder = makeFamilyFolder(arguments.scenes.empty() || !arguments.families.empty());
+  const auto folder = makeFamilyFolder(drawsFamilies(arguments));
   if (!folder) {
     return refuse(folder.error());
   }

@@ -35,15 +35,6 @@ bool asksForFamilies(const BenchWorldsArguments& arguments) {
   return std::find(arguments.scenes.begin(), arguments.scenes.end(), kFamilies) != arguments.scenes.end();
 }
 
-Result<void> checkFamilies(const CLI::App& command, const BenchWorldsArguments& arguments) {
-  for (const char* option : {"--seeds", "--scale"}) {
-    if (command.count(option) > 0 && !asksForFamilies(arguments)) {
-      return fail(std::string(option) + " has no meaning here; it goes with --scenes " + kFamilies);
-    }
-  }
-  return {};
-}
-
 // Families are written into the folder.
 Result<std::vector<std::string>> scenesOf(const BenchWorldsArguments& arguments,
                                           const std::filesystem::path& folder) {
@@ -91,7 +82,8 @@ Result<std::vector<CompareOptions>> makeComparisons(const BenchWorldsArguments& 
 }
 
 ExitStatus measure(const CLI::App& command, const BenchWorldsArguments& arguments) {
-  if (auto meaningful = checkFamilies(command, arguments); !meaningful) {
+  const std::string asks = std::string("--scenes ") + kFamilies;
+  if (auto meaningful = checkFamilyArguments(command, asksForFamilies(arguments), asks); !meaningful) {
     return refuse(meaningful.error());
   }
   const auto folder = makeFamilyFolder(asksForFamilies(arguments));

@@ -27,6 +27,15 @@ void addFamilyArguments(CLI::App& command, FamilyArguments& arguments) {
   addScaleArgument(command, arguments.scale);
 }
 
+Result<void> checkFamilyArguments(const CLI::App& command, bool draws, const std::string& asks) {
+  for (const char* option : {"--seeds", "--scale"}) {
+    if (command.count(option) > 0 && !draws) {
+      return fail(std::string(option) + " has no meaning here; it goes with " + asks);
+    }
+  }
+  return {};
+}
+
 Result<std::optional<StagedFolder>> makeFamilyFolder(bool asked) {
   if (!asked) {
     return std::nullopt;

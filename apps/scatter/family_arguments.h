@@ -25,6 +25,9 @@ struct FamilyArguments {
 void addScaleArgument(CLI::App& command, double& scale);
 void addFamilyArguments(CLI::App& command, FamilyArguments& arguments);
 
+/// Refuses these options where no families are drawn; `asks` is what draws them.
+[[nodiscard]] Result<void> checkFamilyArguments(const CLI::App& command, bool draws, const std::string& asks);
+
 /// Writes a scene for each family and seed into an existing folder; their files. Fails on an unknown name.
 [[nodiscard]] Result<std::vector<std::filesystem::path>> writeFamilies(
     const std::vector<std::string>& families, const FamilyArguments& arguments,

@@ -435,8 +435,7 @@ float PartPair::movedSince(const Frame& now) const {
 }
 
 float PartPair::listedDisplacement(const Frame& now) const {
-  if (followsWhole_) return std::numeric_limits<float>::infinity();
-  return displacementBound(frameB_, now, listedCenter_, listedRadius_).length;
+  return followsWhole_ ? std::numeric_limits<float>::infinity() : movedSince(now);
 }
 
 }  // namespace scatter

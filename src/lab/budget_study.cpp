@@ -136,7 +136,7 @@ class Runner {
   CompareProgress report_{};
 };
 
-/// "0.3 %"; in the last line "1.2 % of 4000".
+/// A share of the frames, such as "0.30".
 std::string percent(int count, int frames) {
   return lab::fixedNumber(frames > 0 ? 100.0 * count / frames : 0.0, 2);
 }

@@ -1,6 +1,5 @@
 #include <scatter/lod/budget_state.h>
 
-#include <cmath>
 #include <cstdio>
 
 namespace scatter {

@@ -80,8 +80,10 @@ void CostModel::learn(PairCost& cost, int level, int finest, bool touching, doub
   const std::size_t slot = PairCost::slotOf(level, finest);
   if (cost.level == level) {
     follow(cost, slot, units);
-    if (units > 0.0) addToMeans(cost, level, finest, touching, units);
-    if (units > 0.0) kind.byTouch[touching ? 1 : 0].common.add(std::min(common, units));
+    if (units > 0.0) {
+      addToMeans(cost, level, finest, touching, units);
+      kind.byTouch[touching ? 1 : 0].common.add(std::min(common, units));
+    }
   } else {
     // The first step at a level makes lists anew: what that takes does not belong to the level.
     const double expected = predict(cost, level, cost.level, finest, touching);

@@ -80,7 +80,7 @@ void StepBudget::finish(bool isPlanned) {
   lastUnits_ = units_;
 }
 
-BudgetState StepBudget::state(std::span<const PlannedPair> pairs) const {
+BudgetState StepBudget::state(double floor) const {
   constexpr double kKept = 1.02;
   BudgetState state;
   if (!isLimited() || std::isinf(budgetUnits_)) return state;
@@ -91,7 +91,7 @@ BudgetState StepBudget::state(std::span<const PlannedPair> pairs) const {
   state.millisecondsPerUnit = budget_.millisecondsPerUnit();
   state.verdict = BudgetVerdict::kKept;
   if (units_ <= kKept * budgetUnits_) return state;
-  state.floor = std::min(floorUnits(pairs), units_);
+  state.floor = std::min(floor, units_);
   if (state.reachable > budgetUnits_) {
     state.verdict = BudgetVerdict::kImpossible;
   } else {

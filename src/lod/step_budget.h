@@ -83,9 +83,9 @@ class StepBudget {
   [[nodiscard]] double budgetUnits() const { return budgetUnits_; }  ///< Infinite for none.
   [[nodiscard]] bool isExceeded() const { return isLimited() && units_ > budgetUnits_; }
 
-  /// Of the step that has ended; `pairs` are those of its plan. What pairs have given up is the planner's to
-  /// tell.
-  [[nodiscard]] BudgetState state(std::span<const PlannedPair> pairs) const;
+  /// Of the step that has ended; `floor`: its floorUnits(), if it isExceeded(). What pairs have given up is
+  /// the planner's to tell.
+  [[nodiscard]] BudgetState state(double floor) const;
 
   /// As Governor has it.
   [[nodiscard]] double floorUnits(std::span<const PlannedPair> pairs) const {

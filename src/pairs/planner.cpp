@@ -330,9 +330,10 @@ void Planner::takeWork(std::size_t pair, const PairOutcome& outcome) {
   own_.manifolds += outcome.work.manifolds;
   own_.points += outcome.work.contacts;
   counts_.reusedPairs += outcome.work.reuses ? 1 : 0;
-  if (outcome.credited)
+  if (outcome.credited) {
     known.averageUnits += (static_cast<float>(units.all) - known.averageUnits) / kCostMemory;
-  if (outcome.credited) units.all = static_cast<double>(known.averageUnits);
+    units.all = static_cast<double>(known.averageUnits);
+  }
   if (!outcome.work.reuses) budget_.learn(planned, outcome.touching, units);
   constexpr std::uint16_t kMost = std::numeric_limits<std::uint16_t>::max();
   if (!outcome.touching) {
@@ -363,7 +364,7 @@ void Planner::finish() {
 
 void Planner::settleState() {
   const BudgetState before = budgetState_;
-  budgetState_ = plans_ ? budget_.state(planned_) : BudgetState();
+  budgetState_ = plans_ ? budget_.state(counts_.floorUnits) : BudgetState();
   budgetState_.steps = budgetState_.verdict == before.verdict ? before.steps + 1 : 1;
   if (budgetState_.verdict == BudgetVerdict::kNone) return;
   budgetState_.creditedPairs = counts_.creditedPairs;

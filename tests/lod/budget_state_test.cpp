@@ -29,7 +29,7 @@ BudgetState after(double budgetUnits, int objects, int steps = 12) {
     for (PlannedPair& pair : pairs) budget.learn(pair, true, budget.takeWork(pair, work));
     budget.finish(true);
   }
-  return budget.state(pairs);
+  return budget.state(budget.floorUnits(pairs));
 }
 
 TEST(BudgetState, IsKeptWhereThereIsRoom) {
@@ -60,7 +60,7 @@ TEST(BudgetState, IsImpossibleWhereNoLevelsHelp) {
 
 TEST(BudgetState, IsThatOfNoBudgetWithoutOne) {
   const StepBudget budget;
-  const BudgetState state = budget.state({});
+  const BudgetState state = budget.state(0.0);
   EXPECT_EQ(state.verdict, BudgetVerdict::kNone);
   EXPECT_EQ(describe(state), "no budget");
 }

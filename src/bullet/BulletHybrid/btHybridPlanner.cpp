@@ -149,10 +149,7 @@ void btHybridPlanner::finish(btDispatcher* dispatcher)
 		loose.manifolds++;
 		loose.points += manifold->getNumContacts();
 	}
-	if (hasOthers)
-		takeLoose({btMax(loose.manifolds - own.manifolds, 0), btMax(loose.points - own.points, 0)});
-	else
-		takeLoose(loose);
+	takeLoose({btMax(loose.manifolds - own.manifolds, 0), btMax(loose.points - own.points, 0)});
 	Planner::finish();
 }
 
