@@ -139,6 +139,7 @@ class Gjk {
     while (!done_ && result_.iterations < kMaxIterations) iterate(enough);
     keep(warm);
     if (result_.state == State::kConverged) findPoints();
+    if (result_.state == State::kOverlap) showOverlap();
   }
 
  private:
@@ -245,6 +246,14 @@ class Gjk {
     for (int i = 0; i < nearest_.count; ++i) {
       result_.pointA += simplex_[i].a * nearest_.weight[i];
       result_.pointB += simplex_[i].b * nearest_.weight[i];
+    }
+  }
+
+  void showOverlap() {
+    result_.overlap.count = static_cast<std::uint8_t>(count_);
+    for (int i = 0; i < count_; ++i) {
+      result_.overlap.a[i] = simplex_[i].vertexA;
+      result_.overlap.b[i] = simplex_[i].vertexB;
     }
   }
 

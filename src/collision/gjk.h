@@ -14,6 +14,13 @@ struct WarmSimplex {
   std::uint8_t count = 0;
 };
 
+/// The vertices, of either polytope, of differences whose hull holds the origin, or all but does.
+struct OverlapSimplex {
+  std::uint16_t a[4]{};
+  std::uint16_t b[4]{};
+  std::uint8_t count = 0;
+};
+
 struct GjkResult {
   enum class State : std::uint8_t {
     kApart,      ///< Further apart than `enough`; GJK stopped there.
@@ -32,6 +39,8 @@ struct GjkResult {
   Vec3 pointA{0.0F};
   Vec3 pointB{0.0F};
   int iterations = 0;
+
+  OverlapSimplex overlap{};  ///< Of kOverlap.
 };
 
 /// The distance of two convex polytopes (Gilbert, Johnson, Keerthi 1988), in A's frame. `b` is given in its

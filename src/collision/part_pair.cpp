@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "collision/box_separation.h"
+#include "collision/penetration.h"
 
 namespace scatter {
 
@@ -14,6 +15,8 @@ constexpr float kUnknown = std::numeric_limits<float>::infinity();
 /// Boxes that are nearer overlap for the engine, whatever their size: metres, one digit of the last place
 /// of 1.
 constexpr float kBoxTolerance = std::numeric_limits<float>::epsilon();
+/// Of the threshold: so exact distances and depths of contacts are.
+constexpr float kExactness = 1e-3F;
 constexpr double kAwake = std::numeric_limits<double>::lowest();
 
 /// What decides about two parts: which polytopes stand for them, and how near is a contact.
@@ -58,6 +61,23 @@ float separationAlong(ChildPair& child, const ChildRule& rule, const Frame& fram
   if (child.reachA == kUnknown) child.reachA = reach(rule.a, child.axis);
   const float nearB = glm::dot(child.axis, frameB.origin) - reach(rule.b, frameB.rotateBack(-child.axis));
   return nearB - child.reachA - rule.margin;
+}
+
+// Where the polytopes are nearest to each other, or deepest, as far as GJK has decided that. `pointB` is of
+// the polytope, without its margin.
+bool findContact(const ChildRule& rule, const Frame& frameB, const GjkResult& result, float threshold,
+                 WarmSimplex& warm, PartContact& contact, PairWork& work) {
+  if (result.state == GjkResult::State::kConverged) {
+    contact = {result.axis, result.pointB, result.distance - rule.margin};
+    return true;
+  }
+  if (result.state != GjkResult::State::kOverlap) return false;
+  const auto penetration = penetrationOf(rule.a, rule.b, frameB, result.overlap, kExactness * threshold);
+  if (!penetration) return false;
+  work.gjkIterations += penetration->iterations;
+  warm = penetration->face;
+  contact = {penetration->axis, penetration->pointB, -penetration->depth - rule.margin};
+  return true;
 }
 
 Vec3 towards(const Vec3& from, const Vec3& to) {
@@ -321,7 +341,7 @@ ChildVerdict PartPair::measure(ChildPair& child, const PartBody& a, const PartBo
   // Proving some more than needed lets the child pair sleep longer.
   const float enough = rule.margin + rule.threshold + rounding_ + threshold_;
   const GjkResult result =
-      gjkDistance(rule.a, rule.b, frameB_, start, enough, 1e-3F * threshold_, child.simplex);
+      gjkDistance(rule.a, rule.b, frameB_, start, enough, kExactness * threshold_, child.simplex);
   ++work.gjkRuns;
   work.gjkIterations += result.iterations;
   const float proven = result.provenDistance - rule.margin;
@@ -332,14 +352,12 @@ ChildVerdict PartPair::measure(ChildPair& child, const PartBody& a, const PartBo
     wakeAfter(child, proven, rule.threshold);
   }
   if (result.state == GjkResult::State::kApart) return ChildVerdict::kApart;
-  if (!rule.exact || result.state != GjkResult::State::kConverged) {
-    return proven > rule.threshold ? ChildVerdict::kApart : ChildVerdict::kAskEngine;
+  if (rule.exact && findContact(rule, frameB_, result, threshold_, child.simplex, contact, work)) {
+    if (contact.distance > rule.threshold) return ChildVerdict::kApart;
+    contact.pointB -= contact.axis * partB.margin;
+    return ChildVerdict::kContact;
   }
-  contact.distance = result.distance - rule.margin;
-  if (contact.distance > rule.threshold) return ChildVerdict::kApart;
-  contact.axis = result.axis;
-  contact.pointB = result.pointB - result.axis * partB.margin;
-  return ChildVerdict::kContact;
+  return proven > rule.threshold ? ChildVerdict::kApart : ChildVerdict::kAskEngine;
 }
 
 bool PartPair::isExact(const ChildPair& child, const PartBody& a, const PartBody& b) const {

@@ -42,6 +42,10 @@ class GroundEngine : public Manifolds {
   /// of a large one is in the box. False if there are more than can be dealt with.
   [[nodiscard]] virtual bool collect(const Vec3& low, const Vec3& high, GroundPieces& pieces) = 0;
 
+  /// How far a large convex ground reaches along a direction in its frame, without its margin: all of it, not
+  /// only the piece that collect() tells.
+  [[nodiscard]] virtual float reach(const Vec3& direction) const = 0;
+
   /// Lets the engine's own algorithm collide the two, instead of the pair. Whether it finds contacts; what it
   /// has found stays with it until the next place().
   virtual bool fallBack() = 0;

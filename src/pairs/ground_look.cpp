@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "pairs/contact_recycling.h"
@@ -285,9 +286,22 @@ void GroundLook::consider(int index, ChildVerdict verdict, const PartContact& co
     return;
   }
   PartContact found = contact;
-  const bool isKnown = verdict == ChildVerdict::kContact || asks(child, region, found);
+  const bool isTold = verdict == ChildVerdict::kContact && isOfWhole(child, contact);
+  const bool isKnown = isTold || asks(child, region, found);
   if (isKnown || pair_.region.pieces().kind != PartKind::kTriangle)
     scratch_.found.push_back({index, child.b, found.distance, isKnown, found});
+}
+
+// The shortest way out of a piece that was cut from a large shape may be through the cut, which is no way out
+// of the shape. Cores that are apart are not nearest to a cut, which is further from the body than contacts.
+bool GroundLook::isOfWhole(const ChildPair& child, const PartContact& contact) const {
+  const GroundPieces& pieces = pair_.region.pieces();
+  const float margins = pieces.margin + body_->parts().part(child.b).margin;
+  if (pieces.kind == PartKind::kTriangle || contact.distance > -margins) return true;
+  float reach = std::numeric_limits<float>::lowest();
+  for (const Vec3& point : pieces.pointsOf(pieces.pieces[child.a]))
+    reach = std::max(reach, glm::dot(contact.axis, point));
+  return engine_.reach(contact.axis) <= reach + 0.01F * engine_.threshold();
 }
 
 // Whether the engine's own detector finds a contact of a triangle. What it adds by itself is of one piece.

@@ -68,6 +68,7 @@ class GroundLook {
   [[nodiscard]] bool advance(PartBody& region);
   void judge(const PartBody& region);
   void consider(int index, ChildVerdict verdict, const PartContact& contact, const Frame& region);
+  [[nodiscard]] bool isOfWhole(const ChildPair& child, const PartContact& contact) const;
   bool asks(const ChildPair& child, const Frame& region, PartContact& contact);
   void addFound(const Frame& region);
   void* manifoldOf(int part);

@@ -115,12 +115,16 @@ TEST(PartPair, JudgesHullsByTheirDistance) {
   EXPECT_GT(contacts, 500);
 }
 
-TEST(PartPair, AsksTheEngineAboutCoresThatOverlap) {
+TEST(PartPair, HasContactsWhetherCoresOverlapOrNot) {
   const PartDef cube = hullPart(testing::boxCorners(Vec3(1.0F)), 0.04F);
-  EXPECT_EQ(verdictAt(cube, cube, 1.9F), ChildVerdict::kAskEngine);
-  EXPECT_EQ(verdictAt(cube, cube, 0.0F), ChildVerdict::kAskEngine);
-  EXPECT_EQ(verdictAt(cube, cube, 2.05F), ChildVerdict::kContact) << "only the margins overlap";
-  EXPECT_EQ(verdictAt(cube, cube, 2.09F), ChildVerdict::kContact) << "apart by 0.01";
+  const PartList list = only(cube);
+  TwoBodies bodies(list, list);
+  for (const float right : {0.5F, 1.9F, 2.05F, 2.09F}) {
+    ASSERT_EQ(verdictAt(cube, cube, right, &bodies), ChildVerdict::kContact) << right;
+    EXPECT_NEAR(bodies.contact.distance, right - 2.08F, 1e-4F);
+    EXPECT_NEAR(bodies.contact.axis.x, 1.0F, 1e-4F);
+    EXPECT_NEAR(bodies.contact.pointB.x, right - 1.04F, 1e-4F);
+  }
   EXPECT_EQ(verdictAt(cube, cube, 2.11F), ChildVerdict::kApart) << "apart by 0.03";
 }
 

@@ -56,6 +56,7 @@ class FakeGroundEngine : public FakeManifolds<pairs::GroundEngine> {
     }
     return true;
   }
+  [[nodiscard]] float reach(const Vec3& /*direction*/) const override { return 0.0F; }
   bool fallBack() override {
     ++fallbacks;
     return position.y < 1.0F;

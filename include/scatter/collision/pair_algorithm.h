@@ -44,9 +44,9 @@ struct PairWork {
   int boundsRejected = 0;    ///< Of those, by their world bounds.
   int axisRejected = 0;      ///< Of those, by the cached axis.
   int gjkRuns = 0;
-  int gjkIterations = 0;
-  int detectorRuns = 0;  ///< Child pairs that the engine's own detectors decided.
-  int pieces = 0;        ///< Of grounds (triangles, what of a large shape is near a body), looked up anew.
+  int gjkIterations = 0;  ///< Those of penetration depths included.
+  int detectorRuns = 0;   ///< Child pairs that the engine's own detectors decided.
+  int pieces = 0;         ///< Of grounds (triangles, what of a large shape is near a body), looked up anew.
 };
 
 }  // namespace scatter

@@ -125,6 +125,11 @@ void btHybridGround::follow(const btCollisionShape* shape, btScalar radius)
 	m_version++;
 }
 
+btScalar btHybridGround::getReach(const btVector3& direction) const
+{
+	return direction.dot(static_cast<const btConvexShape*>(m_shape)->localGetSupportVertexWithoutMarginNonVirtual(direction));
+}
+
 bool btHybridGround::collect(const btVector3& low, const btVector3& high, scatter::pairs::GroundPieces& pieces)
 {
 	pieces.margin = m_margin;

@@ -68,6 +68,9 @@ public:
 		return m_margin;
 	}
 
+	/// See scatter::pairs::GroundEngine::reach().
+	btScalar getReach(const btVector3& direction) const;
+
 	/// See scatter::pairs::GroundEngine. Not of a half-space.
 	bool collect(const btVector3& low, const btVector3& high, scatter::pairs::GroundPieces& pieces);
 };

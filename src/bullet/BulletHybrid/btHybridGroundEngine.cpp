@@ -170,6 +170,11 @@ bool btHybridGroundEngine::collect(const scatter::Vec3& low, const scatter::Vec3
 	return m_bodies.m_ground.collect(vector(low), vector(high), pieces);
 }
 
+float btHybridGroundEngine::reach(const scatter::Vec3& direction) const
+{
+	return m_bodies.m_ground.getReach(vector(direction));
+}
+
 // The dispatcher itself would find this algorithm again.
 bool btHybridGroundEngine::fallBack()
 {

@@ -76,6 +76,7 @@ public:
 	virtual float groundMargin() const;
 	virtual std::optional<scatter::pairs::HalfSpace> halfSpace() const;
 	virtual bool collect(const scatter::Vec3& low, const scatter::Vec3& high, scatter::pairs::GroundPieces& pieces);
+	virtual float reach(const scatter::Vec3& direction) const;
 	virtual bool fallBack();
 	virtual void looked(void* manifold);
 	virtual bool keeps(int part);

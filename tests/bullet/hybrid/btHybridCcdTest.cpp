@@ -16,7 +16,8 @@ class Shooting : public ScriptedWorld {
   Shooting(bool pairAlgorithm, Shot kind, float speed, bool ccd, bool wallIsHybrid)
       : ScriptedWorld(pairAlgorithm), shapes_(9) {
     addWall(wallIsHybrid);
-    const btTransform start(btQuaternion::getIdentity(), btVector3(-9, 0.2F, 0.1F));
+    // At no speed does it stop in the middle of the wall, where both ways out are as short.
+    const btTransform start(btQuaternion::getIdentity(), btVector3(-9.1F, 0.2F, 0.1F));
     switch (kind) {
       case Shot::kHybridOfParts:
         shot_ = addHybrid(shapes_.oneLevel(cross()), start);

@@ -80,8 +80,14 @@ TEST_P(Grounds, HaveBulletsContacts) {
   EXPECT_LT(errs, expected / 20);
 }
 
+/// A contact of a part with the ground.
+struct Touch {
+  float distance;
+  btVector3 away;  ///< From the ground.
+};
+
 /// Of each part of a body, its deepest contact with the ground, in worlds that are new.
-std::map<int, float> depths(Stage& stage, const btTransform& pose, bool installs) {
+std::map<int, Touch> deepest(Stage& stage, const btTransform& pose, bool installs) {
   BulletTestWorld<btDiscreteDynamicsWorld> world;
   std::unique_ptr<btHybridInstallation> installation;
   if (installs) installation = std::make_unique<btHybridInstallation>(&world.dispatcher);
@@ -90,33 +96,58 @@ std::map<int, float> depths(Stage& stage, const btTransform& pose, bool installs
   ground->setWorldTransform(stage.ground->getWorldTransform());
   body->setWorldTransform(pose);
   world.world.performDiscreteCollisionDetection();
-  std::map<int, float> result;
+  std::map<int, Touch> result;
   for (int i = 0; i < world.dispatcher.getNumManifolds(); ++i) {
     const btPersistentManifold& manifold = *world.dispatcher.getManifoldByIndexInternal(i);
+    const bool isBodyFirst = manifold.getBody0() == body;
     for (int k = 0; k < manifold.getNumContacts(); ++k) {
       const btManifoldPoint& point = manifold.getContactPoint(k);
-      const int part = manifold.getBody0() == body ? point.m_index0 : point.m_index1;
-      const auto [entry, isNew] = result.try_emplace(part, point.getDistance());
-      if (!isNew) entry->second = std::min(entry->second, point.getDistance());
+      const btVector3 normal = point.m_normalWorldOnB;
+      const Touch touch{point.getDistance(), isBodyFirst ? normal : -normal};
+      const auto [entry, isNew] = result.try_emplace(isBodyFirst ? point.m_index0 : point.m_index1, touch);
+      if (!isNew && touch.distance < entry->second.distance) entry->second = touch;
     }
   }
   return result;
 }
 
-TEST_P(Grounds, NoPartIsShallowerThanInBullet) {
+// How far a shape reaches along a direction in the world, with what its margin rounds.
+float reachOf(const btCollisionShape* shape, const btTransform& pose, const btVector3& direction) {
+  const auto* convex = static_cast<const btConvexShape*>(shape);
+  const btVector3 local = direction * pose.getBasis();
+  return direction.dot(pose(convex->localGetSupportVertexWithoutMarginNonVirtual(local))) +
+         convex->getMarginNonVirtual();
+}
+
+// Whether a part leaves a convex ground when it is moved as its contact says: Bullet may ask for a longer
+// way.
+bool isWayOut(const Stage& stage, const btTransform& pose, int part, const Touch& touch) {
+  const auto* compound = static_cast<const btCompoundShape*>(stage.body->getCollisionShape());
+  const float overlap =
+      reachOf(compound->getChildShape(part), pose * compound->getChildTransform(part), -touch.away) +
+      reachOf(stage.ground->getCollisionShape(), stage.ground->getWorldTransform(), touch.away);
+  return overlap <= -touch.distance + 1e-4F;
+}
+
+TEST_P(Grounds, NoPartIsShallowerThanInBulletUnlessItsWayOutIsShorter) {
   int compared = 0;
   for (std::uint64_t seed = 101; seed <= 110; ++seed) {
     Stage stage(GetParam(), seed, 1.0F, 16);
+    const bool isConvex = stage.ground->getCollisionShape()->isConvex();
     for (int i = 0; i < 20; ++i) {
       const btTransform pose(stage.shapes.random.rotation(),
                              stage.ground->getWorldTransform()(stage.shapes.random.inCube(0.5F)));
-      const std::map<int, float> bullets = depths(stage, pose, false);
-      const std::map<int, float> ours = depths(stage, pose, true);
-      for (const auto& [part, distance] : bullets) {
-        if (distance > 0.015F) continue;
+      const std::map<int, Touch> bullets = deepest(stage, pose, false);
+      const std::map<int, Touch> ours = deepest(stage, pose, true);
+      for (const auto& [part, touch] : bullets) {
+        if (touch.distance > 0.015F) continue;
         ++compared;
-        ASSERT_TRUE(ours.contains(part)) << "seed " << seed << ", pose " << i << ", distance " << distance;
-        EXPECT_LE(ours.at(part), distance + 1e-4F) << "seed " << seed << ", pose " << i;
+        ASSERT_TRUE(ours.contains(part))
+            << "seed " << seed << ", pose " << i << ", distance " << touch.distance;
+        const Touch& our = ours.at(part);
+        const bool isAsDeep = our.distance <= touch.distance + 1e-4F;
+        EXPECT_TRUE(isAsDeep || (isConvex && isWayOut(stage, pose, part, our)))
+            << "seed " << seed << ", pose " << i << ": " << our.distance << ", Bullet " << touch.distance;
       }
     }
   }
