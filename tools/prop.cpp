@@ -167,6 +167,7 @@ Result<Model> Prop::build() const {
   def.name = name_;
   def.levels = {std::move(coarsest), std::move(middle), finest_};
   def.hullMargin = kPropMargin;
+  if (const Result<SolidMass> mass = massOfMesh(mesh_)) def.mass = mass->properties;
   return LevelSet::create(std::move(def)).map([&](std::shared_ptr<const LevelSet> levels) {
     return Model{name_, mesh_, std::move(levels), mass_, 0.6F, 0.1F};
   });

@@ -179,6 +179,7 @@ Result<Model> Ship::build() const {
   def.name = name_;
   def.levels = {std::move(coarsest), std::move(middle), finestLevel()};
   def.hullMargin = kShipMargin;
+  if (const Result<SolidMass> mass = massOfMesh(mesh_)) def.mass = mass->properties;
   return LevelSet::create(std::move(def)).map([&](std::shared_ptr<const LevelSet> levels) {
     return Model{name_, mesh_, std::move(levels), mass_, 0.5F, 0.1F};
   });

@@ -10,6 +10,7 @@
 #include <utility>
 #include <variant>
 
+#include "io/document_mass.h"
 #include "messages.h"
 
 namespace scatter::app {
@@ -39,9 +40,21 @@ std::optional<Level> onlyLevelOf(const DocumentModel& model) {
   return level;
 }
 
+/// With the mass properties that the file gives, if it does.
+Result<std::shared_ptr<const LevelSet>> withOwnMass(const DocumentModel& model) {
+  const std::vector<ConvexPart>& parts = model.levels->finest().parts;
+  const auto mass = io::documentMass(model, {});
+  if (!mass) return fail(mass.error().message);
+  const auto properties = io::documentMassProperties(model, parts, *mass);
+  if (!properties) return fail(properties.error().message);
+  if (!*properties) return model.levels;
+  const NestingUnchecked unchecked;
+  return io::levelsWithMass(model, parts, *properties);
+}
+
 /// Null for a body that has no levels and cannot have them.
 Result<std::shared_ptr<const LevelSet>> levelsOf(const DocumentModel& model) {
-  if (model.levels) return model.levels;
+  if (model.levels) return withOwnMass(model);
   std::optional<Level> level = onlyLevelOf(model);
   if (!level) return std::shared_ptr<const LevelSet>();
   return LevelSet::create(
@@ -100,6 +113,7 @@ Result<void> writeLevelFile(const Model& model, const std::string& path) {
   }
   body.mesh = model.mesh;
   body.mass = model.mass;
+  body.massFrame = io::massFrameOf(*model.levels, model.mass);
   body.material = 0;
   document.models.push_back(std::move(body));
   DocumentBody placed;

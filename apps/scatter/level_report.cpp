@@ -1,8 +1,11 @@
 #include "level_report.h"
 
+#include <scatter/levels/mass_properties.h>
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
 #include "lab/text_table.h"
@@ -37,6 +40,40 @@ std::string describeOne(const EnclosureCheck& check, const std::string& inner, c
   return text + "\n";
 }
 
+/// Files hold the principal axes, in single precision.
+bool isAbout(const MassProperties& a, const MassProperties& b) {
+  constexpr float kShare = 1e-3F;
+  const float size = std::max({a.inertia[0][0], a.inertia[1][1], a.inertia[2][2]});
+  bool same = glm::length(a.centerOfMass - b.centerOfMass) <= kShare * std::sqrt(size);
+  for (int column = 0; column < 3; ++column) {
+    for (int row = 0; row < 3; ++row)
+      same = same && std::abs(a.inertia[column][row] - b.inertia[column][row]) <= kShare * size;
+  }
+  return same;
+}
+
+std::string knownTo(const SolidMass& mass, const std::string& pieces) {
+  if (mass.error == 0.0F && mass.shared == 0.0F) return "exact";
+  const auto shared = static_cast<double>(mass.shared);
+  return fmt::format("{} share {:.1f} % of it, volume within {:.2g} %", pieces, 100.0 * shared,
+                     100.0 * std::max(2e-3, static_cast<double>(mass.error)));
+}
+
+/// Found out by comparing, as files do not say it.
+std::string sourceOfMass(const LevelModel& model) {
+  const MassProperties& own = model.levels->mass();
+  if (const auto mesh = massOfMesh(model.mesh); mesh && isAbout(mesh->properties, own)) {
+    return fmt::format("what the mesh encloses, {:.4g} m3 ({})", mesh->properties.volume,
+                       knownTo(*mesh, "shells"));
+  }
+  if (const auto parts = massOfUnion(model.levels->finest().parts);
+      parts && isAbout(parts->properties, own)) {
+    return fmt::format("what the finest level fills, {:.4g} m3 ({})", parts->properties.volume,
+                       knownTo(*parts, "parts"));
+  }
+  return "given in the file";
+}
+
 nlohmann::ordered_json jsonOf(const LevelFigures& level, double diagonal) {
   const auto share = [diagonal](double gap) { return diagonal > 0.0 ? gap / diagonal : 0.0; };
   return {{"parts", level.parts},
@@ -52,6 +89,16 @@ nlohmann::ordered_json jsonOf(const LevelFigures& level, double diagonal) {
           {"p95_gap_share", share(level.p95Gap)},
           {"max_gap_share", share(level.maxGap)},
           {"predicted_cost", level.predictedCost}};
+}
+
+nlohmann::ordered_json jsonOf(const LevelModel& model) {
+  const MassProperties& mass = model.levels->mass();
+  auto inertia = nlohmann::ordered_json::array();
+  for (int row = 0; row < 3; ++row)
+    inertia.push_back({mass.inertia[0][row], mass.inertia[1][row], mass.inertia[2][row]});
+  return {{"center_of_mass_m", {mass.centerOfMass.x, mass.centerOfMass.y, mass.centerOfMass.z}},
+          {"inertia_of_1_kg_m2", std::move(inertia)},
+          {"source", sourceOfMass(model)}};
 }
 
 }  // namespace
@@ -83,6 +130,16 @@ std::string describeMesh(const LevelModel& model, const LevelMeasures& measures)
                      lengthText(static_cast<double>(model.levels->hullMargin())));
 }
 
+std::string describeMass(const LevelModel& model) {
+  const MassProperties& mass = model.levels->mass();
+  const Vec3& c = mass.centerOfMass;
+  const Mat3& i = mass.inertia;
+  return fmt::format(
+      "mass properties: centre of mass ({:.4g}, {:.4g}, {:.4g}) m; inertia of 1 kg ({:.4g}, {:.4g}, {:.4g}) "
+      "m2; {}\n",
+      c.x, c.y, c.z, i[0][0], i[1][1], i[2][2], sourceOfMass(model));
+}
+
 std::string formatFigures(const LevelMeasures& measures) {
   std::vector<Cells> lines{{"level", "parts", "vertices", "most", "volume m3", "ratio", "mean gap %",
                             "p95 gap %", "max gap %", "max gap", "cost"}};
@@ -111,6 +168,7 @@ std::string figuresJson(const std::vector<LevelModel>& models, const std::vector
                     {"mesh_volume_m3", figures.meshVolume},
                     {"solid", figures.isSolid},
                     {"hull_margin_m", models[i].levels->hullMargin()},
+                    {"mass_properties", jsonOf(models[i])},
                     {"levels", std::move(levels)}});
   }
   // Names come from files and need not be text.

@@ -16,6 +16,9 @@ namespace scatter::app {
 /// What the figures are about, in a line.
 [[nodiscard]] std::string describeMesh(const LevelModel& model, const LevelMeasures& measures);
 
+/// Volume, centre of mass and inertia, in a line, and whose they are.
+[[nodiscard]] std::string describeMass(const LevelModel& model);
+
 /// The figures of each level, coarsest first.
 [[nodiscard]] std::string formatFigures(const LevelMeasures& measures);
 

@@ -36,6 +36,7 @@ struct LevelsBuildArguments {
   std::optional<double> margin;
   std::string name;
   double mass = 1.0;
+  std::optional<double> density;
   double friction = 0.5;
   double restitution = 0.0;
 };
@@ -105,9 +106,13 @@ Result<LevelCheck> prove(const LevelSet& levels, const SurfaceMesh& mesh) {
 ExitStatus report(const std::string& file, const LevelModel& model, const LevelCheck& check) {
   const Result<LevelMeasures> measures = measureLevels(*model.levels, model.mesh);
   if (!measures) return failed(measures.error());
-  fmt::print("{}{}\n{}\n{}: written\n", describeMesh(model, *measures), formatFigures(*measures),
-             describe(check, model.levels->count()), file);
+  fmt::print("{}{}\n{}\n{}\n{}: written\n", describeMesh(model, *measures), describeMass(model),
+             formatFigures(*measures), describe(check, model.levels->count()), file);
   return ExitStatus::kOk;
+}
+
+double massOf(const LevelsBuildArguments& arguments, const LevelSet& levels) {
+  return arguments.density ? *arguments.density * static_cast<double>(levels.mass().volume) : arguments.mass;
 }
 
 ExitStatus run(const LevelsBuildArguments& arguments) {
@@ -125,7 +130,7 @@ ExitStatus run(const LevelsBuildArguments& arguments) {
   model.name = built->levels->name();
   model.mesh = {file->mesh.vertices, file->mesh.triangles};
   model.levels = built->levels;
-  model.mass = static_cast<float>(arguments.mass);
+  model.mass = static_cast<float>(massOf(arguments, *built->levels));
   model.friction = static_cast<float>(arguments.friction);
   model.restitution = static_cast<float>(arguments.restitution);
   if (auto written = writeLevelFile(model, arguments.output); !written) return refuse(written.error());
@@ -165,10 +170,17 @@ void addLevelOptions(CLI::App& command, LevelsBuildArguments& arguments) {
 
 void addBodyOptions(CLI::App& command, LevelsBuildArguments& arguments) {
   command.add_option("--name", arguments.name, "Name of the model [the file's]")->type_name("NAME");
-  command.add_option("--mass", arguments.mass, "Mass in kilograms")
+  CLI::Option* mass = command.add_option("--mass", arguments.mass, "Mass in kilograms")
+                          ->check(numberAbove(0.0))
+                          ->type_name("KG")
+                          ->capture_default_str();
+  command
+      .add_option("--density", arguments.density,
+                  "Instead: kilograms per cubic metre of what the mesh encloses, or of what the finest level "
+                  "fills if the mesh is open")
       ->check(numberAbove(0.0))
-      ->type_name("KG")
-      ->capture_default_str();
+      ->type_name("KG/M3")
+      ->excludes(mass);
   command.add_option("--friction", arguments.friction, "Friction coefficient")
       ->check(CLI::Range(0.0, 100.0))
       ->type_name("X")

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "levels/point_inertia.h"
+#include "levels/principal_axes.h"
 
 namespace scatter::io {
 namespace {
@@ -69,6 +70,12 @@ Result<std::optional<MassProperties>> unevenMass(const DocumentModel& model) {
   return result;
 }
 
+/// Of a homogeneous solid. Levels know that of theirs: it takes a while where many parts overlap.
+Result<MassProperties> evenMass(const DocumentModel& model, const std::vector<ConvexPart>& parts) {
+  if (model.levels) return model.levels->mass();
+  return massProperties(parts);
+}
+
 }  // namespace
 
 Result<float> documentMass(const DocumentModel& model, const DocumentBody& body) {
@@ -94,7 +101,7 @@ Result<std::optional<MassProperties>> documentMassProperties(const DocumentModel
   }
   if (!model.massFrame) return result;
   if (!result) {
-    auto even = massProperties(parts);
+    auto even = evenMass(model, parts);
     if (!even) return tl::unexpected(even.error());
     result = *even;
   }
@@ -106,6 +113,14 @@ Result<std::optional<MassProperties>> documentMassProperties(const DocumentModel
   for (int axis = 0; axis < 3; ++axis) moments[axis][axis] = (*model.massFrame->inertia)[axis] / mass;
   result->inertia = rotation * moments * glm::transpose(rotation);
   return result;
+}
+
+std::optional<DocumentMassFrame> massFrameOf(const LevelSet& levels, float mass) {
+  const auto even = massProperties(levels.finest().parts);
+  const MassProperties& own = levels.mass();
+  if (even && even->centerOfMass == own.centerOfMass && even->inertia == own.inertia) return std::nullopt;
+  const PrincipalAxes axes = principalAxes(own.inertia);
+  return DocumentMassFrame{{own.centerOfMass, axes.rotation}, axes.moments * mass};
 }
 
 Result<std::shared_ptr<const LevelSet>> levelsWithMass(const DocumentModel& model,

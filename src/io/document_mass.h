@@ -19,6 +19,10 @@ namespace scatter::io {
 [[nodiscard]] Result<std::optional<MassProperties>> documentMassProperties(
     const DocumentModel& model, const std::vector<ConvexPart>& parts, float mass);
 
+/// What a file has to say of a mass other than that of a homogeneous solid of the finest level's parts;
+/// `mass` in kilograms.
+[[nodiscard]] std::optional<DocumentMassFrame> massFrameOf(const LevelSet& levels, float mass);
+
 /// The model's levels, or `parts` as the only one, with this mass; that of a homogeneous solid if there is
 /// none.
 [[nodiscard]] Result<std::shared_ptr<const LevelSet>> levelsWithMass(

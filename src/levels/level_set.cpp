@@ -19,17 +19,14 @@ std::string levelText(std::size_t index) {
   return "level " + std::to_string(index + 1);
 }
 
-/// Every part must be sound; gives the mass of the finest level.
-Result<MassProperties> checkLevels(const std::vector<Level>& levels) {
+Result<void> checkParts(const std::vector<Level>& levels) {
   if (levels.empty()) return fail("has no levels; give at least one");
-  MassProperties finest;
   for (std::size_t i = 0; i < levels.size(); ++i) {
     if (levels[i].parts.empty()) return fail(levelText(i) + " has no parts; give at least one");
-    const Result<MassProperties> mass = massProperties(levels[i].parts);
-    if (!mass) return fail(levelText(i) + ", " + mass.error().message);
-    finest = *mass;
+    const Result<void> sound = levels::checkVolumes(levels[i].parts);
+    if (!sound) return fail(levelText(i) + ", " + sound.error().message);
   }
-  return finest;
+  return {};
 }
 
 Result<void> checkMass(const MassProperties& mass) {
@@ -39,6 +36,16 @@ Result<void> checkMass(const MassProperties& mass) {
   }
   if (sound) return {};
   return fail("mass properties must be finite, with a positive volume and inertia");
+}
+
+/// That of the finest level, if none is given.
+Result<void> completeMass(LevelSetDef& definition) {
+  if (!definition.mass) {
+    const Result<MassProperties> finest = massProperties(definition.levels.back().parts);
+    if (!finest) return fail(levelText(definition.levels.size() - 1) + ", " + finest.error().message);
+    definition.mass = *finest;
+  }
+  return checkMass(*definition.mass);
 }
 
 Result<void> checkNesting(const std::vector<Level>& levels, float hullMargin) {
@@ -59,10 +66,8 @@ Result<void> complete(LevelSetDef& definition) {
     return fail("hull margin " + levels::toText(static_cast<double>(definition.hullMargin)) +
                 " must be finite and not negative");
   }
-  const Result<MassProperties> finest = checkLevels(definition.levels);
-  if (!finest) return fail(finest.error().message);
-  if (!definition.mass) definition.mass = *finest;
-  if (auto sound = checkMass(*definition.mass); !sound) return sound;
+  if (auto sound = checkParts(definition.levels); !sound) return sound;
+  if (auto sound = completeMass(definition); !sound) return sound;
   return uncheckedDepth > 0 ? Result<void>() : checkNesting(definition.levels, definition.hullMargin);
 }
 

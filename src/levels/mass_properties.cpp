@@ -9,9 +9,11 @@
 #include <string>
 #include <variant>
 
+#include "levels/mesh/mesh_columns.h"
+#include "levels/mesh/shells.h"
 #include "levels/part_check.h"
 #include "levels/part_geometry.h"
-#include "levels/point_inertia.h"
+#include "levels/union_moments.h"
 
 namespace scatter {
 namespace levels {
@@ -76,6 +78,31 @@ Result<SolidMoments> momentsOf(const ConvexPart& part) {
   return moments;
 }
 
+/// Of the tetrahedron of the origin and a triangle, negative if that faces the origin; the second moment is
+/// V/20 (Σ vvᵀ + ΣvΣvᵀ).
+RawMoments tetrahedron(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+  const glm::dvec3 sum = a + b + c;
+  const double volume = glm::dot(a, glm::cross(b, c)) / 6.0;
+  return {volume, volume / 4.0 * sum,
+          volume / 20.0 *
+              (glm::outerProduct(a, a) + glm::outerProduct(b, b) + glm::outerProduct(c, c) +
+               glm::outerProduct(sum, sum))};
+}
+
+RawMoments rawOf(const SolidMoments& solid) {
+  const glm::dmat3& inertia = solid.inertia;
+  const double half = 0.5 * (inertia[0][0] + inertia[1][1] + inertia[2][2]);
+  const glm::dmat3 spread = glm::dmat3(half) - inertia + glm::outerProduct(solid.center, solid.center);
+  return {solid.volume, solid.volume * solid.center, solid.volume * spread};
+}
+
+MassProperties propertiesOf(const RawMoments& raw, const glm::dvec3& origin) {
+  const glm::dvec3 center = raw.first / raw.volume;
+  const glm::dmat3 spread = raw.second / raw.volume - glm::outerProduct(center, center);
+  const double trace = spread[0][0] + spread[1][1] + spread[2][2];
+  return {static_cast<float>(raw.volume), Vec3(origin + center), Mat3(glm::dmat3(trace) - spread)};
+}
+
 bool hasFiniteValues(const MassProperties& mass) {
   bool finite = std::isfinite(mass.volume) && isFinite(mass.centerOfMass);
   for (int column = 0; column < 3; ++column) finite = finite && isFinite(Vec3(mass.inertia[column]));
@@ -85,26 +112,75 @@ bool hasFiniteValues(const MassProperties& mass) {
 }  // namespace
 }  // namespace levels
 
-Result<MassProperties> massProperties(const std::vector<ConvexPart>& parts) {
-  if (parts.empty()) return fail("a solid needs at least one part");
-  std::vector<levels::SolidMoments> solids;
-  double volume = 0.0;
-  glm::dvec3 center{0.0};
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const Result<levels::SolidMoments> solid = levels::momentsOf(parts[i]);
-    if (!solid) return fail("part " + std::to_string(i + 1) + ": " + solid.error().message);
-    solids.push_back(*solid);
-    volume += solid->volume;
-    center += solid->volume * solid->center;
+Result<SolidMass> massOfUnion(const std::vector<ConvexPart>& parts) {
+  if (auto sound = levels::checkVolumes(parts); !sound) return fail(sound.error().message);
+  // Moments about a point of the solid keep their digits, wherever it is.
+  const glm::dvec3 origin(parts.front().pose.position);
+  levels::RawMoments sum;
+  for (const ConvexPart& part : parts) {
+    levels::SolidMoments solid = *levels::momentsOf(part);
+    solid.center -= origin;
+    sum += levels::rawOf(solid);
   }
-  center /= volume;
-  glm::dmat3 inertia{0.0};
-  for (const levels::SolidMoments& solid : solids) {
-    inertia += solid.volume / volume * (solid.inertia + levels::pointInertia(solid.center - center));
+  SolidMass result;
+  if (parts.size() > 1) {
+    const levels::EstimatedMoments shared = levels::sharedMoments(parts, origin);
+    sum += shared.moments.scaled(-1.0);
+    result.shared = static_cast<float>(shared.moments.volume / sum.volume);
+    result.error = static_cast<float>(shared.error / sum.volume);
   }
-  const MassProperties mass{static_cast<float>(volume), Vec3(center), Mat3(inertia)};
-  if (!levels::hasFiniteValues(mass)) return fail("the parts together are too large for single precision");
-  return mass;
+  result.properties = levels::propertiesOf(sum, origin);
+  if (!levels::hasFiniteValues(result.properties))
+    return fail("the parts together are too large for single precision");
+  return result;
 }
+
+Result<MassProperties> massProperties(const std::vector<ConvexPart>& parts) {
+  const Result<SolidMass> mass = massOfUnion(parts);
+  if (!mass) return fail(mass.error().message);
+  return mass->properties;
+}
+
+Result<SolidMass> massOfMesh(const SurfaceMesh& mesh) {
+  Result<levels::WorkMesh> work = levels::makeWorkMesh(mesh);
+  if (!work) return fail(work.error().message);
+  return levels::massOfMesh(levels::makeMeshSpace(std::move(*work), MeshInterior::kAutomatic));
+}
+
+namespace levels {
+
+Result<void> checkVolumes(const std::vector<ConvexPart>& parts) {
+  if (parts.empty()) return fail("a solid needs at least one part");
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const Result<SolidMoments> solid = momentsOf(parts[i]);
+    if (!solid) return fail("part " + std::to_string(i + 1) + ": " + solid.error().message);
+  }
+  return {};
+}
+
+Result<SolidMass> massOfMesh(const MeshSpace& space) {
+  if (!space.isClosed) return fail("the mesh is open");
+  const WorkMesh& mesh = space.mesh;
+  const glm::dvec3 middle = 0.5 * (mesh.bounds.min + mesh.bounds.max);
+  RawMoments sum;
+  for (const Triangle& triangle : mesh.triangles) {
+    sum += tetrahedron(mesh.vertices[triangle[0]] - middle, mesh.vertices[triangle[1]] - middle,
+                       mesh.vertices[triangle[2]] - middle);
+  }
+  const double diagonal = mesh.diagonal;
+  if (!(sum.volume > 1e-9 * diagonal * diagonal * diagonal)) return fail("the mesh encloses no volume");
+  SolidMass result;
+  if (!space.isSimple()) {
+    const EstimatedMoments once = columnMoments(mesh, middle);
+    result.shared = static_cast<float>((sum.volume - once.moments.volume) / once.moments.volume);
+    result.error = static_cast<float>(once.error / once.moments.volume);
+    sum = once.moments;
+  }
+  result.properties = propertiesOf(sum, glm::dvec3(mesh.origin) + middle);
+  if (!hasFiniteValues(result.properties)) return fail("the mesh is too large for single precision");
+  return result;
+}
+
+}  // namespace levels
 
 }  // namespace scatter

@@ -1,4 +1,5 @@
 #include <gmock/gmock.h>
+#include <scatter/io/model_file.h>
 
 #include <unistd.h>
 #include <cstdlib>
@@ -91,6 +92,25 @@ TEST_F(Levels, BuiltLevelsPassTheCheck) {
   // Three bars hold it exactly; one hull cannot.
   EXPECT_LT(model["levels"][2]["max_gap_share"].get<double>(), 0.02);
   EXPECT_GT(model["levels"][0]["max_gap_share"].get<double>(), 0.1);
+}
+
+// Three bars of 8 cubic metres have one in common, which counts once: 22 cubic metres.
+TEST_F(Levels, MassIsOfWhatTheMeshFillsInBothFormats) {
+  for (const std::string file : {"corner.dae", "corner.glb"}) {
+    const Outcome built =
+        build({mesh("corner.obj", corner()), "-o", file, "--parts", "3,1", "--density", "10"});
+    ASSERT_EQ(built.status, 0) << built.errors;
+    const auto mass = figures(file)["models"][0]["mass_properties"];
+    for (int axis = 0; axis < 3; ++axis) {
+      EXPECT_NEAR(mass["center_of_mass_m"][axis].get<double>(), (32.0 + 4.0 + 4.0 - 1.0) / 22.0, 0.01);
+    }
+    EXPECT_THAT(mass["source"].get<std::string>(), HasSubstr("22"));
+    const auto model = readModelFile(folder / file);
+    ASSERT_TRUE(model) << model.error().message;
+    EXPECT_NEAR(model->model.mass, 220.0F, 2.0F);
+    EXPECT_NEAR(model->model.levels->mass().centerOfMass.x, 39.0F / 22.0F, 0.01F);
+  }
+  EXPECT_EQ(build({mesh("corner.obj", corner()), "-o", "x.dae", "--density", "0"}).status, 2);
 }
 
 TEST_F(Levels, SixLevelsAndTheOtherFormats) {

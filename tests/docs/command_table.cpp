@@ -116,7 +116,7 @@ std::vector<PageCommand> readmeCommands() {
 std::vector<PageCommand> mapCommands() {
   const std::string duel = "out/duel/frames.csv";
   return {
-      {"scatter run telekinesis", "run telekinesis --frames 150 --out x",
+      {"scatter run telekinesis", "run telekinesis --frames 240 --out x",
        grows("x/frames.csv", "kinetic_energy") + grows("x/frames.csv", "manifolds")},
       {"scatter run duel --out out/duel", "run duel --out out/duel --frames 250",
        has(duel, "update_aabbs_ms") + has(duel, "collision_detection_ms") +

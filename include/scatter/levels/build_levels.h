@@ -60,6 +60,7 @@ struct LevelBuildDef {
 struct BuiltLevels {
   std::shared_ptr<const LevelSet> levels;
   bool isSolid = true;             ///< Whether the mesh was taken as solid.
+  bool hasMassOfMesh = false;      ///< Else mass properties are those of the finest level: see `notes`.
   std::vector<std::string> notes;  ///< What was mended or done differently, one line each.
 };
 

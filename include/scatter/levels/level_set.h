@@ -27,7 +27,7 @@ struct LevelSetDef {
   /// Collision margin around convex hulls, metres. Boxes, spheres, capsules and cylinders have none.
   float hullMargin = 0.02F;
 
-  /// Taken from the finest level if absent.
+  /// Of what the finest level's parts fill together, if absent; buildLevels() gives a closed mesh's.
   std::optional<MassProperties> mass;
 };
 
@@ -52,7 +52,7 @@ class LevelSet {
 
   [[nodiscard]] float hullMargin() const { return def_.hullMargin; }
 
-  /// Of the finest level; the same at every level.
+  /// The same at every level.
   [[nodiscard]] const MassProperties& mass() const { return *def_.mass; }
 
  private:

@@ -12,7 +12,7 @@
 #include <variant>
 
 #include "bullet/shapes/conversions.h"
-#include "bullet/shapes/principal_axes.h"
+#include "levels/principal_axes.h"
 
 namespace scatter {
 

@@ -9,6 +9,7 @@
 #include "io/collada/frame.h"
 #include "io/collada/geometry.h"
 #include "io/collada/levels.h"
+#include "io/document_mass.h"
 
 namespace scatter::io {
 namespace {
@@ -84,6 +85,21 @@ Result<void> readVisual(const ColladaFrame& frame, Model& model) {
   return readMesh(frame, *node).map([&](VisualMesh mesh) { model.mesh = std::move(mesh); });
 }
 
+/// The levels with the centre and inertia that the file gives, if it does.
+Result<std::shared_ptr<const LevelSet>> withMassFrame(std::shared_ptr<const LevelSet> levels,
+                                                      const std::optional<DocumentMassFrame>& massFrame,
+                                                      float mass) {
+  if (!massFrame) return levels;
+  DocumentModel model;
+  model.name = levels->name();
+  model.levels = levels;
+  model.massFrame = massFrame;
+  return documentMassProperties(model, levels->finest().parts, mass)
+      .and_then([&](const std::optional<MassProperties>& properties) {
+        return levelsWithMass(model, levels->finest().parts, properties);
+      });
+}
+
 Result<Model> readModel(const ColladaFrame& frame, std::string_view fileName) {
   const auto nodes = findBody(frame.xml());
   if (!nodes) {
@@ -109,10 +125,14 @@ Result<Model> readModel(const ColladaFrame& frame, std::string_view fileName) {
   if (!rest) {
     return tl::unexpected(rest.error());
   }
-  return readLevels(frame, nodes->body, model.name).map([&](std::shared_ptr<const LevelSet> levels) {
-    model.levels = std::move(levels);
-    return std::move(model);
-  });
+  return readLevels(frame, nodes->body, model.name)
+      .and_then([&](std::shared_ptr<const LevelSet> levels) {
+        return withMassFrame(std::move(levels), properties->massFrame, model.mass);
+      })
+      .map([&](std::shared_ptr<const LevelSet> levels) {
+        model.levels = std::move(levels);
+        return std::move(model);
+      });
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "io/collada/scene_writer.h"
 #include "io/collada/xml.h"
 #include "io/collada/xml_source.h"
+#include "io/document_mass.h"
 
 namespace scatter::io {
 namespace {
@@ -25,6 +26,7 @@ PhysicsDocument documentOf(const Model& model) {
   body.levels = model.levels;
   body.mesh = model.mesh;
   body.mass = model.mass;
+  body.massFrame = massFrameOf(*model.levels, model.mass);
   body.material = 0;
   document.models.push_back(std::move(body));
   document.bodies.emplace_back();

@@ -212,9 +212,21 @@ class Build {
       set.levels.push_back(std::move(level));
     }
     std::reverse(set.levels.begin(), set.levels.end());
+    setMass(space, set);
+    const bool hasMassOfMesh = set.mass.has_value();
     auto levels = LevelSet::create(std::move(set));
     if (!levels) return fail(levels.error().message);
-    return BuiltLevels{std::move(*levels), space.isSolid, std::move(notes_)};
+    return BuiltLevels{std::move(*levels), space.isSolid, hasMassOfMesh, std::move(notes_)};
+  }
+
+  // Of the mesh where that has an inside; bodies must not weigh what levels fill besides.
+  void setMass(const MeshSpace& space, LevelSetDef& set) {
+    const Result<SolidMass> mass = massOfMesh(space);
+    if (mass) {
+      set.mass = mass->properties;
+    } else {
+      notes_.push_back("mass properties are those of the finest level: " + mass.error().message);
+    }
   }
 
   const LevelBuildDef& definition_;

@@ -43,7 +43,9 @@ void countParts(const Level& level, LevelFigures& figures) {
   }
   figures.parts = static_cast<int>(level.parts.size());
   figures.predictedCost = std::pow(figures.parts, kNearParts) * weight / figures.parts;
-  if (const auto mass = massProperties(level.parts)) figures.partVolume = static_cast<double>(mass->volume);
+  if (const auto mass = massOfUnion(level.parts)) {
+    figures.partVolume = static_cast<double>(mass->properties.volume * (1.0F + mass->shared));
+  }
 }
 
 /// Gaps at all exposed points.
@@ -72,7 +74,10 @@ void measureGaps(const LevelSurface& surface, const MeshSpace& space, std::size_
   }
 }
 
-double meshVolume(const WorkMesh& mesh) {
+// Of an open mesh, whose holes are bridged, about.
+double meshVolume(const MeshSpace& space) {
+  if (const auto mass = massOfMesh(space)) return static_cast<double>(mass->properties.volume);
+  const WorkMesh& mesh = space.mesh;
   double volume = 0.0;
   for (const Triangle& t : mesh.triangles) {
     volume += glm::dot(mesh.vertices[t[0]], glm::cross(mesh.vertices[t[1]], mesh.vertices[t[2]])) / 6.0;
@@ -92,7 +97,7 @@ Result<LevelMeasures> measureLevels(const LevelSet& levelSet, const SurfaceMesh&
   LevelMeasures measures;
   measures.diagonal = space.mesh.diagonal;
   measures.isSolid = space.isSolid;
-  if (space.isSolid) measures.meshVolume = meshVolume(space.mesh);
+  if (space.isSolid) measures.meshVolume = meshVolume(space);
   for (int index = 1; index <= levelSet.count(); ++index) {
     const Level& level = levelSet.level(index);
     LevelFigures figures;

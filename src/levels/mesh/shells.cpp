@@ -5,7 +5,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -168,7 +170,9 @@ struct Sides {
   double area = 0.0;
 };
 
-Sides sidesOf(const WorkMesh& mesh, const MeshTree& tree, std::uint32_t triangle) {
+/// At a point of a triangle, given by how far it is towards the second and the third corner.
+Sides sidesOf(const WorkMesh& mesh, const MeshTree& tree, std::uint32_t triangle,
+              const glm::dvec2& at = glm::dvec2(1.0 / 3.0)) {
   const Triangle& t = mesh.triangles[triangle];
   const glm::dvec3& a = mesh.vertices[t[0]];
   const glm::dvec3& b = mesh.vertices[t[1]];
@@ -178,8 +182,16 @@ Sides sidesOf(const WorkMesh& mesh, const MeshTree& tree, std::uint32_t triangle
   if (!(area > 0.0)) return {};
   const double beside = std::min(kBeside * mesh.diagonal, 0.1 * std::sqrt(area));
   const glm::dvec3 step = vector * (beside / area);
-  const glm::dvec3 middle = (a + b + c) / 3.0;
-  return {tree.winding(middle + step), tree.winding(middle - step), area};
+  const glm::dvec3 point = a + at.x * (b - a) + at.y * (c - a);
+  return {tree.winding(point + step), tree.winding(point - step), area};
+}
+
+/// The n-th of points that fill a triangle evenly, as sidesOf() takes them: the sequence of the plastic
+/// number (Roberts 2018), folded at the diagonal.
+glm::dvec2 spread(std::size_t n) {
+  const glm::dvec2 step(0.7548776662466927, 0.5698402909980532);
+  const glm::dvec2 point = glm::fract(0.5 + static_cast<double>(n) * step);
+  return point.x + point.y <= 1.0 ? point : 1.0 - point;
 }
 
 std::uint32_t largestTriangle(const WorkMesh& mesh, const Shell& shell) {
@@ -245,6 +257,30 @@ void noteOrientation(WorkMesh& mesh, std::size_t triangles, std::size_t shells) 
 
 double MeshSpace::distance(const glm::dvec3& point) const {
   return isInside(point) ? 0.0 : tree.distance(point);
+}
+
+bool MeshSpace::isSimple() const {
+  // Of the area: triangles whose sides are too near to others to be told apart.
+  constexpr double kDoubt = 0.002;
+  // Of a large mesh, and more of its larger triangles.
+  constexpr double kSamples = 4000.0;
+  double total = 0.0;
+  for (const Triangle& t : mesh.triangles)
+    total += triangleArea(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]);
+  double due = 0.0;
+  double within = 0.0;
+  double looked = 0.0;
+  std::size_t sample = 0;
+  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+    const Triangle& t = mesh.triangles[i];
+    due += kSamples * triangleArea(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]) / total;
+    for (; due >= 1.0; due -= 1.0) {
+      const Sides sides = sidesOf(mesh, tree, i, spread(sample++));
+      looked += 1.0;
+      if (sides.front > 0.5 && sides.back > 0.5) within += 1.0;
+    }
+  }
+  return within <= kDoubt * looked;
 }
 
 bool MeshSpace::isInside(const glm::dvec3& point) const {

@@ -90,11 +90,11 @@ TEST_P(PhysicsConformance, PoseAndVelocityAreThoseOfTheDefinition) {
 
 namespace {
 
-/// Two boxes of equal volume: one along x from the origin, one along y from the origin.
+/// Two boxes of equal volume that touch: one along x from the origin, one along y from there.
 Compound thinLetterL() {
   Compound shape;
-  shape.parts.push_back({Box{{1.0F, 0.1F, 0.1F}}, {{1.0F, 0.0F, 0.0F}, kNoRotation}});
-  shape.parts.push_back({Box{{0.1F, 1.0F, 0.1F}}, {{0.0F, 1.0F, 0.0F}, kNoRotation}});
+  shape.parts.push_back({Box{{1.0F, 0.1F, 0.1F}}, {{1.0F, -0.05F, 0.0F}, kNoRotation}});
+  shape.parts.push_back({Box{{0.1F, 1.0F, 0.1F}}, {{0.0F, 1.05F, 0.0F}, kNoRotation}});
   return shape;
 }
 
@@ -102,12 +102,13 @@ Compound thinLetterL() {
 Mat3 letterLInertia() {
   const float along = (0.2F * 0.2F + 0.2F * 0.2F) / 12.0F;
   const float across = (2.0F * 2.0F + 0.2F * 0.2F) / 12.0F;
-  // Half a kilogram each, at (0.5, -0.5, 0) and (-0.5, 0.5, 0) from the centre.
-  const float moment = 0.5F * (along + across) + 0.25F;
+  // Half a kilogram each, at (0.5, -0.55, 0) and (-0.5, 0.55, 0) from the centre.
+  const float moment = 0.5F * (along + across);
   Mat3 inertia(0.0F);
-  inertia[0][0] = inertia[1][1] = moment;
-  inertia[2][2] = across + 0.5F;
-  inertia[0][1] = inertia[1][0] = 0.25F;  // -sum of m x y
+  inertia[0][0] = moment + 0.55F * 0.55F;
+  inertia[1][1] = moment + 0.5F * 0.5F;
+  inertia[2][2] = across + 0.55F * 0.55F + 0.5F * 0.5F;
+  inertia[0][1] = inertia[1][0] = 0.5F * 0.55F;  // -sum of m x y
   return inertia;
 }
 

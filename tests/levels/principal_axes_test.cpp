@@ -1,4 +1,4 @@
-#include "bullet/shapes/principal_axes.h"
+#include "levels/principal_axes.h"
 
 #include <gtest/gtest.h>
 
