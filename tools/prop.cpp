@@ -11,8 +11,8 @@
 namespace scatter::tools {
 namespace {
 
-/// Things this thin need a smaller one than ships do.
-constexpr float kPropMargin = 0.01F;
+/// By which things stand above a floor, metres: a thousandth of their size.
+constexpr float kPropMargin = 0.001F;
 
 std::vector<Vec3> snappedRing(const Ring& ring) {
   std::vector<Vec3> points;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
+#include <variant>
 
 #include "lab/text_table.h"
 
@@ -91,6 +92,18 @@ nlohmann::ordered_json jsonOf(const LevelFigures& level, double diagonal) {
           {"predicted_cost", level.predictedCost}};
 }
 
+/// Whether the margin of hulls means anything to them.
+bool hasHulls(const LevelSet& levels) {
+  for (int level = 1; level <= levels.count(); ++level) {
+    const std::vector<ConvexPart>& parts = levels.level(level).parts;
+    if (std::any_of(parts.begin(), parts.end(),
+                    [](const ConvexPart& part) { return std::holds_alternative<ConvexHull>(part.shape); })) {
+      return true;
+    }
+  }
+  return false;
+}
+
 nlohmann::ordered_json jsonOf(const LevelModel& model) {
   const MassProperties& mass = model.levels->mass();
   auto inertia = nlohmann::ordered_json::array();
@@ -125,9 +138,12 @@ std::string describe(const LevelCheck& check, int levels) {
 std::string describeMesh(const LevelModel& model, const LevelMeasures& measures) {
   const std::string volume = measures.isSolid ? fmt::format("solid, volume {:.4g} m3", measures.meshVolume)
                                               : "not solid: a surface only";
-  return fmt::format("{}: {} triangles, diagonal {}, {}; hull margin {}\n", model.name,
-                     model.mesh.triangles.size(), lengthText(measures.diagonal), volume,
-                     lengthText(static_cast<double>(model.levels->hullMargin())));
+  const std::string margin = hasHulls(*model.levels)
+                                 ? fmt::format("; hull margin {}, counted in gaps",
+                                               lengthText(static_cast<double>(model.levels->hullMargin())))
+                                 : "";
+  return fmt::format("{}: {} triangles, diagonal {}, {}{}\n", model.name, model.mesh.triangles.size(),
+                     lengthText(measures.diagonal), volume, margin);
 }
 
 std::string describeMass(const LevelModel& model) {

@@ -211,7 +211,8 @@ Command addLevelsBuildCommand(CLI::App& levels) {
       ->capture_default_str();
   command
       ->add_option("--margin", arguments->margin,
-                   "Collision margin around hulls, metres [0.02 or 1 % of the diagonal, whichever is less]")
+                   "Collision margin around hulls, metres [the least of 0.02, 0.05 % of the diagonal and a "
+                   "quarter of --gap]")
       ->check(CLI::Range(0.0, 1e6))
       ->type_name("M");
   addBodyOptions(*command, *arguments);

@@ -164,6 +164,26 @@ TEST(BuildLevels, TheFinestGapIsKept) {
   }
 }
 
+TEST(BuildLevels, AGapBelowTheMarginIsRefused) {
+  LevelBuildDef definition;
+  definition.hullMargin = 0.02F;
+  definition.finestGap = GapLimit{0.015F, {}};
+  EXPECT_EQ(errorOf(torusMesh(32, 16), definition),
+            "a gap of 0.015 m cannot be kept with a hull margin of 0.02 m, which counts in it: give a "
+            "smaller margin or "
+            "a larger gap");
+}
+
+TEST(BuildLevels, TheMarginIsSmallBesideTheMeshAndTheGap) {
+  const SurfaceMesh mesh = torusMesh(32, 16);
+  const auto built = buildLevels(mesh, withCounts({1, 6, 24}));
+  ASSERT_TRUE(built.has_value()) << built.error().message;
+  EXPECT_NEAR(static_cast<double>(built->levels->hullMargin()), 5e-4 * 3.72, 2e-5);
+  const auto large = buildLevels(moved(mesh, 100.0F, Vec3(0.0F)), withCounts({1, 6, 24}));
+  ASSERT_TRUE(large.has_value()) << large.error().message;
+  EXPECT_FLOAT_EQ(large->levels->hullMargin(), 0.02F);
+}
+
 TEST(BuildLevels, SameInputSameBits) {
   const SurfaceMesh mesh = torusMesh(24, 12);
   const LevelBuildDef definition = withCounts({1, 4, 16});

@@ -14,10 +14,10 @@ namespace {
 
 using namespace testing;  // the meshes and part builders
 
-std::shared_ptr<const LevelSet> levelsOf(std::vector<Level> levels) {
+std::shared_ptr<const LevelSet> levelsOf(std::vector<Level> levels, float hullMargin = 0.0F) {
   LevelSetDef definition;
   definition.levels = std::move(levels);
-  definition.hullMargin = 0.0F;
+  definition.hullMargin = hullMargin;
   auto set = LevelSet::create(std::move(definition));
   EXPECT_TRUE(set.has_value()) << (set ? "" : set.error().message);
   return set.value_or(nullptr);
@@ -52,6 +52,24 @@ TEST(MeasureLevels, ALargerBoxIsAsFarAsItsFaces) {
   EXPECT_LT(figures.meanGap, 0.6);
   EXPECT_GT(figures.p95Gap, figures.meanGap);
   EXPECT_NEAR(figures.volumeRatio, 27.0 / 8.0, 0.03);
+}
+
+TEST(MeasureLevels, TheMarginOfHullsCounts) {
+  const auto hull = levelsOf({{{boxHull(Vec3(1.0F))}}}, 0.1F);
+  const LevelFigures figures = measured(*hull, boxMesh(Vec3(1.0F))).levels.front();
+  EXPECT_NEAR(figures.meanGap, 0.1, 1e-6);
+  EXPECT_NEAR(figures.maxGap, 0.1, 1e-6);
+  // Boxes have none around them.
+  const auto solid = levelsOf({{{box(Vec3(1.0F))}}}, 0.1F);
+  EXPECT_NEAR(measured(*solid, boxMesh(Vec3(1.0F))).levels.front().maxGap, 0.0, 1e-6);
+}
+
+TEST(MeasureLevels, AMarginThatReachesThroughTheMeshCountsBeyondIt) {
+  // Faces are 0.1 below the mesh and their margin is 0.25: it sticks out by 0.15, around corners by less.
+  const auto hull = levelsOf({{{boxHull(Vec3(0.9F))}}}, 0.25F);
+  const LevelFigures figures = measured(*hull, boxMesh(Vec3(1.0F))).levels.front();
+  EXPECT_NEAR(figures.meanGap, 0.15, 1e-6);
+  EXPECT_NEAR(figures.maxGap, 0.15, 1e-6);
 }
 
 TEST(MeasureLevels, ABallAroundACubeIsMeasuredByFormula) {

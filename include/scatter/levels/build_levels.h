@@ -37,13 +37,15 @@ struct LevelBuildDef {
   int levels = 3;
   int finestParts = 64;  ///< Used if `partCounts` is empty and there is no `finestGap`.
 
-  /// The finest level has as few parts as keep the largest gap below this. Only without `partCounts`.
+  /// The finest level has as few parts as keep the largest gap, margins of hulls counted, below this. Only
+  /// without `partCounts`.
   std::optional<GapLimit> finestGap;
   int maxParts = 1024;  ///< Of the finest level, whatever `finestGap` asks for.
 
   int maxVertices = 16;  ///< Of a hull, 8 to 64.
 
-  /// Collision margin around hulls, metres. If absent, 0.02 or 1 % of the diagonal, whichever is less.
+  /// Collision margin around hulls, metres. If absent, the least of 0.02, 0.05 % of the diagonal and a quarter
+  /// of `finestGap`. If `finestGap` is given, less than that.
   std::optional<float> hullMargin;
 
   /// Makes a hull a box, sphere or capsule where that holds the same and its gap is not noticeably larger.

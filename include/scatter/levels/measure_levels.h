@@ -21,8 +21,8 @@ struct LevelFigures {
   double volumeRatio = 0.0;  ///< Union to mesh; 0 if the mesh has no volume.
 
   /// The gap: distances to the mesh from the part of the level's surface that is exposed, which is what is
-  /// not inside another part of the level and not inside the mesh (one-sided Hausdorff distance). Hull
-  /// margins are not counted. Metres.
+  /// not inside another part of the level and not inside the mesh (one-sided Hausdorff distance). The
+  /// surface is that at which an engine collides, margins of hulls counted. Metres.
   double meanGap = 0.0;
   double p95Gap = 0.0;
   double maxGap = 0.0;

@@ -77,7 +77,8 @@ double volumeOf(const TriangleHull& hull) {
 
 LevelAssembler::Draft LevelAssembler::finest(const FinestDef& definition,
                                              const std::function<void(double)>& progress) {
-  const double enough = std::max(definition.gap, kNegligibleGap * space_.mesh.diagonal);
+  const double nearest = definition_.hullMargin + kNegligibleGap * space_.mesh.diagonal;
+  const double enough = std::max(definition.gap, nearest);
   std::vector<std::pair<NodeIndex, PartDraft>> parts;
   // Importance and place in `parts`, the most important on top, the earliest of equals.
   using Entry = std::pair<double, std::size_t>;
@@ -142,7 +143,7 @@ PartDraft LevelAssembler::partAround(const Content& content) {
   const TriangleHull hull = encloseInHull(builder_, content.points, {diagonal, definition_.maxVertices});
   PartDraft draft;
   draft.part = toPart(hull, space_.mesh.origin);
-  draft.gap = gapOf(hull);
+  draft.gap = gapOf(hull) + definition_.hullMargin;
   draft.area = hull.area;
   if (definition_.fitPrimitives) {
     if (std::optional<PartDraft> primitive = primitiveAround(content, draft, hull))

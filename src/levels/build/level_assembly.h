@@ -25,7 +25,7 @@ struct Content {
 struct PartDraft {
   ConvexPart part;    ///< In the model's frame.
   Content content;    ///< What a part around this one must hold.
-  double gap = 0.0;   ///< The largest distance from its surface to the mesh that sampling found.
+  double gap = 0.0;   ///< The largest distance from its surface, margin counted, to the mesh that was found.
   double area = 0.0;  ///< Of its surface, about.
 };
 

@@ -111,7 +111,8 @@ std::vector<LevelSurface::Sample> LevelSurface::samples(std::size_t count) const
   double passed = 0.0;
   for (std::size_t p = 0; p < parts_.size(); ++p) {
     const TriangleHull& hull = parts_[p].hull;
-    for (const Triangle& t : hull.triangles) {
+    for (std::size_t face = 0; face < hull.triangles.size(); ++face) {
+      const Triangle& t = hull.triangles[face];
       const glm::dvec3& a = hull.vertices[t[0]];
       const glm::dvec3 u = hull.vertices[t[1]] - a;
       const glm::dvec3 v = hull.vertices[t[2]] - a;
@@ -126,7 +127,7 @@ std::vector<LevelSurface::Sample> LevelSurface::samples(std::size_t count) const
           x = 1.0 - x;
           y = 1.0 - y;
         }
-        result.push_back({a + x * u + y * v, p});
+        result.push_back({a + x * u + y * v, p, hull.planes[face].normal});
       }
     }
   }
@@ -137,7 +138,7 @@ std::vector<LevelSurface::Sample> LevelSurface::corners() const {
   std::vector<Sample> result;
   for (std::size_t p = 0; p < parts_.size(); ++p) {
     if (isRound(parts_[p].part)) continue;
-    for (const glm::dvec3& vertex : parts_[p].hull.vertices) result.push_back({vertex, p});
+    for (const glm::dvec3& vertex : parts_[p].hull.vertices) result.push_back({vertex, p, glm::dvec3(0.0)});
   }
   return result;
 }

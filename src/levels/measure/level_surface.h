@@ -11,7 +11,7 @@
 
 namespace scatter::levels {
 
-/// The surface of a level without hull margins, to be sampled. Places are relative to an origin.
+/// The surface of a level to be sampled: hulls without their margin. Places are relative to an origin.
 class LevelSurface {
  public:
   LevelSurface(const Level& level, const glm::dvec3& origin);
@@ -19,6 +19,7 @@ class LevelSurface {
   struct Sample {
     glm::dvec3 point{0.0};
     std::size_t part = 0;
+    glm::dvec3 normal{0.0};  ///< Of the face, outward; zero at a corner, which has none.
   };
 
   /// Evenly spread over the surfaces of all parts.
@@ -26,6 +27,11 @@ class LevelSurface {
 
   /// The corners of boxes and hulls.
   [[nodiscard]] std::vector<Sample> corners() const;
+
+  /// By how much an engine widens the part, metres.
+  [[nodiscard]] double marginOf(std::size_t part, double hullMargin) const {
+    return levels::marginOf(parts_[part].part, hullMargin);
+  }
 
   /// Whether a part other than `except` holds the point with `depth` to spare.
   [[nodiscard]] bool isCovered(const glm::dvec3& point, double depth, std::size_t except) const;

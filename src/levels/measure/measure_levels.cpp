@@ -48,20 +48,37 @@ void countParts(const Level& level, LevelFigures& figures) {
   }
 }
 
-/// Gaps at all exposed points.
-std::vector<double> exposedGaps(const LevelSurface& surface, const MeshSpace& space,
-                                const std::vector<LevelSurface::Sample>& samples) {
-  std::vector<double> gaps;
-  for (const LevelSurface::Sample& sample : samples) {
-    if (surface.isCovered(sample.point, kHidden * space.mesh.diagonal, sample.part)) continue;
-    if (!space.isInside(sample.point)) gaps.push_back(space.tree.distance(sample.point));
-  }
-  return gaps;
-}
+/// Of the points where a level collides: the surface of its parts, moved out by their margin.
+class Gaps {
+ public:
+  Gaps(const LevelSurface& surface, const MeshSpace& space, double hullMargin)
+      : surface_(surface), space_(space), hullMargin_(hullMargin) {}
 
-void measureGaps(const LevelSurface& surface, const MeshSpace& space, std::size_t sampleCount,
+  /// At all of the samples that are exposed.
+  [[nodiscard]] std::vector<double> at(const std::vector<LevelSurface::Sample>& samples) const {
+    std::vector<double> gaps;
+    for (const LevelSurface::Sample& sample : samples) {
+      const double margin = surface_.marginOf(sample.part, hullMargin_);
+      const glm::dvec3 point = sample.point + margin * sample.normal;
+      // The margin of another part is not counted on to hide a point.
+      if (surface_.isCovered(point, kHidden * space_.mesh.diagonal, sample.part)) continue;
+      // Around a corner the margin reaches as far in every direction, and so straight away from the mesh.
+      const double around = sample.normal == glm::dvec3(0.0) ? margin : 0.0;
+      const double gap = (space_.isInside(point) ? -1.0 : 1.0) * space_.tree.distance(point) + around;
+      if (gap >= 0.0) gaps.push_back(gap);
+    }
+    return gaps;
+  }
+
+ private:
+  const LevelSurface& surface_;
+  const MeshSpace& space_;
+  double hullMargin_;
+};
+
+void measureGaps(const LevelSurface& surface, const Gaps& exposed, std::size_t sampleCount,
                  LevelFigures& figures) {
-  std::vector<double> gaps = exposedGaps(surface, space, surface.samples(sampleCount));
+  std::vector<double> gaps = exposed.at(surface.samples(sampleCount));
   std::sort(gaps.begin(), gaps.end());
   if (!gaps.empty()) {
     for (const double gap : gaps) figures.meanGap += gap / static_cast<double>(gaps.size());
@@ -69,7 +86,7 @@ void measureGaps(const LevelSurface& surface, const MeshSpace& space, std::size_
     figures.maxGap = gaps.back();
   }
   // The furthest point of a flat-sided part from something convex is a corner.
-  for (const double gap : exposedGaps(surface, space, surface.corners())) {
+  for (const double gap : exposed.at(surface.corners())) {
     figures.maxGap = std::max(figures.maxGap, gap);
   }
 }
@@ -105,7 +122,8 @@ Result<LevelMeasures> measureLevels(const LevelSet& levelSet, const SurfaceMesh&
     const LevelSurface surface(level, glm::dvec3(space.mesh.origin));
     figures.unionVolume = surface.unionVolume(definition.volumeSamples);
     if (measures.meshVolume > 0.0) figures.volumeRatio = figures.unionVolume / measures.meshVolume;
-    measureGaps(surface, space, definition.surfaceSamples, figures);
+    const Gaps exposed(surface, space, static_cast<double>(levelSet.hullMargin()));
+    measureGaps(surface, exposed, definition.surfaceSamples, figures);
     measures.levels.push_back(figures);
   }
   return measures;

@@ -1,0 +1,113 @@
+#include <gtest/gtest.h>
+#include <scatter/bullet/bullet_physics.h>
+#include <scatter/levels/build_levels.h>
+#include <scatter/levels/measure_levels.h>
+
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "levels/meshes.h"
+#include "trials.h"
+
+namespace scatter {
+namespace {
+
+using namespace testing;  // the meshes
+
+constexpr int kSteps = 240;
+constexpr double kStep = 1.0 / 60.0;
+
+/// A closed prism of `sides` sides, standing on y = `bottom`.
+SurfaceMesh prismMesh(std::uint32_t sides, float radius, float bottom, float top, const Vec3& at) {
+  SurfaceMesh mesh;
+  for (const float y : {bottom, top}) {
+    for (std::uint32_t i = 0; i < sides; ++i) {
+      const Vec3 round = onCircle(turn(i, sides), static_cast<double>(radius));
+      mesh.vertices.push_back(at + Vec3(round.x, y, round.y));
+    }
+  }
+  for (std::uint32_t i = 0; i < sides; ++i) {
+    const std::uint32_t next = (i + 1) % sides;
+    mesh.triangles.push_back({i, sides + next, next});
+    mesh.triangles.push_back({i, sides + i, sides + next});
+    if (i < 2) continue;
+    mesh.triangles.push_back({0, i - 1, i});
+    mesh.triangles.push_back({sides, sides + i, sides + i - 1});
+  }
+  return mesh;
+}
+
+/// A table with round legs of a given height, on y = 0.
+SurfaceMesh tableMesh(float height) {
+  SurfaceMesh mesh = boxMesh(height * Vec3(0.9F, 0.04F, 0.6F), {0.0F, 0.96F * height, 0.0F});
+  for (const float x : {-0.75F, 0.75F}) {
+    for (const float z : {-0.45F, 0.45F}) {
+      const Vec3 place = height * Vec3(x, 0.0F, z);
+      mesh = joined(std::move(mesh), prismMesh(12, 0.06F * height, 0.0F, 0.95F * height, place));
+    }
+  }
+  return mesh;
+}
+
+/// Floors whose top is at y = 0 around the origin.
+std::vector<std::pair<std::string, Shape>> floors() {
+  auto square = std::make_shared<TriangleMesh>();
+  square->vertices = {{-20, 0, -20}, {20, 0, -20}, {20, 0, 20}, {-20, 0, 20}};
+  square->triangles = {{0, 2, 1}, {0, 3, 2}};
+  const HeightField field{
+      .columns = 9, .rows = 9, .spacingX = 5.0F, .spacingZ = 5.0F, .heights = std::vector<float>(81, 0.0F)};
+  return {{"plane", Plane{}},
+          {"box", Box{{20.0F, 1.0F, 20.0F}}},
+          {"mesh", std::shared_ptr<const TriangleMesh>(square)},
+          {"height field", std::make_shared<const HeightField>(field)}};
+}
+
+/// The height above the floor at which the body's model comes to rest.
+float restingHeight(WorldKind kind, const Shape& floor, const std::shared_ptr<const LevelSet>& levels,
+                    float from) {
+  PhysicsDef world;
+  world.world = kind;
+  world.gravity = Vec3(0.0F, -9.81F, 0.0F);
+  const auto physics = makeBulletPhysics(world);
+  const float top = std::holds_alternative<Box>(floor) ? -1.0F : 0.0F;
+  BodyDef ground;
+  ground.pose.position.y = top;
+  ground.shape = floor;
+  ground.motion = Motion::kStatic;
+  EXPECT_TRUE(physics->createBody(ground));
+  BodyDef table;
+  table.pose.position.y = from;
+  table.shape = levels;
+  const auto body = physics->createBody(table);
+  EXPECT_TRUE(body);
+  if (!body) return from;
+  for (int i = 0; i < kSteps; ++i) physics->step(kStep);
+  return physics->state(*body).pose.position.y;
+}
+
+TEST(Standing, AFlatFootIsOnTheFloor) {
+  for (const float height : test::trials<float>({0.8F, 0.3F, 4.0F})) {
+    const SurfaceMesh mesh = tableMesh(height);
+    LevelBuildDef definition;
+    definition.partCounts = {1, 5, 24};
+    definition.fitPrimitives = false;
+    const auto built = buildLevels(mesh, definition);
+    ASSERT_TRUE(built.has_value()) << built.error().message;
+    const auto measures = measureLevels(*built->levels, mesh);
+    ASSERT_TRUE(measures.has_value()) << measures.error().message;
+    for (const auto& [name, floor] : floors()) {
+      for (const WorldKind kind : {WorldKind::kStandard, WorldKind::kHybrid}) {
+        const float rests = restingHeight(kind, floor, built->levels, 0.02F * height);
+        EXPECT_LT(std::abs(static_cast<double>(rests)), 0.001 * measures->diagonal)
+            << name << ", " << height << " m, " << (kind == WorldKind::kHybrid ? "hybrid" : "standard");
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace scatter
