@@ -32,9 +32,9 @@ constexpr std::size_t kFewestPatches = 1024;
 constexpr std::size_t kPatchesPerPart = 16;
 constexpr std::size_t kMostPatches = 4096;
 
-// A body stands by its margin above the floor. Detection costs as much or less than with 1 % of the diagonal;
-// below a fiftieth of a percent, cores overlap in most contacts, and depths cost more (docs/levels.md,
-// margins).
+// A body stands by its margin above the floor, and with what else is off by less than 0.1 % of its diagonal.
+// Detection costs no more than with larger ones (docs/levels.md, margins), but would where cores always
+// overlap.
 constexpr double kDefaultMargin = 0.02;
 constexpr double kDefaultMarginShare = 5e-4;
 // Of the gap that is asked for, so that parts have the most of it.
