@@ -13,8 +13,8 @@
 #include <utility>
 
 #include "command.h"
-#include "gap_argument.h"
 #include "interrupt.h"
+#include "level_arguments.h"
 #include "level_file.h"
 #include "level_report.h"
 #include "mesh_arguments.h"
@@ -34,19 +34,13 @@ struct LevelsBuildArguments {
   std::string interior = "automatic";
   LevelBuildDef build;
   std::optional<double> margin;
+  std::optional<double> thickness;
   std::string name;
   double mass = 1.0;
   std::optional<double> density;
   double friction = 0.5;
   double restitution = 0.0;
 };
-
-Result<MeshInterior> parseInterior(const std::string& text) {
-  if (text == "automatic") return MeshInterior::kAutomatic;
-  if (text == "solid") return MeshInterior::kSolid;
-  if (text == "surface") return MeshInterior::kSurface;
-  return fail("--interior: \"" + text + "\" is unknown; give automatic, solid or surface");
-}
 
 Result<LevelBuildDef> definitionOf(const LevelsBuildArguments& arguments, const std::string& meshName) {
   LevelBuildDef def = arguments.build;
@@ -65,6 +59,7 @@ Result<LevelBuildDef> definitionOf(const LevelsBuildArguments& arguments, const 
   if (!interior) return fail(interior.error().message);
   def.interior = *interior;
   if (arguments.margin) def.hullMargin = static_cast<float>(*arguments.margin);
+  if (arguments.thickness) def.thickness = static_cast<float>(*arguments.thickness);
   return def;
 }
 
@@ -103,8 +98,9 @@ Result<LevelCheck> prove(const LevelSet& levels, const SurfaceMesh& mesh) {
               describe(*check, levels.count()));
 }
 
-ExitStatus report(const std::string& file, const LevelModel& model, const LevelCheck& check) {
-  const Result<LevelMeasures> measures = measureLevels(*model.levels, model.mesh);
+ExitStatus report(const std::string& file, const LevelModel& model, const LevelCheck& check,
+                  MeshInterior interior) {
+  const Result<LevelMeasures> measures = measureLevels(*model.levels, model.mesh, {.interior = interior});
   if (!measures) return failed(measures.error());
   fmt::print("{}{}\n{}\n{}\n{}: written\n", describeMesh(model, *measures), describeMass(model),
              formatFigures(*measures), describe(check, model.levels->count()), file);
@@ -136,7 +132,8 @@ ExitStatus run(const LevelsBuildArguments& arguments) {
   if (auto written = writeLevelFile(model, arguments.output); !written) return refuse(written.error());
   printNotes(file->warnings);
   for (const std::string& note : built->notes) printNote(arguments.mesh + ": " + note);
-  return report(arguments.output, {model.name, model.levels, std::move(file->mesh)}, *check);
+  return report(arguments.output, {model.name, model.levels, std::move(file->mesh)}, *check,
+                *parseInterior(arguments.interior));
 }
 
 void addLevelOptions(CLI::App& command, LevelsBuildArguments& arguments) {
@@ -206,13 +203,21 @@ Command addLevelsBuildCommand(CLI::App& levels) {
   command
       ->add_option(
           "--interior", arguments->interior,
-          "What is inside of the mesh: solid, surface (nothing: bowls and sheets stay hollow) or automatic")
+          "What is inside of the mesh: solid, surface (nothing: bowls, sheets and rooms stay hollow) or "
+          "automatic")
       ->type_name("KIND")
       ->capture_default_str();
   command
       ->add_option("--margin", arguments->margin,
                    "Collision margin around hulls, metres [the least of 0.02, 0.05 % of the diagonal and a "
                    "quarter of --gap]")
+      ->check(CLI::Range(0.0, 1e6))
+      ->type_name("M");
+  command
+      ->add_option(
+          "--thickness", arguments->thickness,
+          "Least thickness of plates that stand for sheets, metres [0.21, 5 % of the diagonal or half of "
+          "--gap, whichever is least]")
       ->check(CLI::Range(0.0, 1e6))
       ->type_name("M");
   addBodyOptions(*command, *arguments);

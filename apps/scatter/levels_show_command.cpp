@@ -10,6 +10,7 @@
 
 #include "command.h"
 #include "lab/level_picture.h"
+#include "level_arguments.h"
 #include "level_file.h"
 #include "level_report.h"
 #include "mesh_arguments.h"
@@ -23,6 +24,7 @@ struct LevelsShowArguments {
   std::string file;
   std::string mesh;
   MeshArguments reading;
+  std::string interior = "automatic";
   std::string json;
   std::string picture;
 };
@@ -44,13 +46,15 @@ Result<std::vector<LevelModel>> readModels(const LevelsShowArguments& arguments)
 
 Result<std::vector<LevelMeasures>> measure(const LevelsShowArguments& arguments,
                                            const std::vector<LevelModel>& models) {
+  const Result<MeshInterior> interior = parseInterior(arguments.interior);
+  if (!interior) return fail(interior.error().message);
   std::vector<LevelMeasures> all;
   for (const LevelModel& model : models) {
     if (model.mesh.triangles.empty()) {
       return fail(arguments.file + ": " + model.name +
                   " has no mesh to measure against; give it with --mesh");
     }
-    Result<LevelMeasures> measures = measureLevels(*model.levels, model.mesh);
+    Result<LevelMeasures> measures = measureLevels(*model.levels, model.mesh, {.interior = *interior});
     if (!measures) return fail(arguments.file + ": " + measures.error().message);
     all.push_back(std::move(*measures));
   }
@@ -115,6 +119,11 @@ Command addLevelsShowCommand(CLI::App& levels) {
   command->add_option("--mesh", arguments->mesh, "Measure against this mesh instead of the one in FILE")
       ->type_name("MESH");
   addMeshArguments(*command, arguments->reading);
+  command
+      ->add_option("--interior", arguments->interior,
+                   "What is inside of the mesh, as for build: solid, surface or automatic")
+      ->type_name("KIND")
+      ->capture_default_str();
   command->add_option("--json", arguments->json, "Write the figures to this file")->type_name("FILE");
   command
       ->add_option("--picture", arguments->picture, "Draw mesh and levels side by side: a .png or .svg file")

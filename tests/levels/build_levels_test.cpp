@@ -3,8 +3,10 @@
 #include <scatter/levels/measure_levels.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,6 +15,7 @@
 
 #include "levels/meshes.h"
 #include "levels/nesting.h"
+#include "levels/part_geometry.h"
 #include "trials.h"
 
 namespace scatter {
@@ -39,6 +42,7 @@ bool hasNote(const BuiltLevels& built, std::string_view text) {
 struct NamedMesh {
   const char* name;
   std::function<SurfaceMesh()> make;
+  MeshInterior interior = MeshInterior::kAutomatic;
 };
 
 class BuildLevelsTorture : public ::testing::TestWithParam<NamedMesh> {};
@@ -49,6 +53,7 @@ TEST_P(BuildLevelsTorture, EnclosesTheMeshAndNests) {
     LevelBuildDef definition;
     definition.levels = levels;
     definition.finestParts = 24;
+    definition.interior = GetParam().interior;
     const auto built = buildLevels(mesh, definition);
     ASSERT_TRUE(built.has_value()) << built.error().message;
     expectNested(*built->levels, mesh);
@@ -72,7 +77,8 @@ INSTANTIATE_TEST_SUITE_P(
         NamedMesh{"Soup", [] { return soupMesh(1, 200); }},
         NamedMesh{"Dust", [] { return soupMesh(2, 1500, 1e-4F); }},
         NamedMesh{"Shells", [] { return shellsMesh(); }},
-        NamedMesh{"InsideOut", [] { return insideOut(torusMesh(24, 12)); }},
+        NamedMesh{"InsideOut", [] { return insideOut(torusMesh(24, 12)); }, MeshInterior::kSolid},
+        NamedMesh{"Room", [] { return roomMesh(); }, MeshInterior::kSurface},
         NamedMesh{"Unwelded", [] { return unwelded(torusMesh(24, 12)); }},
         NamedMesh{"Tiny", [] { return moved(torusMesh(24, 12), 1e-4F, Vec3(0.0F)); }},
         NamedMesh{"Huge", [] { return moved(torusMesh(24, 12), 1e7F, Vec3(0.0F)); }},
@@ -224,6 +230,87 @@ TEST(BuildLevels, TurnsShellsAndLeavesCavities) {
   ASSERT_TRUE(built.has_value());
   EXPECT_TRUE(built->isSolid);
   EXPECT_TRUE(hasNote(*built, "1 inside-out shell"));
+}
+
+/// Whether some part of the level reaches the point, by its bounds in all directions that are tried.
+bool fills(const Level& level, const Vec3& point) {
+  Random random(5);
+  std::vector<glm::dvec3> directions;
+  for (int i = 0; i < 200; ++i) directions.emplace_back(random.direction());
+  return std::any_of(level.parts.begin(), level.parts.end(), [&](const ConvexPart& part) {
+    return std::all_of(directions.begin(), directions.end(), [&](const glm::dvec3& direction) {
+      return levels::support(part, 0.0, direction) >= glm::dot(direction, glm::dvec3(point));
+    });
+  });
+}
+
+TEST(BuildLevels, ARoomSeenFromWithinIsAskedAbout) {
+  EXPECT_EQ(errorOf(roomMesh()),
+            "the mesh is inside out, like a room that is seen from within: say whether its interior is "
+            "solid, which turns "
+            "it, or a surface, which keeps it open");
+  // A sheet has no inside to be turned out.
+  EXPECT_EQ(errorOf(insideOut(levelSheet())), "");
+}
+
+TEST(BuildLevels, ARoomStaysOpenWhenItsInteriorIsASurface) {
+  for (const SurfaceMesh& mesh : {roomMesh(), insideOut(roomMesh())}) {
+    LevelBuildDef definition = withCounts({1, 8, 32});
+    definition.interior = MeshInterior::kSurface;
+    const auto built = buildLevels(mesh, definition);
+    ASSERT_TRUE(built.has_value()) << built.error().message;
+    for (const Vec3& inside : {Vec3(0.0F), Vec3(-1.5F, 0.8F, 1.2F), Vec3(1.0F, 0.5F, -1.0F)}) {
+      EXPECT_FALSE(fills(built->levels->finest(), inside));
+      EXPECT_TRUE(fills(built->levels->coarsest(), inside));
+    }
+    EXPECT_TRUE(fills(built->levels->finest(), {2.5F, 0.3F, 0.2F}));
+    const auto measures = measureLevels(*built->levels, mesh, {.interior = MeshInterior::kSurface});
+    ASSERT_TRUE(measures.has_value()) << measures.error().message;
+    // The plates' rims; and the middle of a room that is filled.
+    EXPECT_LT(measures->levels.back().maxGap, static_cast<double>(kSheetThickness));
+    EXPECT_GT(measures->levels.front().maxGap, 1.0);
+  }
+}
+
+TEST(BuildLevels, AClosedHollowIsNotFilled) {
+  // The walls of a room, 0.1 thick: nothing of its outside tells that there is one within.
+  const SurfaceMesh mesh = joined(boxMesh({2.5F, 1.5F, 2.0F}), insideOut(boxMesh({2.4F, 1.4F, 1.9F})));
+  const auto built = buildLevels(mesh, withCounts({1, 6, 24}));
+  ASSERT_TRUE(built.has_value()) << built.error().message;
+  EXPECT_TRUE(built->isSolid);
+  EXPECT_FALSE(fills(built->levels->finest(), Vec3(0.0F)));
+  const auto measures = measureLevels(*built->levels, mesh);
+  ASSERT_TRUE(measures.has_value()) << measures.error().message;
+  EXPECT_LT(measures->levels.back().maxGap, 0.01);
+  EXPECT_NEAR(measures->levels.front().maxGap, 1.4, 0.1);
+}
+
+TEST(BuildLevels, SaysWhatIsSwallowed) {
+  const auto built = buildLevels(joined(boxMesh(Vec3(2.0F)), boxMesh(Vec3(0.3F), {0.5F, -1.7F, 0.0F})), {});
+  ASSERT_TRUE(built.has_value()) << built.error().message;
+  EXPECT_TRUE(hasNote(*built, "1 of its shells lie inside of others"));
+  const auto apart = buildLevels(joined(boxMesh(Vec3(2.0F)), boxMesh(Vec3(0.3F), {2.2F, 0.0F, 0.0F})), {});
+  ASSERT_TRUE(apart.has_value()) << apart.error().message;
+  EXPECT_FALSE(hasNote(*apart, "inside of others"));
+}
+
+TEST(BuildLevels, SheetsAreAsThickAsIsAsked) {
+  const SurfaceMesh mesh = moved(levelSheet(), 2.0F, Vec3(0.0F));
+  for (const std::optional<float> asked :
+       {std::optional<float>(), std::optional(0.03F), std::optional(0.0F)}) {
+    LevelBuildDef definition = withCounts({1, 8});
+    definition.thickness = asked;
+    const auto built = buildLevels(mesh, definition);
+    ASSERT_TRUE(built.has_value()) << built.error().message;
+    const double expected = asked.value_or(0.05F * std::sqrt(8.0F));
+    for (const ConvexPart& part : built->levels->finest().parts) {
+      const double up = levels::support(part, 0.0, {0.0, 1.0, 0.0});
+      const double down = levels::support(part, 0.0, {0.0, -1.0, 0.0});
+      EXPECT_NEAR(up, 0.5 * expected, 3e-4);
+      EXPECT_NEAR(down, 0.5 * expected, 3e-4);
+    }
+    EXPECT_EQ(hasNote(*built, "a ball of 3 cm passes through them above"), expected > 0.0);
+  }
 }
 
 TEST(BuildLevels, TakesSheetsAsSurfaces) {

@@ -89,7 +89,9 @@ TEST(MeasureLevels, WhatOtherPartsHideDoesNotCount) {
   definition.interior = MeshInterior::kSurface;
   const auto measures = measureLevels(*set, boxMesh(Vec3(2.0F, 1.0F, 1.0F)), definition);
   ASSERT_TRUE(measures.has_value());
-  EXPECT_NEAR(measures->levels.front().maxGap, 0.0, 1e-5);
+  EXPECT_NEAR(measures->levels.front().p95Gap, 0.0, 1e-5);
+  // As a surface it is hollow, and that is filled.
+  EXPECT_NEAR(measures->levels.front().maxGap, 1.0, 0.05);
   EXPECT_NEAR(measures->levels.front().partVolume, 19.2, 1e-3);
   EXPECT_NEAR(measures->levels.front().unionVolume, 16.0, 0.1);
   EXPECT_FALSE(measures->isSolid);
@@ -104,7 +106,9 @@ TEST(MeasureLevels, TheInsideOfASolidMeshDoesNotCount) {
   definition.interior = MeshInterior::kSurface;
   const auto asSurface = measureLevels(*set, boxMesh(Vec3(1.0F)), definition);
   ASSERT_TRUE(asSurface.has_value());
-  EXPECT_NEAR(asSurface->levels.front().maxGap, 0.8, 0.01);
+  // Its faces are 0.8 away, its middle 1.
+  EXPECT_NEAR(asSurface->levels.front().p95Gap, 0.8, 1e-5);
+  EXPECT_NEAR(asSurface->levels.front().maxGap, 1.0, 0.03);
 }
 
 TEST(MeasureLevels, FinerLevelsAreNearer) {

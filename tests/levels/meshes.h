@@ -95,6 +95,14 @@ inline SurfaceMesh sheetMesh(std::uint32_t steps = 20) {
   });
 }
 
+/// A flat grid, level, with sides of 1 around the origin.
+inline SurfaceMesh levelSheet(std::uint32_t steps = 8) {
+  return gridMesh(steps, steps, false, false, [&](std::uint32_t i, std::uint32_t j) {
+    const auto last = static_cast<float>(steps - 1);
+    return Vec3(static_cast<float>(j) / last - 0.5F, 0.0F, static_cast<float>(i) / last - 0.5F);
+  });
+}
+
 /// A flat grid in a slanted plane.
 inline SurfaceMesh flatMesh(std::uint32_t steps = 8) {
   return gridMesh(steps, steps, false, false, [&](std::uint32_t i, std::uint32_t j) {
@@ -151,6 +159,13 @@ inline SurfaceMesh shellsMesh() {
   const SurfaceMesh hollow = joined(sphereMesh(24), insideOut(sphereMesh(16, 0.6F)));
   return joined(joined(hollow, insideOut(torusMesh(24, 12))),
                 boxMesh(Vec3(0.3F, 0.1F, 0.7F), Vec3(3.0F, 0.2F, 0.0F)));
+}
+
+/// A closed room of 5 × 3 × 4 as it is seen from within, and furniture on its floor.
+inline SurfaceMesh roomMesh() {
+  return joined(insideOut(boxMesh({2.5F, 1.5F, 2.0F})),
+                joined(boxMesh({0.5F, 0.4F, 0.3F}, {1.0F, -1.1F, 0.5F}),
+                       boxMesh({0.3F, 0.3F, 0.3F}, {-1.0F, -1.2F, -0.5F})));
 }
 
 inline SurfaceMesh moved(SurfaceMesh mesh, float scale, const Vec3& by) {

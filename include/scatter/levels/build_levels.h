@@ -16,9 +16,12 @@ namespace scatter {
 
 /// What counts as inside of a mesh. Inside, levels may fill space at no cost.
 enum class MeshInterior {
-  kAutomatic,  ///< Solid if the triangles enclose a volume well enough to tell, else Surface.
-  kSolid,      ///< What the triangles wind around; small holes are bridged.
-  kSurface,    ///< Nothing: bowls, sheets and tubes stay hollow.
+  /// Solid if the triangles enclose a volume well enough to tell, else Surface. A mesh that encloses one, but
+  /// is
+  /// inside out as a whole, may be a room or a mistake: buildLevels() refuses to choose.
+  kAutomatic,
+  kSolid,    ///< What the triangles wind around; small holes are bridged.
+  kSurface,  ///< Nothing: bowls, sheets and tubes stay hollow, and so do rooms.
 };
 
 /// A limit to the gap: how far the surface of a level may be from the mesh. The two are alternatives.
@@ -44,9 +47,13 @@ struct LevelBuildDef {
 
   int maxVertices = 16;  ///< Of a hull, 8 to 64.
 
-  /// Collision margin around hulls, metres. If absent, the least of 0.02, 0.05 % of the diagonal and a quarter
-  /// of `finestGap`. If `finestGap` is given, less than that.
+  /// Collision margin around hulls, metres. If absent, the least of 0.02, 0.05 % of the diagonal and a
+  /// quarter of `finestGap`. If `finestGap` is given, less than that.
   std::optional<float> hullMargin;
+
+  /// The least thickness of the plates that stand for sheets, metres; half of it on either side of the mesh.
+  /// Of meshes that are taken as a surface only. If absent, see kSheetThickness.
+  std::optional<float> thickness;
 
   /// Makes a hull a box, sphere or capsule where that holds the same and its gap is not noticeably larger.
   bool fitPrimitives = true;
@@ -57,6 +64,11 @@ struct LevelBuildDef {
   /// a little less closely. Nothing is left out.
   std::size_t maxTriangles = 200'000;
 };
+
+/// Plates are at least so thick, metres, if LevelBuildDef does not say: a ball of 3 cm that comes at 7 m/s,
+/// 12 cm in a step of 1/60 s, is found before its middle is past that of the plate, wherever it was the step
+/// before. At most a twentieth of the mesh's diagonal, and half of `finestGap`.
+inline constexpr float kSheetThickness = 0.21F;
 
 /// Nested levels, and what a user should know about the mesh they were made from.
 struct BuiltLevels {
@@ -73,8 +85,8 @@ using BuildProgress = std::function<void(std::string_view stage, double share)>;
 /// margin not counted, and every part inside one part of the next coarser level, margins counted. Both are
 /// proven for the vertices that are returned, rounding included. The same input gives the same bits.
 /// Takes any triangles: open, inside-out, several shells, degenerate, flat. Fails on a mesh without
-/// triangles, an index out of range, a coordinate that is not finite, a mesh of a single point, and counts
-/// that make no sense.
+/// triangles, an index out of range, a coordinate that is not finite, a mesh of a single point, one that is
+/// inside out unless `interior` says what it is, and counts that make no sense.
 [[nodiscard]] Result<BuiltLevels> buildLevels(const SurfaceMesh& mesh, const LevelBuildDef& definition,
                                               const BuildProgress& progress = {});
 

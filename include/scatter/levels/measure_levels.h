@@ -22,7 +22,8 @@ struct LevelFigures {
 
   /// The gap: distances to the mesh from the part of the level's surface that is exposed, which is what is
   /// not inside another part of the level and not inside the mesh (one-sided Hausdorff distance). The
-  /// surface is that at which an engine collides, margins of hulls counted. Metres.
+  /// surface is that at which an engine collides, margins of hulls counted. The largest one counts what a
+  /// level fills of the mesh's hollows too, also where they are closed. Metres.
   double meanGap = 0.0;
   double p95Gap = 0.0;
   double maxGap = 0.0;

@@ -40,6 +40,10 @@ constexpr double kDefaultMarginShare = 5e-4;
 // Of the gap that is asked for, so that parts have the most of it.
 constexpr double kDefaultMarginOfGap = 0.25;
 
+// Of the diagonal: thicker plates would no longer look like sheets.
+constexpr double kSheetThicknessShare = 0.05;
+constexpr double kThicknessOfGap = 0.5;
+
 Result<void> checkCounts(const std::vector<int>& counts) {
   int last = 0;
   for (const int count : counts) {
@@ -85,6 +89,10 @@ Result<void> checkDefinition(const LevelBuildDef& definition) {
     checks.emplace_back(fail("the hull margin must be finite and not negative, not " +
                              toText(static_cast<double>(*definition.hullMargin))));
   }
+  if (definition.thickness && !(std::isfinite(*definition.thickness) && *definition.thickness >= 0.0F)) {
+    checks.emplace_back(fail("the thickness of sheets must be finite and not negative, not " +
+                             toText(static_cast<double>(*definition.thickness))));
+  }
   if (definition.maxTriangles == 0) checks.emplace_back(fail("the most triangles must be at least 1"));
   for (Result<void>& check : checks) {
     if (!check) return std::move(check);
@@ -119,6 +127,11 @@ class Build {
     report("shells", 0.0);
     if (Result<void> fits = checkMargin(work->diagonal); !fits) return fail(fits.error().message);
     const MeshSpace space = makeMeshSpace(std::move(*work), definition_.interior);
+    if (space.wasInsideOut && definition_.interior == MeshInterior::kAutomatic) {
+      return fail(
+          "the mesh is inside out, like a room that is seen from within: say whether its interior is solid, "
+          "which turns it, or a surface, which keeps it open");
+    }
     notes_ = space.mesh.notes;
     const std::vector<LevelAssembler::Draft> drafts = assemble(space);
     return finish(space, drafts);
@@ -139,6 +152,14 @@ class Build {
     if (definition_.hullMargin) return static_cast<double>(*definition_.hullMargin);
     const double least = std::min(kDefaultMargin, kDefaultMarginShare * diagonal);
     return definition_.finestGap ? std::min(least, kDefaultMarginOfGap * gapLimit(diagonal)) : least;
+  }
+
+  [[nodiscard]] double thickness(const MeshSpace& space) const {
+    if (space.isSolid) return 0.0;
+    if (definition_.thickness) return static_cast<double>(*definition_.thickness);
+    const double diagonal = space.mesh.diagonal;
+    const double least = std::min(static_cast<double>(kSheetThickness), kSheetThicknessShare * diagonal);
+    return definition_.finestGap ? std::min(least, kThicknessOfGap * gapLimit(diagonal)) : least;
   }
 
   [[nodiscard]] Result<void> checkMargin(double diagonal) const {
@@ -172,12 +193,14 @@ class Build {
     const MergeTree tree =
         mergeGreedily(space.mesh, grid, std::move(patches),
                       {definition_.maxVertices, [this](double share) { report("merging", share); }});
-    LevelAssembler assembler(space, grid, tree,
-                             {definition_.maxVertices, margin(diagonal), definition_.fitPrimitives});
+    LevelAssembler assembler(
+        space, grid, tree,
+        {definition_.maxVertices, margin(diagonal), definition_.fitPrimitives, thickness(space)});
     std::vector<LevelAssembler::Draft> drafts;
     drafts.push_back(assembler.finest(finest, [this](double share) { report("parts", share); }));
     noteFinest(drafts.front(), finest);
     addCoarser(assembler, drafts);
+    noteThickness(thickness(space));
     return drafts;
   }
 
@@ -198,6 +221,18 @@ class Build {
                        " levels made: the finest has only " + std::to_string(finestCount) +
                        (finestCount == 1 ? " part" : " parts"));
     }
+  }
+
+  // Who makes a bowl of a sheet wants to know what it holds.
+  void noteThickness(double thickness) {
+    if (!(thickness > 0.0) || thickness >= static_cast<double>(kSheetThickness)) return;
+    constexpr double kBall = 0.015;
+    constexpr double kStepsPerSecond = 60.0;
+    notes_.push_back("its plates are " + toText(thickness) +
+                     " m thick: a ball of 3 cm passes through them above " +
+                     toText(std::round(10.0 * (0.5 * thickness + kBall) * kStepsPerSecond) / 10.0) +
+                     " m/s in steps of 1/60 s; a thickness of " +
+                     toText(static_cast<double>(kSheetThickness)) + " m stops it at 7 m/s");
   }
 
   void noteFinest(const LevelAssembler::Draft& finest, const FinestDef& wanted) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <vector>
 
 #include "levels/mesh/triangle_hull.h"
@@ -50,6 +51,44 @@ template <class GapAt>
     const glm::dvec3 half = 0.5 * (longestFirst[0] + longestFirst[1]);
     sample({longestFirst[0], half, longestFirst[2]});
     sample({half, longestFirst[1], longestFirst[2]});
+  }
+  return largest;
+}
+
+/// The largest value of `valueAt(point)`, a signed distance, in the inside of a hull, where it exceeds
+/// `atLeast`; else that. Looked for in the middles of boxes that are halved so many times, and left alone
+/// where they cannot hold more.
+template <class ValueAt>
+[[nodiscard]] double largestInside(const TriangleHull& hull, int halvings, double atLeast,
+                                   const ValueAt& valueAt) {
+  struct Cell {
+    glm::dvec3 middle{0.0};
+    glm::dvec3 half{0.0};
+    int halvings = 0;
+  };
+  const auto distanceOutside = [&hull](const glm::dvec3& point) {
+    double furthest = -std::numeric_limits<double>::infinity();
+    for (const HalfSpace& plane : hull.planes) furthest = std::max(furthest, plane.signedDistance(point));
+    return furthest;
+  };
+  double largest = atLeast;
+  std::vector<Cell> open{
+      {0.5 * (hull.bounds.min + hull.bounds.max), 0.5 * (hull.bounds.max - hull.bounds.min), halvings}};
+  while (!open.empty()) {
+    const Cell cell = open.back();
+    open.pop_back();
+    const double value = valueAt(cell.middle);
+    const double reach = glm::length(cell.half);
+    if (value + reach <= largest) continue;
+    const double outside = distanceOutside(cell.middle);
+    if (outside > reach) continue;
+    if (outside <= 0.0) largest = std::max(largest, value);
+    if (cell.halvings == 0) continue;
+    for (unsigned child = 0; child < 8; ++child) {
+      const glm::dvec3 side{(child & 1U) != 0 ? 0.5 : -0.5, (child & 2U) != 0 ? 0.5 : -0.5,
+                            (child & 4U) != 0 ? 0.5 : -0.5};
+      open.push_back({cell.middle + side * cell.half, 0.5 * cell.half, cell.halvings - 1});
+    }
   }
   return largest;
 }

@@ -9,10 +9,14 @@
 
 #include "levels/build/enclosing_hull.h"
 #include "levels/build/hull_gap.h"
+#include "levels/build/thick_hull.h"
 #include "levels/part_geometry.h"
 
 namespace scatter::levels {
 namespace {
+
+/// Of the box around a hull, for hollows within it: those wider than an eighth of it are found.
+constexpr int kHalvings = 3;
 
 /// Shares of the diagonal.
 constexpr double kSpacing = 1.0 / 60.0;
@@ -77,7 +81,9 @@ double volumeOf(const TriangleHull& hull) {
 
 LevelAssembler::Draft LevelAssembler::finest(const FinestDef& definition,
                                              const std::function<void(double)>& progress) {
-  const double nearest = definition_.hullMargin + kNegligibleGap * space_.mesh.diagonal;
+  // The rim of a plate is half its thickness away in two directions.
+  const double nearest =
+      definition_.hullMargin + std::sqrt(0.5) * definition_.thickness + kNegligibleGap * space_.mesh.diagonal;
   const double enough = std::max(definition.gap, nearest);
   std::vector<std::pair<NodeIndex, PartDraft>> parts;
   // Importance and place in `parts`, the most important on top, the earliest of equals.
@@ -179,9 +185,11 @@ double LevelAssembler::gapOf(const TriangleHull& hull) const {
   // Corners stick out most, but the middle of a face may lie over a hollow.
   double corners = 0.0;
   for (const glm::dvec3& vertex : hull.vertices) corners = std::max(corners, exactly(vertex));
-  const double rough = std::max(corners, largestGap(hull, spacing, roughly));
+  double rough = std::max(corners, largestGap(hull, spacing, roughly));
+  // A hollow may be closed, or wider within than where the hull shuts it.
+  rough = largestInside(hull, kHalvings, rough, [this](const glm::dvec3& p) { return grid_.value(p); });
   if (rough > kFineCells * grid_.step()) return rough;
-  return std::max(corners, largestGap(hull, spacing, exactly));
+  return largestInside(hull, kHalvings, std::max(corners, largestGap(hull, spacing, exactly)), exactly);
 }
 
 Content LevelAssembler::contentUnder(NodeIndex node) const {
@@ -193,10 +201,9 @@ Content LevelAssembler::contentUnder(NodeIndex node) const {
   std::sort(indices.begin(), indices.end());
   indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
   Content content;
-  for (const std::uint32_t i : indices) {
-    content.points.push_back(space_.mesh.vertices[i]);
-    content.balls.push_back({space_.mesh.vertices[i], 0.0});
-  }
+  for (const std::uint32_t i : indices) content.points.push_back(space_.mesh.vertices[i]);
+  if (definition_.thickness > 0.0) content.points = thickenedTo(content.points, definition_.thickness);
+  for (const glm::dvec3& point : content.points) content.balls.push_back({point, 0.0});
   return content;
 }
 

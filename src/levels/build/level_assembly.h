@@ -33,6 +33,7 @@ struct AssemblyDef {
   int maxVertices = 16;
   double hullMargin = 0.02;
   bool fitPrimitives = true;
+  double thickness = 0.0;  ///< Which parts of the finest level have at least, metres.
 };
 
 /// When to stop splitting parts of the finest level.

@@ -90,6 +90,22 @@ std::vector<glm::dvec3> boxAround(std::span<const glm::dvec3> points, const Exte
 
 }  // namespace
 
+std::vector<glm::dvec3> thickenedTo(std::span<const glm::dvec3> points, double thickness) {
+  const Extents extents = extentsOf(points);
+  std::vector<glm::dvec3> result(points.begin(), points.end());
+  for (int axis = 0; axis < 3; ++axis) {
+    const double lack = thickness - extents.size[axis];
+    if (!(lack > 0.0)) continue;
+    const glm::dvec3 step = 0.5 * lack * extents.axes[axis];
+    const std::size_t count = result.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      result.push_back(result[i] + step);
+      result.push_back(result[i] - step);
+    }
+  }
+  return result;
+}
+
 bool buildThickHull(HullBuilder& builder, std::span<const glm::dvec3> points, const HullDef& definition,
                     TriangleHull& result) {
   if (builder.build(points, definition, result)) return false;

@@ -150,21 +150,24 @@ bool LevelSurface::isCovered(const glm::dvec3& point, double depth, std::size_t 
   return false;
 }
 
-double LevelSurface::unionVolume(std::size_t sampleCount) const {
+LevelSurface::Filling LevelSurface::filling(std::size_t sampleCount) const {
   DoubleBounds bounds;
   for (const PartSurface& part : parts_) {
     bounds.add(part.hull.bounds.min);
     bounds.add(part.hull.bounds.max);
   }
   const glm::dvec3 size = bounds.max - bounds.min;
-  std::size_t inside = 0;
+  Filling result;
   for (std::size_t i = 0; i < sampleCount; ++i) {
     const auto n = static_cast<double>(i);
     const glm::dvec3 place{fraction(0.5 + kPlastic3[0] * n), fraction(0.5 + kPlastic3[1] * n),
                            fraction(0.5 + kPlastic3[2] * n)};
-    if (isCovered(bounds.min + place * size, 0.0, parts_.size())) ++inside;
+    const glm::dvec3 point = bounds.min + place * size;
+    if (isCovered(point, 0.0, parts_.size())) result.points.push_back(point);
   }
-  return size.x * size.y * size.z * static_cast<double>(inside) / static_cast<double>(sampleCount);
+  result.volume =
+      size.x * size.y * size.z * static_cast<double>(result.points.size()) / static_cast<double>(sampleCount);
+  return result;
 }
 
 bool LevelSurface::holds(const PartSurface& surface, const glm::dvec3& point, double depth) {

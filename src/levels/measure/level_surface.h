@@ -36,8 +36,12 @@ class LevelSurface {
   /// Whether a part other than `except` holds the point with `depth` to spare.
   [[nodiscard]] bool isCovered(const glm::dvec3& point, double depth, std::size_t except) const;
 
-  /// The volume of the union of the parts, estimated with so many samples.
-  [[nodiscard]] double unionVolume(std::size_t sampleCount) const;
+  /// Points that fill the box around the level evenly, and of those the ones in some part.
+  struct Filling {
+    std::vector<glm::dvec3> points;
+    double volume = 0.0;  ///< Of the union of the parts, by how many of the box's points it holds.
+  };
+  [[nodiscard]] Filling filling(std::size_t sampleCount) const;
 
  private:
   struct PartSurface {

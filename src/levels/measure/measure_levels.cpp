@@ -91,6 +91,17 @@ void measureGaps(const LevelSurface& surface, const Gaps& exposed, std::size_t s
   }
 }
 
+/// The largest distance to the mesh of points that a level fills and the mesh does not, where it exceeds
+/// `atLeast`.
+double deepestHollow(const std::vector<glm::dvec3>& filled, const MeshSpace& space, double atLeast) {
+  double deepest = atLeast;
+  for (const glm::dvec3& point : filled) {
+    const double distance = space.tree.distance(point);
+    if (distance > deepest && !space.isInside(point)) deepest = distance;
+  }
+  return deepest;
+}
+
 // Of an open mesh, whose holes are bridged, about.
 double meshVolume(const MeshSpace& space) {
   if (const auto mass = massOfMesh(space)) return static_cast<double>(mass->properties.volume);
@@ -120,10 +131,12 @@ Result<LevelMeasures> measureLevels(const LevelSet& levelSet, const SurfaceMesh&
     LevelFigures figures;
     countParts(level, figures);
     const LevelSurface surface(level, glm::dvec3(space.mesh.origin));
-    figures.unionVolume = surface.unionVolume(definition.volumeSamples);
+    const LevelSurface::Filling filling = surface.filling(definition.volumeSamples);
+    figures.unionVolume = filling.volume;
     if (measures.meshVolume > 0.0) figures.volumeRatio = figures.unionVolume / measures.meshVolume;
     const Gaps exposed(surface, space, static_cast<double>(levelSet.hullMargin()));
     measureGaps(surface, exposed, definition.surfaceSamples, figures);
+    figures.maxGap = std::max(figures.maxGap, deepestHollow(filling.points, space, figures.maxGap));
     measures.levels.push_back(figures);
   }
   return measures;

@@ -222,15 +222,21 @@ bool enclosesVolume(const WorkMesh& mesh, const MeshTree& tree) {
   return total > 0.0 && clear >= kSolidShare * total;
 }
 
-/// Turns the shells whose outside is not inside of others; gives their number.
-std::size_t turnInsideOut(WorkMesh& mesh, Orienter& orienter, const std::vector<Shell>& shells) {
+/// What was turned.
+struct Turned {
+  bool isAll = false;      ///< Every shell, before single ones were.
+  std::size_t shells = 0;  ///< How many, all in all.
+};
+
+/// Turns the shells whose outside is not inside of others.
+Turned turnInsideOut(WorkMesh& mesh, Orienter& orienter, const std::vector<Shell>& shells) {
   double volume = 0.0;
   for (const Shell& shell : shells) volume += shell.volume;
-  std::size_t turned = 0;
+  Turned turned;
   const bool isAllTurned = volume < 0.0;
   if (isAllTurned) {
     for (const Shell& shell : shells) orienter.turn(shell);
-    turned = shells.size();
+    turned = {true, shells.size()};
   }
   const auto isNegative = [&](const Shell& shell) {
     return (isAllTurned ? -shell.volume : shell.volume) <
@@ -242,7 +248,7 @@ std::size_t turnInsideOut(WorkMesh& mesh, Orienter& orienter, const std::vector<
   for (const Shell& shell : shells) {
     if (!isNegative(shell) || sidesOf(mesh, tree, largestTriangle(mesh, shell)).back > 0.5) continue;
     orienter.turn(shell);
-    ++turned;
+    ++turned.shells;
   }
   return turned;
 }
@@ -251,6 +257,23 @@ void noteOrientation(WorkMesh& mesh, std::size_t triangles, std::size_t shells) 
   if (triangles > 0)
     mesh.notes.push_back(std::to_string(triangles) + " triangles turned to face as their neighbours");
   if (shells > 0) mesh.notes.push_back(std::to_string(shells) + " inside-out shells turned");
+}
+
+/// Shells that are covered by others but for what stands on or leans against their sides.
+std::size_t countSwallowed(const WorkMesh& mesh, const MeshTree& tree, const std::vector<Shell>& shells) {
+  constexpr std::size_t kLooks = 24;
+  constexpr double kCovered = 0.8;
+  return static_cast<std::size_t>(std::count_if(shells.begin(), shells.end(), [&](const Shell& shell) {
+    if (!(shell.volume > 0.0) || shells.size() < 2) return false;
+    const std::size_t stride = 1 + shell.triangles.size() / kLooks;
+    double covered = 0.0;
+    double looked = 0.0;
+    for (std::size_t i = 0; i < shell.triangles.size(); i += stride) {
+      looked += 1.0;
+      if (sidesOf(mesh, tree, shell.triangles[i]).front > 0.5) covered += 1.0;
+    }
+    return covered >= kCovered * looked;
+  }));
 }
 
 }  // namespace
@@ -290,8 +313,8 @@ bool MeshSpace::isInside(const glm::dvec3& point) const {
 MeshSpace makeMeshSpace(WorkMesh mesh, MeshInterior interior) {
   Orienter orienter(mesh);
   const std::vector<Shell> shells = orienter.agree();
-  const std::size_t turned = turnInsideOut(mesh, orienter, shells);
-  noteOrientation(mesh, orienter.turnedTriangles(), turned);
+  const Turned turned = turnInsideOut(mesh, orienter, shells);
+  noteOrientation(mesh, orienter.turnedTriangles(), turned.shells);
 
   const bool closed = isClosed(sortedEdges(mesh));
   MeshTree tree(mesh);
@@ -302,7 +325,14 @@ MeshSpace makeMeshSpace(WorkMesh mesh, MeshInterior interior) {
                                 ? "the mesh is not closed, but taken as solid: its holes are bridged"
                                 : "the mesh is not closed and taken as a surface: both sides are outside");
   }
-  return {std::move(mesh), std::move(tree), closed, isSolid};
+  if (const std::size_t swallowed = isSolid ? countSwallowed(mesh, tree, shells) : 0; swallowed > 0) {
+    mesh.notes.push_back(
+        std::to_string(swallowed) +
+        " of its shells lie inside of others, where nothing can touch them; if the mesh is a "
+        "room, its interior is a surface");
+  }
+  const bool wasInsideOut = turned.isAll && (closed || isSolid);
+  return {std::move(mesh), std::move(tree), closed, isSolid, wasInsideOut};
 }
 
 }  // namespace scatter::levels

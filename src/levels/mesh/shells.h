@@ -15,6 +15,9 @@ struct MeshSpace {
   bool isClosed = false;  ///< Every edge has as many triangles on one side as on the other.
   bool isSolid = false;   ///< Whether points inside count as inside; see MeshInterior.
 
+  /// Whether it encloses a volume, and was turned as a whole to do so: as given, its outside was within.
+  bool wasInsideOut = false;
+
   /// Whether no triangle, of a sample, has the inside on both of its sides, as where shells overlap.
   [[nodiscard]] bool isSimple() const;
 

@@ -109,5 +109,43 @@ TEST(Standing, AFlatFootIsOnTheFloor) {
   }
 }
 
+/// How high a ball is a second after it starts to come down with 7 m/s on a level sheet at y = 0.
+float heightAfterFall(WorldKind kind, const std::shared_ptr<const LevelSet>& sheet, float radius,
+                      float from) {
+  PhysicsDef world;
+  world.world = kind;
+  world.gravity = Vec3(0.0F);
+  const auto physics = makeBulletPhysics(world);
+  BodyDef ground;
+  ground.shape = sheet;
+  ground.motion = Motion::kStatic;
+  EXPECT_TRUE(physics->createBody(ground));
+  BodyDef ball;
+  ball.shape = Sphere{radius};
+  ball.pose.position = {0.1F, from, 0.07F};
+  ball.linearVelocity.y = -7.0F;
+  const auto body = physics->createBody(ball);
+  EXPECT_TRUE(body);
+  if (!body) return 0.0F;
+  for (int i = 0; i < kSteps / 4; ++i) physics->step(kStep);
+  return physics->state(*body).pose.position.y;
+}
+
+TEST(Standing, ASheetStopsASmallFastBall) {
+  const SurfaceMesh mesh = moved(levelSheet(12), 3.5F, Vec3(0.0F));
+  const auto built = buildLevels(mesh, {});
+  ASSERT_TRUE(built.has_value()) << built.error().message;
+  for (const WorldKind kind : {WorldKind::kStandard, WorldKind::kHybrid}) {
+    for (const float radius : {0.015F, 0.03F}) {
+      // From everywhere within a step's way.
+      for (int i = 0; i < 24; ++i) {
+        const float from = 0.3F + 0.005F * static_cast<float>(i);
+        EXPECT_GT(heightAfterFall(kind, built->levels, radius, from), 0.0F)
+            << radius << " m from " << from << " m";
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace scatter

@@ -1,4 +1,4 @@
-#include "gap_argument.h"
+#include "level_arguments.h"
 
 #include <scatter/io/mesh_file.h>
 
@@ -29,6 +29,13 @@ Result<GapLimit> parseGap(const std::string& text) {
   }
   return fail("--gap: \"" + text +
               "\" is neither a share of the diagonal, such as 0.5%, nor a length, such as 0.01m");
+}
+
+Result<MeshInterior> parseInterior(const std::string& text) {
+  if (text == "automatic") return MeshInterior::kAutomatic;
+  if (text == "solid") return MeshInterior::kSolid;
+  if (text == "surface") return MeshInterior::kSurface;
+  return fail("--interior: \"" + text + "\" is unknown; give automatic, solid or surface");
 }
 
 Result<std::vector<int>> parsePartCounts(const std::string& text) {
