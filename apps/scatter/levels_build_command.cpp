@@ -191,8 +191,10 @@ void addBodyOptions(CLI::App& command, LevelsBuildArguments& arguments) {
 }  // namespace
 
 Command addLevelsBuildCommand(CLI::App& levels) {
-  CLI::App* command = levels.add_subcommand(
-      "build", "Make nested levels around a mesh (obj, stl, ply, dae, gltf, glb), prove them and write them");
+  CLI::App* command =
+      levels.add_subcommand("build",
+                            "Make nested levels around a mesh (obj, stl, ply, fbx, dae, gltf, glb and all "
+                            "else that Assimp reads), prove them and write them");
   auto arguments = std::make_shared<LevelsBuildArguments>();
   command->add_option("MESH", arguments->mesh, "The mesh file")->required();
   command->add_option("-o,--output", arguments->output, "Physics file to write: .dae, .gltf or .glb")

@@ -10,7 +10,10 @@ void addMeshArguments(CLI::App& command, MeshArguments& arguments) {
           "--unit", arguments.unit,
           "Length of the mesh file's unit: metres, or m, cm, mm, km, in, ft [what the file says, else m]")
       ->type_name("LENGTH");
-  command.add_option("--up", arguments.up, "Axis of an obj, stl or ply file that points up: x, y or z [y]")
+  command
+      .add_option(
+          "--up", arguments.up,
+          "Axis that points up, of files that do not say it (all but dae, gltf, glb, fbx): x, y or z [y]")
       ->type_name("AXIS");
 }
 

@@ -16,11 +16,11 @@ namespace scatter {
 enum class UpAxis : std::uint8_t { kX, kY, kZ };
 
 struct MeshOptions {
-  /// Metres per unit of the file, instead of what the file says. Files that say nothing (obj, stl, ply) are
-  /// in metres otherwise.
+  /// Metres per unit of the file, instead of what the file says. Files that say nothing (all but dae,
+  /// gltf, glb, fbx) are in metres otherwise.
   std::optional<double> unit{};
 
-  /// Of obj, stl and ply; the other formats say it themselves.
+  /// Of files that do not say it themselves: all but dae, gltf, glb and fbx.
   UpAxis up = UpAxis::kY;
 
   std::uint64_t maxFileBytes = std::uint64_t{1} << 30U;
@@ -40,11 +40,11 @@ struct MeshFile {
   std::vector<std::string> warnings{};
 };
 
-/// The extensions that readMesh knows, lower case, without dots.
+/// The extensions that readMesh knows, lower case, without dots: all that Assimp reads.
 [[nodiscard]] const std::vector<std::string>& meshExtensions();
 
-/// Reads an obj, stl, ply, dae, gltf or glb file, chosen by its extension: all meshes with the transforms of
-/// their nodes, polygons cut into triangles. Points and lines are left out with a warning; bones and
+/// Reads a mesh file in any format that Assimp knows, chosen by its extension: all meshes with the transforms
+/// of their nodes, polygons cut into triangles. Points and lines are left out with a warning; bones and
 /// animations are ignored. Of other files, only those in its folder and below are read. The format
 /// is read in a process of its own, so that a file which breaks the reader, hangs it or wants more
 /// memory than 256 bytes for each of its own (and 1 GiB) is refused like any other. Fails if there are no

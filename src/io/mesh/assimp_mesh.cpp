@@ -3,6 +3,7 @@
 #include <assimp/BaseImporter.h>
 #include <assimp/DefaultIOSystem.h>
 #include <assimp/importerdesc.h>
+#include <assimp/metadata.h>
 #include <assimp/scene.h>
 
 #include <algorithm>
@@ -15,6 +16,7 @@
 #include <glm/mat4x4.hpp>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <string_view>
 #include <system_error>
 #include <unordered_map>
@@ -216,17 +218,59 @@ class Collector {
   bool hasBones_ = false;
 };
 
+/// An axis of an FBX file as its header has it; nothing if it has none.
+std::optional<glm::dvec3> fbxAxis(const aiMetadata& header, const std::string& name) {
+  std::int32_t axis = -1;
+  std::int32_t sign = 0;
+  if (!header.Get(name, axis) || !header.Get(name + "Sign", sign) || axis < 0 || axis > 2 || sign * sign != 1)
+    return std::nullopt;
+  glm::dvec3 direction{0.0};
+  direction[axis] = sign;
+  return direction;
+}
+
+/// From the file's axes to x right, y up, z towards the viewer. Assimp leaves that to later, or puts it into
+/// the root, as its version has it; so the root is not looked at.
+glm::dmat4 fbxFrame(const aiScene& scene) {
+  if (scene.mMetaData == nullptr) return glm::dmat4(1.0);
+  const auto right = fbxAxis(*scene.mMetaData, "CoordAxis");
+  const auto up = fbxAxis(*scene.mMetaData, "UpAxis");
+  const auto front = fbxAxis(*scene.mMetaData, "FrontAxis");
+  if (!right || !up || !front) return glm::dmat4(1.0);
+  const glm::dmat3 rows(*right, *up, *front);
+  if (std::abs(glm::determinant(rows)) < 0.5) return glm::dmat4(1.0);
+  return glm::dmat4(glm::transpose(rows));
+}
+
+/// Metres.
+double fbxUnit(const aiScene& scene) {
+  constexpr double kCentimetre = 0.01;
+  // Versions of Assimp differ in its type.
+  float single = 1.0F;
+  double factor = 1.0;
+  const aiMetadata* header = scene.mMetaData;
+  if (header != nullptr && header->Get("UnitScaleFactor", single)) factor = static_cast<double>(single);
+  if (header != nullptr) header->Get("UnitScaleFactor", factor);
+  return std::isfinite(factor) && factor > 0.0 ? factor * kCentimetre : kCentimetre;
+}
+
+/// Formats that say which way is up.
+bool saysUp(const std::string& extension) {
+  return extension == "dae" || extension == "gltf" || extension == "glb" || extension == "fbx";
+}
+
 /// The root's frame, in metres and upright. Assimp's COLLADA reader puts unit and up axis into the root.
 glm::dmat4 rootFrame(const aiScene& scene, const std::string& extension, const MeshOptions& options) {
-  const bool isPlain = extension == "obj" || extension == "stl" || extension == "ply";
-  const glm::dmat4 root =
+  const bool isFbx = extension == "fbx";
+  const glm::dmat4 own =
       scene.mRootNode != nullptr ? toMatrix(scene.mRootNode->mTransformation) : glm::dmat4(1.0);
-  double scale = options.unit.value_or(1.0);
+  const glm::dmat4 root = isFbx ? fbxFrame(scene) : own;
+  double scale = options.unit.value_or(isFbx ? fbxUnit(scene) : 1.0);
   if (options.unit && extension == "dae") {
     const double fileUnit = std::cbrt(std::abs(glm::determinant(glm::dmat3(root))));
     if (fileUnit > 0.0) scale /= fileUnit;
   }
-  glm::dmat4 frame = isPlain ? uprightFrom(options.up) * root : root;
+  glm::dmat4 frame = saysUp(extension) ? root : uprightFrom(options.up) * root;
   for (int column = 0; column < 4; ++column) {
     frame[column] = glm::dvec4(scale * glm::dvec3(frame[column]), frame[column].w);
   }
@@ -234,6 +278,20 @@ glm::dmat4 rootFrame(const aiScene& scene, const std::string& extension, const M
 }
 
 }  // namespace
+
+std::vector<std::string> assimpExtensions() {
+  aiString list;
+  Assimp::Importer().GetExtensionList(list);
+  std::vector<std::string> extensions;
+  std::istringstream words(list.C_Str());
+  // Each is "*." and the extension; those of two words cannot be told by the last one.
+  for (std::string word; std::getline(words, word, ';');) {
+    const std::string extension = word.substr(std::min(word.size(), std::size_t{2}));
+    if (!extension.empty() && extension.find('.') == std::string::npos) extensions.push_back(extension);
+  }
+  std::sort(extensions.begin(), extensions.end());
+  return extensions;
+}
 
 Result<MeshFile> readWithAssimp(const fs::path& path, const std::string& extension,
                                 const MeshOptions& options) {

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace scatter::io {
 
@@ -12,5 +13,8 @@ namespace scatter::io {
 /// meshExtensions(). Error and warnings are phrases without the file's name.
 [[nodiscard]] Result<MeshFile> readWithAssimp(const std::filesystem::path& path, const std::string& extension,
                                               const MeshOptions& options);
+
+/// Of all formats that Assimp was built with, lower case, without dots, in order.
+[[nodiscard]] std::vector<std::string> assimpExtensions();
 
 }  // namespace scatter::io

@@ -185,7 +185,14 @@ Result<void> checkPlyHeader(const fs::path& path) {
 }  // namespace
 
 const std::vector<std::string>& meshExtensions() {
-  static const std::vector<std::string> extensions{"obj", "stl", "ply", "dae", "gltf", "glb"};
+  static const std::vector<std::string> extensions = [] {
+    // Those that most people have come first.
+    std::vector<std::string> list{"obj", "stl", "ply", "fbx", "dae", "gltf", "glb"};
+    for (const std::string& other : io::assimpExtensions()) {
+      if (std::find(list.begin(), list.end(), other) == list.end()) list.push_back(other);
+    }
+    return list;
+  }();
   return extensions;
 }
 

@@ -118,6 +118,43 @@ std::string plyBox() {
   return text;
 }
 
+std::string fbxBox(const std::string& settings) {
+  std::string vertices;
+  for (const Corner& corner : kCorners) {
+    for (const float value : corner) vertices += (vertices.empty() ? "" : ",") + number(value);
+  }
+  std::string indices;
+  for (const Corners& triangle : kTriangles) {
+    // The last corner of a polygon is stored as its complement.
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int index = triangle[k];
+      indices += (indices.empty() ? "" : ",") + std::to_string(k == 2 ? -index - 1 : index);
+    }
+  }
+  return "; FBX 7.4.0 project file\n"
+         "FBXHeaderExtension: {\n FBXHeaderVersion: 1003\n FBXVersion: 7400\n}\n"
+         "GlobalSettings: {\n Version: 1000\n Properties70: {\n" +
+         settings +
+         " }\n}\n"
+         "Objects: {\n"
+         " Geometry: 10, \"Geometry::box\", \"Mesh\" {\n"
+         "  Vertices: *24 {\n   a: " +
+         vertices + "\n  }\n  PolygonVertexIndex: *36 {\n   a: " + indices +
+         "\n  }\n  GeometryVersion: 124\n }\n"
+         " Model: 20, \"Model::box\", \"Mesh\" {\n  Version: 232\n  Properties70: {\n  }\n }\n"
+         "}\n"
+         "Connections: {\n C: \"OO\",20,0\n C: \"OO\",10,20\n}\n";
+}
+
+std::string offBox() {
+  std::string text = "OFF\n8 12 0\n";
+  for (const Corner& corner : kCorners) text += words(corner) + "\n";
+  for (const Corners& t : kTriangles) {
+    text += "3 " + std::to_string(t[0]) + " " + std::to_string(t[1]) + " " + std::to_string(t[2]) + "\n";
+  }
+  return text;
+}
+
 std::string daeBox(const std::string& asset, const std::string& transform) {
   std::string positions;
   for (const Corner& corner : kCorners) positions += words(corner) + " ";

@@ -14,6 +14,10 @@ namespace scatter::test {
 /// Within `<asset>` goes the unit and the up axis, within the node its transform.
 [[nodiscard]] std::string daeBox(const std::string& asset = "", const std::string& transform = "");
 
+/// ASCII FBX; `settings` are properties of its global settings, a line each.
+[[nodiscard]] std::string fbxBox(const std::string& settings = "");
+[[nodiscard]] std::string offBox();
+
 /// With its buffer inside; `node` holds the node's other members, such as `"scale":[1,1,-1],`.
 [[nodiscard]] std::string gltfBox(const std::string& node = "");
 [[nodiscard]] std::string glbBox();

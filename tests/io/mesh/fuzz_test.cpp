@@ -101,7 +101,9 @@ std::vector<Seed> seeds() {
       {"fuzz.ply", test::plyBox()},
       {"fuzz.dae", test::daeBox("<unit meter=\"0.1\"/>", "<matrix>1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1</matrix>")},
       {"fuzz.gltf", test::gltfBox(R"("matrix":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],)")},
-      {"fuzz.glb", test::glbBox()}};
+      {"fuzz.glb", test::glbBox()},
+      {"fuzz.fbx", test::fbxBox("P: \"UnitScaleFactor\", \"double\", \"Number\", \"\",10\n")},
+      {"fuzz.off", test::offBox()}};
 }
 
 class MeshFuzz : public testing::Test {

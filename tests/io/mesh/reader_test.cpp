@@ -83,6 +83,7 @@ TEST_F(MeshReader, ReadsEveryFormat) {
   expectBox("box.dae", test::daeBox(), {}, min, max);
   expectBox("box.gltf", test::gltfBox(), {}, min, max);
   expectBox("box.glb", test::glbBox(), {}, min, max);
+  expectBox("box.off", test::offBox(), {}, min, max);
 }
 
 TEST_F(MeshReader, TakesTheNameOfTheFile) {
@@ -104,6 +105,23 @@ TEST_F(MeshReader, KeepsColladasUnitAndUpAxis) {
   // Z up: (x, y, z) becomes (x, z, -y).
   expectBox("box.dae", test::daeBox("<unit meter=\"0.01\"/><up_axis>Z_UP</up_axis>"), {},
             Vec3(0.0F, 0.0F, -0.02F), Vec3(0.01F, 0.03F, 0.0F));
+}
+
+TEST_F(MeshReader, KeepsTheUnitAndAxesOfFbx) {
+  // Without a word they are centimetres.
+  expectBox("box.fbx", test::fbxBox(), {}, Vec3(0.0F), Vec3(0.01F, 0.02F, 0.03F));
+  expectBox("metres.fbx", test::fbxBox("P: \"UnitScaleFactor\", \"double\", \"Number\", \"\",100\n"), {},
+            Vec3(0.0F), Vec3(1.0F, 2.0F, 3.0F));
+  const std::string zUp =
+      "P: \"UpAxis\", \"int\", \"Integer\", \"\",2\nP: \"UpAxisSign\", \"int\", \"Integer\", \"\",1\n"
+      "P: \"FrontAxis\", \"int\", \"Integer\", \"\",1\nP: \"FrontAxisSign\", \"int\", \"Integer\", \"\",-1\n"
+      "P: \"CoordAxis\", \"int\", \"Integer\", \"\",0\nP: \"CoordAxisSign\", \"int\", \"Integer\", \"\",1\n";
+  expectBox("upright.fbx", test::fbxBox(zUp), {}, Vec3(0.0F, 0.0F, -0.02F), Vec3(0.01F, 0.03F, 0.0F));
+  MeshOptions inches;
+  inches.unit = 0.0254;
+  inches.up = UpAxis::kX;  // Not asked: the file says it.
+  expectBox("inches.fbx", test::fbxBox(zUp), inches, Vec3(0.0F, 0.0F, -0.0508F),
+            Vec3(0.0254F, 0.0762F, 0.0F));
 }
 
 TEST_F(MeshReader, UnitReplacesColladas) {
@@ -170,7 +188,8 @@ TEST_F(MeshReader, RefusesWhatIsNoMesh) {
                 "property float z\nend_header\n0 0 0\n",
                 "");
   expectRefused("cut.ply", test::plyBox().substr(0, 60), "end_header");
-  expectRefused("box.step", test::objBox(), "known are obj, stl, ply, dae, gltf, glb");
+  expectRefused("box.txt", test::objBox(), "known are obj, stl, ply, fbx, dae, gltf, glb, ");
+  expectRefused("box.step", test::objBox(), "cannot be read");
   expectRefused("box", test::objBox(), "extension");
   expectRefused("cut.dae", test::daeBox().substr(0, 500), "");
   expectRefused("cut.stl", test::binaryStlBox().substr(0, 200), "");
