@@ -45,6 +45,7 @@ Command addCompareCommand(CLI::App& program, std::string commandLine);
 Command addLevelsCommand(CLI::App& program);
 Command addLevelsBuildCommand(CLI::App& levels);
 Command addLevelsCheckCommand(CLI::App& levels);
+Command addLevelsExportCommand(CLI::App& levels);
 Command addLevelsShowCommand(CLI::App& levels);
 
 /// `bench` and the commands below it.

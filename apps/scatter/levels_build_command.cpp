@@ -6,15 +6,20 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
+#include <vector>
 
 #include "command.h"
 #include "interrupt.h"
 #include "level_arguments.h"
+#include "level_cache.h"
 #include "level_file.h"
 #include "level_report.h"
 #include "mesh_arguments.h"
@@ -23,12 +28,17 @@
 
 namespace scatter::app {
 
+namespace fs = std::filesystem;
+
 namespace {
 
 struct LevelsBuildArguments {
-  std::string mesh;
+  std::vector<std::string> meshes;
   MeshArguments reading;
   std::string output;
+  std::string folder;
+  std::string format = "dae";
+  bool anew = false;
   std::string parts;
   std::string gap;
   std::string interior = "automatic";
@@ -111,16 +121,21 @@ double massOf(const LevelsBuildArguments& arguments, const LevelSet& levels) {
   return arguments.density ? *arguments.density * static_cast<double>(levels.mass().volume) : arguments.mass;
 }
 
-ExitStatus run(const LevelsBuildArguments& arguments) {
-  if (auto known = checkLevelFileName(arguments.output); !known) return refuse(known.error());
-  // Wrong options are told before a large mesh is read.
-  if (auto sound = definitionOf(arguments, ""); !sound) return refuse(sound.error());
-  Result<MeshFile> file = readMesh(arguments.mesh, arguments.reading);
+/// A file that was written.
+struct BuiltFile {
+  LevelModel model;
+  LevelCheck check;
+};
+
+/// Builds, proves and writes; says itself what is wrong.
+ExitStatus buildFile(const LevelsBuildArguments& arguments, const std::string& mesh,
+                     const std::string& output, std::optional<BuiltFile>& result) {
+  Result<MeshFile> file = readMesh(mesh, arguments.reading);
   if (!file) return refuse(file.error());
   const Result<BuiltLevels> built = build(file->mesh, *definitionOf(arguments, file->name));
-  if (!built) return refuse(Error{arguments.mesh + ": " + built.error().message});
-  const Result<LevelCheck> check = prove(*built->levels, file->mesh);
-  if (!check) return failed(Error{arguments.mesh + ": " + check.error().message});
+  if (!built) return refuse(Error{mesh + ": " + built.error().message});
+  Result<LevelCheck> check = prove(*built->levels, file->mesh);
+  if (!check) return failed(Error{mesh + ": " + check.error().message});
 
   Model model;
   model.name = built->levels->name();
@@ -129,11 +144,103 @@ ExitStatus run(const LevelsBuildArguments& arguments) {
   model.mass = static_cast<float>(massOf(arguments, *built->levels));
   model.friction = static_cast<float>(arguments.friction);
   model.restitution = static_cast<float>(arguments.restitution);
-  if (auto written = writeLevelFile(model, arguments.output); !written) return refuse(written.error());
+  if (auto written = writeLevelFile(model, output); !written) return refuse(written.error());
   printNotes(file->warnings);
-  for (const std::string& note : built->notes) printNote(arguments.mesh + ": " + note);
-  return report(arguments.output, {model.name, model.levels, std::move(file->mesh)}, *check,
-                *parseInterior(arguments.interior));
+  for (const std::string& note : built->notes) printNote(mesh + ": " + note);
+  result = BuiltFile{{model.name, model.levels, std::move(file->mesh)}, std::move(*check)};
+  return ExitStatus::kOk;
+}
+
+ExitStatus runOne(const LevelsBuildArguments& arguments) {
+  if (auto known = checkLevelFileName(arguments.output); !known) return refuse(known.error());
+  std::optional<BuiltFile> built;
+  const ExitStatus status = buildFile(arguments, arguments.meshes.front(), arguments.output, built);
+  if (!built) return status;
+  return report(arguments.output, built->model, built->check, *parseInterior(arguments.interior));
+}
+
+/// What the result depends on beside the mesh, in words.
+std::string optionsOf(const LevelsBuildArguments& a) {
+  const LevelBuildDef& b = a.build;
+  const auto given = [](const std::optional<double>& number) {
+    return number ? fmt::format("{}", *number) : "-";
+  };
+  return fmt::format("{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}", a.reading.unit, a.reading.up, a.parts,
+                     a.gap, a.interior, b.levels, b.maxParts, b.maxVertices, b.fitPrimitives, given(a.margin),
+                     given(a.thickness), a.name, a.mass, given(a.density), a.friction, a.restitution);
+}
+
+std::string outputName(const LevelsBuildArguments& arguments, const std::string& mesh) {
+  return fs::path(mesh).stem().string() + "." + arguments.format;
+}
+
+Result<void> checkBatch(const LevelsBuildArguments& arguments) {
+  std::map<std::string, std::string> names;
+  for (const std::string& mesh : arguments.meshes) {
+    const auto [known, isNew] = names.emplace(outputName(arguments, mesh), mesh);
+    if (!isNew) {
+      return fail(mesh + " and " + known->second + " would both become " + known->first +
+                  "; rename one, or give it a folder of its own");
+    }
+  }
+  if (arguments.meshes.size() > 1 && !arguments.name.empty())
+    return fail("--name: one name for several meshes");
+  std::error_code error;
+  fs::create_directories(arguments.folder, error);
+  if (error) return fail("cannot make the folder " + arguments.folder + ": " + error.message());
+  return {};
+}
+
+std::string partCountsOf(const LevelSet& levels) {
+  std::string text;
+  for (int level = levels.count(); level >= 1; --level) {
+    text += (text.empty() ? "" : ", ") + std::to_string(levels.level(level).parts.size());
+  }
+  return text;
+}
+
+/// Several files into a folder; those that would come out the same are left alone.
+ExitStatus runBatch(const LevelsBuildArguments& arguments) {
+  if (auto sound = checkBatch(arguments); !sound) return refuse(sound.error());
+  LevelCache cache(arguments.folder);
+  const std::string options = optionsOf(arguments);
+  int unchanged = 0;
+  int written = 0;
+  ExitStatus worst = ExitStatus::kOk;
+  for (const std::string& mesh : arguments.meshes) {
+    const std::string name = outputName(arguments, mesh);
+    const std::string output = (fs::path(arguments.folder) / name).string();
+    const Result<std::string> key = levelKey(mesh, options);
+    if (key && !arguments.anew && cache.isCurrent(name, *key)) {
+      ++unchanged;
+      continue;
+    }
+    std::optional<BuiltFile> built;
+    ExitStatus status = key ? buildFile(arguments, mesh, output, built) : refuse(key.error());
+    if (built) {
+      ++written;
+      fmt::print("{}: {} parts: written\n", output, partCountsOf(*built->model.levels));
+      std::fflush(stdout);
+      if (auto noted = cache.remember(name, *key); !noted) status = refuse(noted.error());
+    }
+    if (status != ExitStatus::kOk && worst != ExitStatus::kFailed) worst = status;
+  }
+  fmt::print("{} of {} meshes written, {} unchanged, {} failed\n", written, arguments.meshes.size(),
+             unchanged, static_cast<int>(arguments.meshes.size()) - written - unchanged);
+  return worst;
+}
+
+ExitStatus run(const LevelsBuildArguments& arguments) {
+  if (arguments.output.empty() == arguments.folder.empty()) {
+    return refuse(Error{"give --output FILE for one mesh, or --folder DIR for several"});
+  }
+  if (arguments.folder.empty() && arguments.meshes.size() > 1) {
+    return refuse(
+        Error{fmt::format("{} meshes do not go into one file; give --folder DIR", arguments.meshes.size())});
+  }
+  // Wrong options are told before a large mesh is read.
+  if (auto sound = definitionOf(arguments, ""); !sound) return refuse(sound.error());
+  return arguments.folder.empty() ? runOne(arguments) : runBatch(arguments);
 }
 
 void addLevelOptions(CLI::App& command, LevelsBuildArguments& arguments) {
@@ -196,10 +303,23 @@ Command addLevelsBuildCommand(CLI::App& levels) {
                             "Make nested levels around a mesh (obj, stl, ply, fbx, dae, gltf, glb and all "
                             "else that Assimp reads), prove them and write them");
   auto arguments = std::make_shared<LevelsBuildArguments>();
-  command->add_option("MESH", arguments->mesh, "The mesh file")->required();
-  command->add_option("-o,--output", arguments->output, "Physics file to write: .dae, .gltf or .glb")
-      ->required()
-      ->type_name("FILE");
+  command->add_option("MESH", arguments->meshes, "The mesh file, or several of them")->required();
+  CLI::Option* output =
+      command->add_option("-o,--output", arguments->output, "Physics file to write: .dae, .gltf or .glb")
+          ->type_name("FILE");
+  CLI::Option* folder =
+      command
+          ->add_option("--folder", arguments->folder,
+                       "Instead: write a file for each mesh into this folder, named after it. Those "
+                       "whose mesh and options are as they were are left alone")
+          ->type_name("DIR")
+          ->excludes(output);
+  command->add_option("--format", arguments->format, "Of the files in --folder: dae, gltf or glb")
+      ->check(CLI::IsMember({"dae", "gltf", "glb"}))
+      ->needs(folder)
+      ->type_name("FORMAT")
+      ->capture_default_str();
+  command->add_flag("--anew", arguments->anew, "Make all files in --folder again")->needs(folder);
   addLevelOptions(*command, *arguments);
   addMeshArguments(*command, arguments->reading);
   command

@@ -14,7 +14,7 @@ ExitStatus execute(const std::vector<Command>& commands) {
   const auto given = std::find_if(commands.begin(), commands.end(),
                                   [](const Command& command) { return command.arguments->parsed(); });
   if (given == commands.end()) {
-    printError("a levels command is needed: build, check or show; see scatter levels --help");
+    printError("a levels command is needed: build, check, show or export; see scatter levels --help");
     return ExitStatus::kBadInput;
   }
   return given->execute();
@@ -24,9 +24,9 @@ ExitStatus execute(const std::vector<Command>& commands) {
 
 Command addLevelsCommand(CLI::App& program) {
   CLI::App* command =
-      program.add_subcommand("levels", "Make nested levels from a mesh, prove them, and measure them");
+      program.add_subcommand("levels", "Make nested levels from a mesh, prove them, measure them, and write them for other programs");
   const std::vector<Command> commands{addLevelsBuildCommand(*command), addLevelsCheckCommand(*command),
-                                      addLevelsShowCommand(*command)};
+                                      addLevelsShowCommand(*command), addLevelsExportCommand(*command)};
   return {command, [commands] { return execute(commands); }};
 }
 

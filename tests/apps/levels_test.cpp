@@ -159,6 +159,66 @@ TEST_F(Levels, ShipsOfTheModelsFolderAreWhatTheCommandMakes) {
   }
 }
 
+TEST_F(Levels, SeveralMeshesGoIntoAFolderAndOnlyChangedOnesAgain) {
+  const std::string box = mesh("box.obj", objBox());
+  const std::string other = mesh("other.stl", asciiStlBox());
+  const std::vector<std::string> both{box, other, "--folder", "levels", "--format", "glb"};
+  const Outcome first = build(both);
+  ASSERT_EQ(first.status, 0) << first.errors;
+  EXPECT_THAT(first.output, HasSubstr("2 of 2 meshes written, 0 unchanged, 0 failed"));
+  EXPECT_EQ(scatter({"levels", "check", "levels/box.glb"}).status, 0);
+  const std::string bytes = readText(folder / "levels" / "other.glb");
+
+  EXPECT_THAT(build(both).output, HasSubstr("0 of 2 meshes written, 2 unchanged, 0 failed"));
+  mesh("other.stl", binaryStlBox());
+  EXPECT_THAT(build(both).output, HasSubstr("1 of 2 meshes written, 1 unchanged, 0 failed"));
+  // The same box in other bytes; what was made by hand is made again.
+  EXPECT_EQ(readText(folder / "levels" / "other.glb"), bytes);
+  writeText(folder / "levels" / "box.glb", "edited");
+  EXPECT_THAT(build(both).output, HasSubstr("1 of 2 meshes written, 1 unchanged, 0 failed"));
+  EXPECT_EQ(scatter({"levels", "check", "levels/box.glb"}).status, 0);
+  EXPECT_THAT(build({box, other, "--folder", "levels", "--format", "glb", "--mass", "3"}).output,
+              HasSubstr("2 of 2 meshes written"));
+  EXPECT_THAT(build({box, "--folder", "levels", "--format", "glb", "--mass", "3", "--anew"}).output,
+              HasSubstr("1 of 1 meshes written"));
+}
+
+TEST_F(Levels, OneBadMeshOfSeveralDoesNotStopTheOthers) {
+  const Outcome built = build({mesh("bad.obj", "nonsense"), mesh("box.obj", objBox()), "--folder", "levels"});
+  EXPECT_EQ(built.status, 2);
+  EXPECT_THAT(built.errors, HasSubstr("bad.obj"));
+  EXPECT_THAT(built.output, HasSubstr("1 of 2 meshes written, 0 unchanged, 1 failed"));
+  EXPECT_TRUE(fs::exists(folder / "levels" / "box.dae"));
+  EXPECT_FALSE(fs::exists(folder / "levels" / "bad.dae"));
+}
+
+TEST_F(Levels, AGltfIsMadeAgainWhenAFileThatItNamesChanges) {
+  const std::string outer = mesh("outer.gltf", gltfBox(R"("extras":{"from":"outer.bin"},)"));
+  mesh("outer.bin", "first");
+  EXPECT_THAT(build({outer, "--folder", "levels"}).output, HasSubstr("1 of 1 meshes written"));
+  EXPECT_THAT(build({outer, "--folder", "levels"}).output, HasSubstr("1 unchanged"));
+  mesh("outer.bin", "other");
+  EXPECT_THAT(build({outer, "--folder", "levels"}).output, HasSubstr("1 of 1 meshes written"));
+}
+
+TEST_F(Levels, ExportsALevelForOtherPrograms) {
+  const std::string table = fs::path(SCATTER_TEST_MODEL_DIR) / "table.dae";
+  const Outcome urdf = scatter({"levels", "export", table, "-o", "table.urdf"});
+  ASSERT_EQ(urdf.status, 0) << urdf.errors;
+  EXPECT_THAT(urdf.output, HasSubstr("level 3 of table, 25 parts, 25 kg"));
+  EXPECT_THAT(readText(folder / "table.urdf"), HasSubstr("<mass value=\"25\""));
+  EXPECT_TRUE(fs::exists(folder / "table_meshes" / "visual.obj"));
+  EXPECT_THAT(scatter({"levels", "export", table, "-o", "table.xml", "--level", "1"}).output,
+              HasSubstr("1 parts"));
+  // What is written as OBJ is a mesh again.
+  ASSERT_EQ(scatter({"levels", "export", table, "-o", "parts.obj"}).status, 0);
+  expectBuilt({"parts.obj", "-o", "again.dae", "--parts", "1,25"}, "again.dae");
+  EXPECT_THAT(scatter({"levels", "export", table, "-o", "table.txt"}).errors, HasSubstr("tells no format"));
+  const Outcome none = scatter({"levels", "export", table, "-o", "none.obj", "--level", "4"});
+  EXPECT_EQ(none.status, 2);
+  EXPECT_THAT(none.errors, HasSubstr("levels 1 to 3, and none 4"));
+}
+
 TEST_F(Levels, CheckFindsAMovedVertexOfTheMesh) {
   ASSERT_EQ(build({mesh("corner.obj", corner()), "-o", "a.dae"}).status, 0);
   // 0.1 % of the diagonal of 8 by 8 by 8: out of the end of the first bar.
@@ -205,10 +265,14 @@ TEST_F(Levels, DrawsPictures) {
 
 TEST_F(Levels, WrongUseIsRefusedInOneLine) {
   const std::string box = mesh("box.obj", objBox());
-  expectRefused(scatter({"levels"}), "build, check or show");
+  expectRefused(scatter({"levels"}), "build, check, show or export");
   expectRefused(scatter({"levels", "bild"}), "did you mean \"build\"?");
   expectRefused(build({box}), "--output");
   expectRefused(build({box, "-o", "out.txt"}), ".dae");
+  expectRefused(build({box, box, "-o", "out.dae"}), "--folder");
+  expectRefused(build({box, box, "--folder", "."}), "would both become box.dae");
+  expectRefused(build({box, "-o", "out.dae", "--folder", "."}), "--folder");
+  expectRefused(build({box, "-o", "a.dae", "--gap", "1%", "--margin", "1"}), "hull margin of 1 m");
   expectRefused(build({box, "-o", "a.dae", "--parts", "8,x"}), "--parts");
   expectRefused(build({box, "-o", "a.dae", "--parts", "8,8"}), "same number");
   expectRefused(build({box, "-o", "a.dae", "--parts", "8,1", "--levels", "2"}), "--parts");

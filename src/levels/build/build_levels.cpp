@@ -244,8 +244,9 @@ class Build {
                        toText(wanted.gap) + " m: " + parts +
                        " parts are the most that were allowed or could be made");
     } else if (wanted.gap <= 0.0 && finest.parts.size() < wanted.maxParts) {
-      notes_.push_back("the finest level has " + parts + " parts instead of " +
-                       std::to_string(wanted.maxParts) + ": more would not be nearer to the mesh");
+      notes_.push_back("the finest level has " + parts + (finest.parts.size() == 1 ? " part" : " parts") +
+                       " instead of " + std::to_string(wanted.maxParts) +
+                       ": more would not be nearer to the mesh");
     }
   }
 
