@@ -67,6 +67,12 @@ Result<PhysicsDocument> convertFile(const ConvertArguments& arguments) {
   for (const std::string& warning : document->warnings) {
     printNote(warning);
   }
+  const bool isFiltered =
+      std::any_of(document->bodies.begin(), document->bodies.end(),
+                  [](const DocumentBody& body) { return body.filter || body.gravityFactor != 1.0F; });
+  if (isFiltered && (*to)->write == writeColladaDocument) {
+    printNote(arguments.to + ": COLLADA has no collision filters and gravity factors; they are left out");
+  }
   if (const auto written = (*to)->write(*document, arguments.to); !written) {
     return tl::unexpected(written.error());
   }

@@ -238,6 +238,9 @@ void Check::body(const DocumentBody& body) const {
   require(isWithin(body.linearVelocity, bounds_.maxSpeed) && isWithin(body.angularVelocity, kMaxTurn),
           "a velocity is not finite or too large");
   mass(body.mass);
+  require(std::isfinite(body.gravityFactor), "its gravity factor is not finite");
+  require(!body.filter || *body.filter < document_.filters.size(),
+          "it has a collision filter that does not exist");
 }
 
 void Check::names() const {

@@ -1,9 +1,13 @@
 #include "scenes/document_bodies.h"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <map>
 #include <memory>
+#include <set>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "io/document_mass.h"
 
@@ -25,12 +29,61 @@ Motion motionOf(DocumentMotion motion) {
   return Motion::kDynamic;
 }
 
+/// Bits for Bullet-like filters. A bit stands for all systems that a body is of at once: so two bits tell
+/// whether bodies of several systems collide.
+class FilterBits {
+ public:
+  explicit FilterBits(const std::vector<DocumentFilter>& filters) : filters_(filters) {
+    sets_.emplace_back();  // Those without systems, and all that no document made.
+    for (const DocumentFilter& filter : filters) {
+      if (std::find(sets_.begin(), sets_.end(), systemsOf(filter)) == sets_.end())
+        sets_.push_back(systemsOf(filter));
+    }
+  }
+
+  [[nodiscard]] Result<void> check() const {
+    if (sets_.size() <= kMostSets) return {};
+    return fail("its bodies are of " + std::to_string(sets_.size() - 1) +
+                " different sets of collision systems; at most " + std::to_string(kMostSets - 1) +
+                " are told apart");
+  }
+
+  void set(std::size_t filter, BodyDef& def) const {
+    const auto own = std::find(sets_.begin(), sets_.end(), systemsOf(filters_[filter]));
+    def.group = 1U << static_cast<unsigned>(own - sets_.begin());
+    def.collidesWith = 0;
+    for (std::size_t i = 0; i < sets_.size(); ++i) {
+      if (allows(filters_[filter], sets_[i])) def.collidesWith |= 1U << static_cast<unsigned>(i);
+    }
+  }
+
+ private:
+  using Systems = std::set<std::string>;
+  static constexpr std::size_t kMostSets = 31;  // Masks may be read as signed numbers.
+
+  static Systems systemsOf(const DocumentFilter& filter) {
+    return {filter.systems.begin(), filter.systems.end()};
+  }
+  static bool meets(const Systems& systems, const std::vector<std::string>& others) {
+    return std::any_of(others.begin(), others.end(),
+                       [&](const auto& other) { return systems.count(other) > 0; });
+  }
+  static bool allows(const DocumentFilter& filter, const Systems& others) {
+    if (!filter.collideWith.empty()) return meets(others, filter.collideWith);
+    return !meets(others, filter.notCollideWith);
+  }
+
+  const std::vector<DocumentFilter>& filters_;
+  std::vector<Systems> sets_;
+};
+
 /// Makes the bodies of one document.
 class Maker {
  public:
   Maker(const PhysicsDocument& document, DocumentWarnings& warnings)
-      : document_(document), warnings_(warnings) {}
+      : document_(document), warnings_(warnings), filters_(document.filters) {}
 
+  [[nodiscard]] Result<void> check() const { return filters_.check(); }
   Result<void> add(const DocumentBody& body);
   DocumentBodies take() { return std::move(bodies_); }
 
@@ -44,6 +97,7 @@ class Maker {
 
   const PhysicsDocument& document_;
   DocumentWarnings& warnings_;
+  FilterBits filters_;
   DocumentBodies bodies_{};
 
   /// Level sets with a mass of their own, by model and mass: bodies of a kind share them.
@@ -96,6 +150,8 @@ BodyDef Maker::common(const DocumentModel& model, const DocumentBody& body) {
     def.linearVelocity = def.angularVelocity = Vec3(0.0F);
   }
   setMaterial(model, def.material);
+  def.gravityFactor = body.gravityFactor;
+  if (body.filter) filters_.set(*body.filter, def);
   return def;
 }
 
@@ -212,6 +268,7 @@ Result<DocumentBodies> makeDocumentBodies(const PhysicsDocument& document, Docum
     return fail("more than " + std::to_string(kMostBodies) + " rigid bodies");
   }
   Maker maker(document, warnings);
+  if (auto sound = maker.check(); !sound) return tl::unexpected(sound.error());
   for (const DocumentBody& body : document.bodies) {
     if (auto added = maker.add(body); !added) return tl::unexpected(added.error());
   }

@@ -81,6 +81,7 @@ Result<DocumentPlan> planDocument(const PhysicsDocument& document, std::string f
   plan.joints = makeDocumentJoints(document, warnings);
   plan.fields = document.fields;
   plan.gravity = document.gravity;
+  if (!document.saysGravity) warnings.add("the file does not say what gravity is; there is none");
   if (document.timeStep && std::abs(*document.timeStep - kStep) > 1e-4F) {
     warnings.add("a frame is always 1/60 s; the time step of the file is left out");
   }

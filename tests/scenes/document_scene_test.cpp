@@ -216,6 +216,90 @@ TEST(DocumentScene, GravityAndFieldsAct) {
   EXPECT_NEAR(scene["a"].state().linearVelocity.x, 3.0F, 0.1F);
 }
 
+TEST(DocumentScene, NothingTurnsABodyWhoseInertiaIsEndless) {
+  Document d;
+  const std::size_t box = d.model({shape(Box{Vec3(0.5F)})});
+  d.document.models[box].massFrame = DocumentMassFrame{{}, Vec3(1e12F)};
+  d.body("stiff", box);
+  DocumentWorld scene(d.document);
+  scene["stiff"].applyImpulse({0, 0, 5}, {0.5F, 0.5F, 0});
+  scene.step(10);
+  EXPECT_LT(glm::length(scene["stiff"].state().angularVelocity), 1e-6F);
+  EXPECT_NEAR(scene["stiff"].state().linearVelocity.z, 5.0F, 1e-3F);
+}
+
+TEST(DocumentScene, GravityFactorsAreTheBodys) {
+  Document d;
+  const std::size_t ball = d.model({shape(Sphere{0.5F})});
+  d.body("falls", ball);
+  d.document.bodies[d.body("floats", ball, {5, 0, 0})].gravityFactor = 0.0F;
+  d.document.bodies[d.body("rises", ball, {9, 0, 0})].gravityFactor = -0.5F;
+  d.document.gravity = {0, -2, 0};
+  DocumentWorld scene(d.document);
+  scene.step(60);
+  EXPECT_NEAR(scene["falls"].state().linearVelocity.y, -2.0F, 1e-3F);
+  EXPECT_EQ(scene["floats"].state().linearVelocity.y, 0.0F);
+  EXPECT_NEAR(scene["rises"].state().linearVelocity.y, 1.0F, 1e-3F);
+  // Another gravity acts with the same factors.
+  scene.world.physics().setGravity({0, -4, 0});
+  scene.step(60);
+  EXPECT_NEAR(scene["falls"].state().linearVelocity.y, -6.0F, 1e-3F);
+  EXPECT_EQ(scene["floats"].state().linearVelocity.y, 0.0F);
+  EXPECT_NEAR(scene["rises"].state().linearVelocity.y, 3.0F, 1e-3F);
+}
+
+TEST(DocumentScene, BodiesCollideIfBothTheirFiltersAllowIt) {
+  Document d;
+  // Bodies of two systems at once are refused by who refuses one of them.
+  d.document.filters = {
+      {{"a"}, {}, {"b"}}, {{"b", "c"}, {}, {}}, {{"c"}, {"c"}, {}}, {{"d"}, {"a", "none"}, {}}};
+  const std::size_t floor = d.model({shape(Box{{2.0F, 0.5F, 2.0F}})}, DocumentMotion::kStatic);
+  const std::size_t ball = d.model({shape(Sphere{0.5F})});
+  const std::optional<std::size_t> none;
+  const auto collide = [](std::optional<std::size_t> a, std::optional<std::size_t> b) {
+    const bool expected[5][5] = {                                     // a      b c    c      d      none
+                                 {true, false, false, true, true},    // a: not with b, and c only with c
+                                 {false, true, true, false, true},    // b and c: c's allow c
+                                 {false, true, true, false, false},   // c: with c alone
+                                 {true, false, false, false, false},  // d: with a alone
+                                 {true, true, false, false, true}};   // without a filter
+    return expected[a.value_or(4)][b.value_or(4)];
+  };
+  d.document.gravity = {0, -10, 0};
+  const std::vector<std::optional<std::size_t>> filters{0, 1, 2, 3, none};
+  for (std::size_t i = 0; i < 25; ++i) {
+    const auto at = static_cast<float>(6 * i);
+    d.document.bodies[d.body(("floor " + std::to_string(i)).c_str(), floor, {at, 0, 0})].filter =
+        filters[i / 5];
+    d.document.bodies[d.body(("ball " + std::to_string(i)).c_str(), ball, {at, 1.2F, 0})].filter =
+        filters[i % 5];
+  }
+  DocumentWorld scene(d.document);
+  scene.step(90);
+  for (std::size_t i = 0; i < 25; ++i) {
+    const float height = scene[("ball " + std::to_string(i)).c_str()].state().pose.position.y;
+    EXPECT_EQ(height > 0.5F, collide(filters[i / 5], filters[i % 5])) << i / 5 << " and " << i % 5;
+  }
+}
+
+TEST(DocumentScene, TooManySetsOfSystemsAreRefused) {
+  Document d;
+  for (int i = 0; i < 31; ++i) d.document.filters.push_back({{"system " + std::to_string(i)}, {}, {}});
+  d.body("ball", d.model({shape(Sphere{0.5F})}));
+  const auto plan = planDocument(d.document, "d.glb");
+  ASSERT_FALSE(plan);
+  EXPECT_EQ(plan.error().message,
+            "d.glb: its bodies are of 31 different sets of collision systems; at most 30 are told apart");
+}
+
+TEST(DocumentScene, AFileWithoutGravitySaysSo) {
+  Document d;
+  d.body("ball", d.model({shape(Sphere{0.5F})}));
+  d.document.saysGravity = false;
+  EXPECT_THAT(DocumentWorld(d.document).plan->warnings,
+              ElementsAre(HasSubstr("does not say what gravity is")));
+}
+
 /// A body hangs from a static one; what it does in a second says what the joint is.
 class DocumentJoints : public testing::Test {
  protected:

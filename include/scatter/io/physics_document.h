@@ -64,6 +64,15 @@ struct DocumentModel {
   std::optional<std::size_t> material{};  ///< In PhysicsDocument::materials.
 };
 
+/// Who collides with whom: two bodies do if both allow it. At most one of the lists of others is not empty.
+struct DocumentFilter {
+  std::vector<std::string> systems{};         ///< Those that the body is of.
+  std::vector<std::string> collideWith{};     ///< Only with bodies of one of these.
+  std::vector<std::string> notCollideWith{};  ///< Not with bodies of any of these.
+
+  friend bool operator==(const DocumentFilter&, const DocumentFilter&) = default;
+};
+
 /// A rigid body in the scene.
 struct DocumentBody {
   std::string name{};     ///< Unique in the document.
@@ -75,6 +84,9 @@ struct DocumentBody {
   /// Instead of the model's, if given.
   std::optional<DocumentMotion> motion{};
   std::optional<float> mass{};
+
+  float gravityFactor = 1.0F;           ///< Of the scene's gravity.
+  std::optional<std::size_t> filter{};  ///< In PhysicsDocument::filters; collides with all if absent.
 };
 
 /// Limits of one axis: locked if lower == upper, free if lower > upper.
@@ -111,8 +123,10 @@ struct PhysicsDocument {
   std::vector<DocumentModel> models{};
   std::vector<DocumentBody> bodies{};
   std::vector<DocumentJoint> joints{};
+  std::vector<DocumentFilter> filters{};
   std::vector<DocumentField> fields{};
   Vec3 gravity{0.0F};
+  bool saysGravity = true;          ///< Else `gravity` is what readers assume.
   std::optional<float> timeStep{};  ///< Seconds.
 
   /// What the file has and the reader leaves out or mends, one line each, beginning "FILE:LINE:" or the like.

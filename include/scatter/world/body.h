@@ -36,6 +36,7 @@ struct BodyDef {
   Vec3 linearVelocity{0.0F};   ///< Of the centre of mass, metres per second.
   Vec3 angularVelocity{0.0F};  ///< Radians per second, world axes.
   Material material{};
+  float gravityFactor = 1.0F;        ///< Of the world's gravity; 0 floats, negative rises.
   bool mayRest = true;               ///< May fall asleep when it hardly moves.
   bool sensor = false;               ///< Reports contacts, but neither pushes nor is pushed.
   std::uint32_t group = 1;           ///< Collision group bits.

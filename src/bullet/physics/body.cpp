@@ -42,6 +42,7 @@ BulletBody::BulletBody(BodyId id, const BodyDef& def, std::shared_ptr<const Bull
       isHybrid_(std::holds_alternative<std::shared_ptr<const LevelSet>>(def.shape)),
       mayRest_(def.mayRest),
       mass_(static_cast<double>(def.mass)),
+      gravityFactor_(def.gravityFactor),
       shape_(std::move(shape)) {
   const btRigidBody::btRigidBodyConstructionInfo info = constructionInfo(def, *shape_);
   if (isHybrid_ && start.switches) {

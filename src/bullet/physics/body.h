@@ -72,6 +72,9 @@ class BulletBody {
   void setPose(const Transform& pose);
   void wake();  ///< Unless it is frozen or static.
 
+  /// That of the world; the body takes its share.
+  void setGravity(const btVector3& gravity) { rigid_->setGravity(gravityFactor_ * gravity); }
+
   /// The frame `inWorld` in the frame of the centre of mass.
   [[nodiscard]] btTransform fromCenter(const Transform& inWorld) const;
 
@@ -97,6 +100,7 @@ class BulletBody {
   bool isFrozen_ = false;
   bool isHeld_ = false;
   double mass_;
+  float gravityFactor_;
   std::shared_ptr<const BulletShape> shape_;
   btHybridRigidBody* switching_ = nullptr;
   std::unique_ptr<btRigidBody> rigid_;

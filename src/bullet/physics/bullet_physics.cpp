@@ -45,6 +45,7 @@ Result<BodyId> BulletPhysics::createBody(const BodyDef& def) {
   BulletBody& body = bodies_.make(def, std::move(*shape), switching_.levelStart());
   engine_.world().addRigidBody(&body.rigid(), static_cast<int>(def.group),
                                static_cast<int>(def.collidesWith));
+  body.setGravity(engine_.world().getGravity());
   return body.id();
 }
 
@@ -122,7 +123,7 @@ void BulletPhysics::setGravity(const Vec3& gravity) {
   // Bullet's own leaves out the bodies that are asleep.
   for (const auto& body : bodies_.all()) {
     if (!body || !body->isDynamic()) continue;
-    body->rigid().setGravity(toBullet(gravity));
+    body->setGravity(toBullet(gravity));
     body->wake();
   }
 }

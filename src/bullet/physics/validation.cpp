@@ -122,6 +122,7 @@ Problem checkMotion(const BodyDef& def) {
 Problem checkVelocity(const BodyDef& def) {
   if (!isFinite(def.linearVelocity)) return "the linear velocity is not finite";
   if (!isFinite(def.angularVelocity)) return "the angular velocity is not finite";
+  if (!isFinite(def.gravityFactor)) return "the gravity factor is not finite";
   return std::nullopt;
 }
 

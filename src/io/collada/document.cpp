@@ -89,6 +89,7 @@ Result<void> readWorld(const ColladaFrame& frame, const pugi::xml_node& scene, P
   const pugi::xml_node common = scene.child("technique_common");
   frame.noteUnknown(scene, {"technique_common", "instance_force_field", "instance_physics_model"});
   frame.noteUnknown(common, {"gravity", "time_step"});
+  document.saysGravity = document.saysGravity && common.child("gravity");
   if (const pugi::xml_node node = common.child("gravity")) {
     const auto gravity = frame.plainVector(node);
     if (!gravity) {

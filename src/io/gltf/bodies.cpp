@@ -121,9 +121,8 @@ void GltfBodies::readMotion(const JsonPlace& motion, GltfBody& body) {
   const auto noted = [&](auto member) { return body.notes ? (*body.notes).*member : std::nullopt; };
   body.linearVelocity = readVelocity(motion, "linearVelocity", toWorld, noted(&BodyNotes::linearVelocity));
   body.angularVelocity = readVelocity(motion, "angularVelocity", toWorld, noted(&BodyNotes::angularVelocity));
-  const auto gravity = motion.find("gravityFactor");
-  if (gravity && gravity->number() != 1.0) {
-    file_->warn(*gravity, "is not supported; gravity acts on this body as on all others");
+  if (const auto gravity = motion.find("gravityFactor")) {
+    body.gravityFactor = static_cast<float>(gravity->number(-kMaxGltfGravityFactor, kMaxGltfGravityFactor));
   }
 }
 
@@ -148,13 +147,14 @@ void GltfBodies::readMassFrame(const JsonPlace& motion, GltfBody& body) {
     if (std::min({inertia.x, inertia.y, inertia.z}) < 0.0) {
       diagonal->fail("should be three positive numbers");
     }
-    if (std::min({inertia.x, inertia.y, inertia.z}) < kMinGltfInertia) {
-      file_->warn(*diagonal,
-                  "zero stands for an infinite inertia, which is not supported; the inertia is taken "
-                  "from the shapes");
-    } else {
-      frame.inertia = Vec3(inertia);
+    // Zero stands for an infinite one: nothing turns the body about that axis.
+    glm::vec3 moments(inertia);
+    const float largest = std::max({moments.x, moments.y, moments.z});
+    for (int axis = 0; axis < 3; ++axis) {
+      if (inertia[axis] >= kMinGltfInertia) continue;
+      moments[axis] = largest > 0.0F ? kEndlessInertiaRatio * largest : kEndlessInertia;
     }
+    frame.inertia = moments;
   }
   body.massFrame = frame;
 }
@@ -222,10 +222,15 @@ void GltfBodies::readCollider(std::size_t node, const JsonPlace& collider) {
   }
   if (const auto filter = collider.find("collisionFilter")) {
     const auto filters = file_->root().find({"extensions", kRigidBodies, "collisionFilters"});
-    const std::size_t index = filter->index(filters ? filters->size() : 0, "collision filter");
-    file_->warn((*filters)[index], "collision filters are not supported; all bodies collide with each other");
+    result.filter = filter->index(filters ? filters->size() : 0, "collision filter");
   }
-  bodyOf(node)->colliders.push_back(result);
+  GltfBody& body = *bodyOf(node);
+  if (body.colliders.empty()) {
+    body.filter = result.filter;
+  } else if (body.filter != result.filter) {
+    file_->warn(collider, "a body has one collision filter; that of its first collider is taken for all");
+  }
+  body.colliders.push_back(result);
 }
 
 }  // namespace scatter::io

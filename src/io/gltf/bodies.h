@@ -20,6 +20,7 @@ struct GltfCollider {
   bool hull = false;
   GltfPlacement placement;  ///< In the rigid frame of the body.
   std::optional<std::size_t> material;
+  std::optional<std::size_t> filter;
 };
 
 /// A mesh that is drawn with a body.
@@ -38,6 +39,8 @@ struct GltfBody {
   bool hasCenter = false;  ///< Else the mass frame lies where the shapes' centre is.
   Vec3 linearVelocity{0.0F};
   Vec3 angularVelocity{0.0F};
+  float gravityFactor = 1.0F;
+  std::optional<std::size_t> filter;  ///< Of its colliders.
   std::vector<GltfCollider> colliders;
   std::vector<GltfVisual> visuals;
   std::optional<BodyNotes> notes;

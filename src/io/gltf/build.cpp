@@ -165,6 +165,20 @@ std::size_t GltfBuild::addJoint(json joint) {
   return append((*root_)["extensions"][kRigidBodies]["physicsJoints"], std::move(joint));
 }
 
+std::size_t GltfBuild::addFilter(const DocumentFilter& filter) {
+  json object = json::object();
+  if (!filter.systems.empty()) {
+    object["collisionSystems"] = filter.systems;
+  }
+  if (!filter.collideWith.empty()) {
+    object["collideWithSystems"] = filter.collideWith;
+  }
+  if (!filter.notCollideWith.empty()) {
+    object["notCollideWithSystems"] = filter.notCollideWith;
+  }
+  return append((*root_)["extensions"][kRigidBodies]["collisionFilters"], std::move(object));
+}
+
 std::size_t GltfBuild::addMaterial(const DocumentMaterial& material) {
   return append((*root_)["extensions"][kRigidBodies]["physicsMaterials"],
                 {{"name", material.name},

@@ -35,6 +35,7 @@ class GltfBuild {
   std::size_t addShape(nlohmann::json shape);
   std::size_t addJoint(nlohmann::json joint);
   std::size_t addMaterial(const DocumentMaterial& material);
+  std::size_t addFilter(const DocumentFilter& filter);
   /// @}
 
   [[nodiscard]] nlohmann::json& node(std::size_t index);

@@ -74,6 +74,13 @@ inline constexpr double kMaxGltfMass = 1e12;
 inline constexpr double kMinGltfInertia = 1e-20;
 inline constexpr double kMaxGltfInertia = 1e20;
 
+/// What stands for an infinite one: so many times the largest of the others, which single precision still
+/// tells beside it where the axes lean; kg m² if all are infinite.
+inline constexpr float kEndlessInertiaRatio = 1e4F;
+inline constexpr float kEndlessInertia = 1e12F;
+
+inline constexpr double kMaxGltfGravityFactor = 1e6;
+
 [[nodiscard]] const char* nameOf(DocumentMotion motion);
 
 }  // namespace scatter::io

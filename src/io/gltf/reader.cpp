@@ -37,6 +37,7 @@ class Reader {
     checkExtensions();
     readScene();
     readMaterials();
+    readFilters();
     readPrototypes();
     for (const GltfBody& body : bodies_.all()) {
       if (nodes_[body.node].inScene) {
@@ -53,6 +54,7 @@ class Reader {
   void checkExtensions();
   void readScene();
   void readMaterials();
+  void readFilters();
   void readPrototypes();
   void addBody(const GltfBody& body);
   void takeBodyNotes(const GltfBody& source, const BodyNotes& notes, DocumentBody& body);
@@ -144,6 +146,27 @@ void Reader::readMaterials() {
   }
 }
 
+void Reader::readFilters() {
+  const auto filters = file_.root().find({"extensions", kRigidBodies, "collisionFilters"});
+  for (std::size_t i = 0; filters && i < filters->size(); ++i) {
+    const JsonPlace place = (*filters)[i];
+    file_.warnUnknown(place, {"collisionSystems", "collideWithSystems", "notCollideWithSystems"});
+    const auto names = [&](const char* key) {
+      std::vector<std::string> list;
+      const auto found = place.find(key);
+      for (std::size_t k = 0; found && k < found->size(); ++k) list.push_back((*found)[k].text());
+      return list;
+    };
+    DocumentFilter filter{names("collisionSystems"), names("collideWithSystems"),
+                          names("notCollideWithSystems")};
+    if (!filter.collideWith.empty() && !filter.notCollideWith.empty()) {
+      file_.warn(place, "says both with whom to collide and with whom not to; the latter is left out");
+      filter.notCollideWith.clear();
+    }
+    document_.filters.push_back(std::move(filter));
+  }
+}
+
 /// Models that no body is of.
 void Reader::readPrototypes() {
   for (const GltfBody& body : bodies_.all()) {
@@ -173,6 +196,8 @@ void Reader::addBody(const GltfBody& source) {
   body.pose = nodes_[source.node].world.rigid();
   body.linearVelocity = source.linearVelocity;
   body.angularVelocity = source.angularVelocity;
+  body.gravityFactor = source.gravityFactor;
+  body.filter = source.filter;
   if (const BodyNotes* notes = models_.notesOf(source); notes != nullptr && notes->model == *model) {
     takeBodyNotes(source, *notes, body);
   }

@@ -207,6 +207,9 @@ json motionOf(const PhysicsDocument& document, const DocumentBody& body, double 
   if (body.linearVelocity != Vec3(0.0F)) {
     motion["linearVelocity"] = velocityIn(body, body.linearVelocity);
   }
+  if (body.gravityFactor != 1.0F) {
+    motion["gravityFactor"] = plainNumber(body.gravityFactor);
+  }
   if (body.angularVelocity != Vec3(0.0F)) {
     motion["angularVelocity"] = velocityIn(body, body.angularVelocity);
   }

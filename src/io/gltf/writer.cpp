@@ -42,7 +42,7 @@ class Writer {
   [[nodiscard]] json writeHull(const std::string& name, const ConvexHull& hull);
   [[nodiscard]] std::size_t writeHolder(const std::string& name, const VisualMesh& mesh, bool keepVertices);
   std::size_t writeBody(const DocumentBody& body);
-  void writeColliders(std::size_t node, const WrittenModel& model);
+  void writeColliders(std::size_t node, const WrittenModel& model, const std::optional<std::size_t>& filter);
   void writePrototypes();
   void writeJoint(const DocumentJoint& joint);
   [[nodiscard]] std::size_t writeFrame(const std::string& name, const std::optional<std::size_t>& body,
@@ -72,6 +72,9 @@ Quat turnFromY(const Vec3& normal) {
 const GltfBuild& Writer::write() {
   for (const DocumentMaterial& material : document_.materials) {
     build_.addMaterial(material);
+  }
+  for (const DocumentFilter& filter : document_.filters) {
+    build_.addFilter(filter);
   }
   notes_ = sceneNotes(document_);
   for (const DocumentModel& model : document_.models) {
@@ -165,19 +168,27 @@ std::size_t Writer::writeBody(const DocumentBody& body) {
     node["extensions"] = GltfBuild::inRigidBodies("motion", motionOf(document_, body, written.mass));
   }
   const std::size_t index = build_.addNode(std::move(node));
-  writeColliders(index, written);
+  writeColliders(index, written, body.filter);
   return index;
 }
 
-void Writer::writeColliders(std::size_t node, const WrittenModel& model) {
+void Writer::writeColliders(std::size_t node, const WrittenModel& model,
+                            const std::optional<std::size_t>& filter) {
+  const auto colliderOf = [&](std::size_t i) {
+    json collider = model.colliders[i];
+    if (filter) {
+      collider["collisionFilter"] = *filter;
+    }
+    return collider;
+  };
   const bool isPlain = model.colliders.size() == 1 && model.extras[0].is_null() &&
                        model.poses[0].position == Vec3(0.0F) && model.poses[0].rotation == kNoRotation;
   if (isPlain) {
-    build_.node(node)["extensions"][kRigidBodies]["collider"] = model.colliders[0];
+    build_.node(node)["extensions"][kRigidBodies]["collider"] = colliderOf(0);
     return;
   }
   for (std::size_t i = 0; i < model.colliders.size(); ++i) {
-    json child = {{"extensions", GltfBuild::inRigidBodies("collider", model.colliders[i])}};
+    json child = {{"extensions", GltfBuild::inRigidBodies("collider", colliderOf(i))}};
     setPose(child, model.poses[i]);
     if (!model.extras[i].is_null()) {
       child["extras"] = model.extras[i];

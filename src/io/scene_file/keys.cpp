@@ -129,9 +129,10 @@ Keys objectShapeKeys() {
        -kLargest, kLargest},
       directionKey("plane", "one of these",
                    "A static half-space: its outward normal. Its surface goes through the object's place."),
-      textKey("mesh", "one of these",
-              "A static surface of triangles: an obj, stl, ply, dae, gltf or glb file relative to the scene "
-              "file, such as `\"bowl.obj\"`."),
+      textKey(
+          "mesh", "one of these",
+          "A static surface of triangles: an obj, stl, ply, fbx, dae, gltf or glb file, or another one that "
+          "Assimp reads, relative to the scene file, such as `\"bowl.obj\"`."),
       {"terrain", "table", "", "one of these", "A static rolling ground; see `terrain`."}};
 }
 

@@ -116,6 +116,8 @@ std::string bodyDifference(const DocumentBody& a, const DocumentBody& b) {
   if (a.linearVelocity != b.linearVelocity) return ".linearVelocity";
   if (a.angularVelocity != b.angularVelocity) return ".angularVelocity";
   if (a.motion != b.motion) return ".motion";
+  if (a.gravityFactor != b.gravityFactor) return ".gravityFactor";
+  if (a.filter != b.filter) return ".filter";
   return a.mass == b.mass ? "" : ".mass";
 }
 
@@ -155,6 +157,7 @@ std::string findDifference(const PhysicsDocument& a, const PhysicsDocument& b) {
   if (a.name != b.name) return "name \"" + a.name + "\" and \"" + b.name + "\"";
   if (a.gravity != b.gravity) return "gravity";
   if (a.timeStep != b.timeStep) return "timeStep";
+  if (a.filters != b.filters) return "filters";
   for (const std::string& found : {eachDifference("materials", a.materials, b.materials, materialDifference),
                                    eachDifference("models", a.models, b.models, modelDifference),
                                    eachDifference("bodies", a.bodies, b.bodies, bodyDifference),

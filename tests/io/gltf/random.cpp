@@ -222,6 +222,15 @@ PhysicsDocument RandomDocuments::next() {
   for (std::size_t i = document.models.empty() ? 0 : below(7); i > 0; --i) {
     document.bodies.push_back(body(document));
   }
+  if (hasFilters_) {
+    document.filters = {{{"a", "b"}, {}, {"c"}}, {{"c"}, {"a"}, {}}, {}};
+    for (DocumentBody& body : document.bodies) {
+      const bool isStatic =
+          body.motion.value_or(document.models[body.model].motion) == DocumentMotion::kStatic;
+      if (maybe()) body.filter = below(3);
+      if (maybe() && !isStatic) body.gravityFactor = between(-2, 2);
+    }
+  }
   for (std::size_t i = document.bodies.empty() ? 0 : below(4); i > 0; --i) {
     document.joints.push_back(joint(document));
   }

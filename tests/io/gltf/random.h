@@ -10,7 +10,9 @@ namespace scatter::test {
 /// Sound documents that use all that a document can say. The same seed, the same documents.
 class RandomDocuments {
  public:
-  explicit RandomDocuments(std::uint64_t seed) : random_(seed) {}
+  /// With what glTF alone can say of bodies: gravity factors and collision filters.
+  explicit RandomDocuments(std::uint64_t seed, bool hasFilters = false)
+      : random_(seed), hasFilters_(hasFilters) {}
 
   [[nodiscard]] PhysicsDocument next();
 
@@ -34,6 +36,7 @@ class RandomDocuments {
   [[nodiscard]] std::optional<float> mass();
 
   std::mt19937_64 random_;
+  bool hasFilters_;
 };
 
 }  // namespace scatter::test

@@ -221,7 +221,13 @@ TEST(GltfReader, InfiniteMassIsKinematicAndNamed) {
   EXPECT_EQ(document.models.at(0).motion, DocumentMotion::kKinematic);
   EXPECT_THAT(document.warnings,
               Contains(HasSubstr("nodes[0].extensions.KHR_physics_rigid_bodies.motion.mass: ")));
-  EXPECT_THAT(document.warnings, Contains(HasSubstr("motion.inertiaDiagonal: ")));
+}
+
+TEST(GltfReader, InfiniteInertiaIsAVeryLargeOne) {
+  const PhysicsDocument document = readNodes(boxNode(R"({"mass":1,"inertiaDiagonal":[0,2,3]})"));
+  EXPECT_EQ(document.models.at(0).massFrame.value().inertia.value(), Vec3(3e4F, 2.0F, 3.0F));
+  const PhysicsDocument stiff = readNodes(boxNode(R"({"mass":1,"inertiaDiagonal":[0,0,0]})"));
+  EXPECT_EQ(stiff.models.at(0).massFrame.value().inertia.value(), Vec3(1e12F));
 }
 
 TEST(GltfReader, MaterialsOfAllShapesOrOfEach) {
@@ -247,19 +253,43 @@ TEST(GltfReader, MaterialsOfAllShapesOrOfEach) {
   EXPECT_EQ(document.models[1].shapes[1].material, 1U);
 }
 
+TEST(GltfReader, GravityFactorsAndFiltersAreTheBodys) {
+  GltfText file;
+  file.filters =
+      R"({"collisionSystems":["ghost","player"],"collideWithSystems":["floor"]},{"notCollideWithSystems":["ghost"]})";
+  const auto collider = [](int filter) {
+    return R"("collider":{"geometry":{"shape":0},"collisionFilter":)" + std::to_string(filter) + "}";
+  };
+  file.nodes = physicsNode(R"("motion":{"gravityFactor":-0.5},)" + collider(0)) + "," +
+               physicsNode(collider(1)) + "," + boxNode(R"({})");
+  file.roots = "0,1,2";
+  const PhysicsDocument document = readGltf(file.text());
+  ASSERT_EQ(document.filters.size(), 2U);
+  EXPECT_EQ(document.filters[0], (DocumentFilter{{"ghost", "player"}, {"floor"}, {}}));
+  EXPECT_EQ(document.filters[1], (DocumentFilter{{}, {}, {"ghost"}}));
+  ASSERT_EQ(document.bodies.size(), 3U);
+  EXPECT_EQ(document.bodies[0].gravityFactor, -0.5F);
+  EXPECT_EQ(document.bodies[0].filter, 0U);
+  EXPECT_EQ(document.bodies[1].filter, 1U);
+  EXPECT_EQ(document.bodies[2].gravityFactor, 1.0F);
+  EXPECT_FALSE(document.bodies[2].filter.has_value());
+}
+
 TEST(GltfReader, WhatIsNotSupportedIsNamed) {
   GltfText file;
   file.materials = R"({"frictionCombine":"maximum","restitutionCombine":"multiply"})";
-  file.filters = R"({"collisionSystems":["a"]})";
-  file.nodes = physicsNode(R"("motion":{"gravityFactor":0.5},"trigger":{"geometry":{"shape":0}},)"
-                           R"("collider":{"geometry":{"shape":0},"collisionFilter":0})") +
-               R"(,{"mesh":0})";
+  file.filters = R"({"collideWithSystems":["a"],"notCollideWithSystems":["b"]},{})";
+  file.nodes = physicsNode(R"("motion":{"mass":1},"trigger":{"geometry":{"shape":0}},)"
+                           R"("collider":{"geometry":{"shape":0},"collisionFilter":0})",
+                           R"("children":[2])") +
+               R"(,{"mesh":0},)" + physicsNode(R"("collider":{"geometry":{"shape":0},"collisionFilter":1})");
   file.roots = "0,1";
   file.more = R"(,"animations":[{}],"meshes":[{"primitives":[]}])";
   const auto warnings = readGltf(file.text()).warnings;
-  for (const char* part : {"physicsMaterials[0].frictionCombine: ", "motion.gravityFactor: ",
-                           "trigger: triggers", "collisionFilters[0]: collision filters",
-                           "animations: ", "belong to no rigid body", "what gravity is"}) {
+  for (const char* part :
+       {"physicsMaterials[0].frictionCombine: ", "collider: a body has one collision filter",
+        "trigger: triggers", "collisionFilters[0]: says both", "animations: ", "belong to no rigid body",
+        "what gravity is"}) {
     EXPECT_THAT(warnings, Contains(HasSubstr(part)));
   }
   EXPECT_EQ(warnings.size(), 7U);

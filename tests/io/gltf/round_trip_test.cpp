@@ -27,7 +27,7 @@ class GltfRoundTrip : public testing::TestWithParam<const char*> {
 };
 
 TEST_P(GltfRoundTrip, RandomDocumentsComeBackTheSame) {
-  test::RandomDocuments documents(7);
+  test::RandomDocuments documents(7, /*hasFilters=*/true);
   for (int i = 0; i < test::trials(100) && !HasFailure(); ++i) {
     SCOPED_TRACE("document " + std::to_string(i));
     const PhysicsDocument document = documents.next();
