@@ -28,8 +28,6 @@
 
 namespace scatter::app {
 
-namespace fs = std::filesystem;
-
 namespace {
 
 struct LevelsBuildArguments {
@@ -171,7 +169,7 @@ std::string optionsOf(const LevelsBuildArguments& a) {
 }
 
 std::string outputName(const LevelsBuildArguments& arguments, const std::string& mesh) {
-  return fs::path(mesh).stem().string() + "." + arguments.format;
+  return std::filesystem::path(mesh).stem().string() + "." + arguments.format;
 }
 
 Result<void> checkBatch(const LevelsBuildArguments& arguments) {
@@ -186,7 +184,7 @@ Result<void> checkBatch(const LevelsBuildArguments& arguments) {
   if (arguments.meshes.size() > 1 && !arguments.name.empty())
     return fail("--name: one name for several meshes");
   std::error_code error;
-  fs::create_directories(arguments.folder, error);
+  std::filesystem::create_directories(arguments.folder, error);
   if (error) return fail("cannot make the folder " + arguments.folder + ": " + error.message());
   return {};
 }
@@ -209,7 +207,7 @@ ExitStatus runBatch(const LevelsBuildArguments& arguments) {
   ExitStatus worst = ExitStatus::kOk;
   for (const std::string& mesh : arguments.meshes) {
     const std::string name = outputName(arguments, mesh);
-    const std::string output = (fs::path(arguments.folder) / name).string();
+    const std::string output = (std::filesystem::path(arguments.folder) / name).string();
     const Result<std::string> key = levelKey(mesh, options);
     if (key && !arguments.anew && cache.isCurrent(name, *key)) {
       ++unchanged;

@@ -23,8 +23,9 @@ ExitStatus execute(const std::vector<Command>& commands) {
 }  // namespace
 
 Command addLevelsCommand(CLI::App& program) {
-  CLI::App* command =
-      program.add_subcommand("levels", "Make nested levels from a mesh, prove them, measure them, and write them for other programs");
+  CLI::App* command = program.add_subcommand(
+      "levels",
+      "Make nested levels from a mesh, prove them, measure them, and write them for other programs");
   const std::vector<Command> commands{addLevelsBuildCommand(*command), addLevelsCheckCommand(*command),
                                       addLevelsShowCommand(*command), addLevelsExportCommand(*command)};
   return {command, [commands] { return execute(commands); }};

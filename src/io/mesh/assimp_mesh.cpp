@@ -239,7 +239,8 @@ glm::dmat4 fbxFrame(const aiScene& scene) {
   if (!right || !up || !front) return glm::dmat4(1.0);
   const glm::dmat3 rows(*right, *up, *front);
   if (std::abs(glm::determinant(rows)) < 0.5) return glm::dmat4(1.0);
-  return glm::dmat4(glm::transpose(rows));
+  const glm::dmat4 frame(glm::transpose(rows));
+  return frame;
 }
 
 /// Metres.
