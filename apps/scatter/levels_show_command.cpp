@@ -56,6 +56,11 @@ Result<std::vector<LevelMeasures>> measure(const LevelsShowArguments& arguments,
     }
     Result<LevelMeasures> measures = measureLevels(*model.levels, model.mesh, {.interior = *interior});
     if (!measures) return fail(arguments.file + ": " + measures.error().message);
+    if (measures->isInsideOut && *interior == MeshInterior::kAutomatic) {
+      printNote(arguments.file + ": " + model.name +
+                " has a mesh that is inside out and is measured as a solid; if it is a room, give --interior "
+                "surface");
+    }
     all.push_back(std::move(*measures));
   }
   return all;

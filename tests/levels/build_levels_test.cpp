@@ -313,6 +313,22 @@ TEST(BuildLevels, SheetsAreAsThickAsIsAsked) {
   }
 }
 
+TEST(BuildLevels, ThickPlatesFollowABentSheet) {
+  // Parts without thickness say how near so many can be.
+  const SurfaceMesh mesh = sheetMesh();
+  LevelBuildDef definition = withCounts({1, 32});
+  definition.thickness = 0.0F;
+  const auto thin = buildLevels(mesh, definition);
+  definition.thickness = 0.1F;
+  const auto thick = buildLevels(mesh, definition);
+  ASSERT_TRUE(thin && thick);
+  EXPECT_EQ(thick->levels->finest().parts.size(), thin->levels->finest().parts.size());
+  const auto gapOf = [&](const BuiltLevels& built) {
+    return measureLevels(*built.levels, mesh)->levels.back();
+  };
+  EXPECT_LT(gapOf(*thick).p95Gap, gapOf(*thin).p95Gap + 0.06);
+}
+
 TEST(BuildLevels, TakesSheetsAsSurfaces) {
   for (const SurfaceMesh& mesh : {sheetMesh(), flatMesh(), soupMesh(4, 100)}) {
     const auto built = buildLevels(mesh, withCounts({1, 8}));

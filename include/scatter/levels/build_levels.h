@@ -83,10 +83,11 @@ using BuildProgress = std::function<void(std::string_view stage, double share)>;
 
 /// Makes nested levels of hulls around the mesh: every triangle lies inside a part of the finest level, its
 /// margin not counted, and every part inside one part of the next coarser level, margins counted. Both are
-/// proven for the vertices that are returned, rounding included. The same input gives the same bits.
-/// Takes any triangles: open, inside-out, several shells, degenerate, flat. Fails on a mesh without
-/// triangles, an index out of range, a coordinate that is not finite, a mesh of a single point, one that is
-/// inside out unless `interior` says what it is, and counts that make no sense.
+/// proven for the vertices that are returned, rounding included. The same input gives the same bits, on one
+/// core as on two. `progress` is called on the caller's thread and may throw, which ends the build. Takes any
+/// triangles: open, inside-out, several shells, degenerate, flat. Fails on a mesh without triangles, an index
+/// out of range, a coordinate that is not finite, a mesh of a single point, one that is inside out unless
+/// `interior` says what it is, and counts that make no sense.
 [[nodiscard]] Result<BuiltLevels> buildLevels(const SurfaceMesh& mesh, const LevelBuildDef& definition,
                                               const BuildProgress& progress = {});
 

@@ -36,6 +36,7 @@ struct LevelMeasures {
   double diagonal = 0.0;             ///< Of the mesh's bounds, metres: gaps are often given as a share of it.
   double meshVolume = 0.0;           ///< Cubic metres; 0 if the mesh is not solid.
   bool isSolid = true;               ///< Whether the mesh was taken as solid.
+  bool isInsideOut = false;          ///< Taken as solid only by turning all of it: it may be a room.
   std::vector<LevelFigures> levels;  ///< Coarsest first.
 };
 

@@ -1,6 +1,8 @@
 #include "levels/build/distance_grid.h"
 
 #include <algorithm>
+#include <atomic>
+#include <future>
 #include <glm/common.hpp>
 #include <limits>
 
@@ -13,6 +15,26 @@ DistanceGrid::DistanceGrid(const MeshSpace& space, int cells) {
   low_ = space.mesh.bounds.min - 1.5 * step_;
   count_ = glm::ivec3(size / step_) + 4;
   values_.assign(index(0, 0, count_.z), 0.0F);
+}
+
+DistanceGrid::DistanceGrid(const MeshSpace& space, int cells, const std::function<void(double)>& progress)
+    : DistanceGrid(space, cells) {
+  std::atomic<int> next = 0;
+  const auto fillNext = [&] {
+    const int k = next++;
+    if (k < count_.z) fillSlice(space, k);
+    return k < count_.z;
+  };
+  const std::future<void> helper = std::async([&] {
+    while (fillNext()) continue;
+  });
+  // An interrupt comes as an exception; the helper then has nothing left to do.
+  struct Stop {
+    ~Stop() { next = count; }
+    std::atomic<int>& next;
+    int count;
+  } const stop{next, count_.z};
+  while (fillNext()) progress(std::min(1.0, static_cast<double>(next) / count_.z));
 }
 
 void DistanceGrid::fillSlice(const MeshSpace& space, int k) {

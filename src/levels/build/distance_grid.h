@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -12,14 +13,9 @@ namespace scatter::levels {
 /// Distances to a mesh at the points of a grid around it; negative inside.
 class DistanceGrid {
  public:
-  /// `cells` along the longest side of the mesh's bounds. `progress(share)` is called now and then.
-  template <class Progress>
-  DistanceGrid(const MeshSpace& space, int cells, const Progress& progress) : DistanceGrid(space, cells) {
-    for (int k = 0; k < count_.z; ++k) {
-      fillSlice(space, k);
-      progress(static_cast<double>(k + 1) / count_.z);
-    }
-  }
+  /// `cells` along the longest side of the mesh's bounds. Two threads fill it, to the same values as one;
+  /// `progress(share)` is called now and then, on the caller's, and may throw.
+  DistanceGrid(const MeshSpace& space, int cells, const std::function<void(double)>& progress);
 
   [[nodiscard]] double step() const { return step_; }  ///< Size of a cell.
 

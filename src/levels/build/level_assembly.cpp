@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <glm/geometric.hpp>
 #include <queue>
 #include <utility>
@@ -77,13 +78,16 @@ double volumeOf(const TriangleHull& hull) {
   return volume;
 }
 
+/// How far the rim of a flat plate is from the sheet: half its thickness in two directions.
+double rimOf(const AssemblyDef& definition) {
+  return std::sqrt(0.5) * definition.thickness;
+}
+
 }  // namespace
 
 LevelAssembler::Draft LevelAssembler::finest(const FinestDef& definition,
                                              const std::function<void(double)>& progress) {
-  // The rim of a plate is half its thickness away in two directions.
-  const double nearest =
-      definition_.hullMargin + std::sqrt(0.5) * definition_.thickness + kNegligibleGap * space_.mesh.diagonal;
+  const double nearest = definition_.hullMargin + rimOf(definition_) + kNegligibleGap * space_.mesh.diagonal;
   const double enough = std::max(definition.gap, nearest);
   std::vector<std::pair<NodeIndex, PartDraft>> parts;
   // Importance and place in `parts`, the most important on top, the earliest of equals.
@@ -93,8 +97,8 @@ LevelAssembler::Draft LevelAssembler::finest(const FinestDef& definition,
   };
   std::priority_queue<Entry, std::vector<Entry>, decltype(isLess)> queue(isLess);
   Draft draft;
-  const auto add = [&](std::size_t place, NodeIndex node) {
-    parts[place] = {node, partAround(contentUnder(node))};
+  const auto add = [&](std::size_t place, NodeIndex node, PartDraft made) {
+    parts[place] = {node, std::move(made)};
     const PartDraft& part = parts[place].second;
     // Of two with the same gap, the larger part shows more of it.
     const double share = part.area / (space_.mesh.diagonal * space_.mesh.diagonal);
@@ -103,15 +107,18 @@ LevelAssembler::Draft LevelAssembler::finest(const FinestDef& definition,
     }
   };
   parts.resize(1);
-  add(0, tree_.root());
+  add(0, tree_.root(), finestPart(tree_.root(), builder_));
   while (!queue.empty() && parts.size() < definition.maxParts) {
     const std::size_t place = queue.top().second;
     queue.pop();
     draft.splits.push_back(parts[place].first);
     const MergeTree::Merge halves = tree_.merge(parts[place].first);
+    std::future<PartDraft> right =
+        std::async([this, &halves] { return finestPart(halves.right, otherBuilder_); });
+    PartDraft left = finestPart(halves.left, builder_);
     parts.emplace_back();
-    add(place, halves.left);
-    add(parts.size() - 1, halves.right);
+    add(place, halves.left, std::move(left));
+    add(parts.size() - 1, halves.right, right.get());
     progress(static_cast<double>(parts.size()) / static_cast<double>(definition.maxParts));
   }
   std::sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -119,6 +126,21 @@ LevelAssembler::Draft LevelAssembler::finest(const FinestDef& definition,
     draft.nodes.push_back(node);
     draft.parts.push_back(std::move(part));
   }
+  return draft;
+}
+
+PartDraft LevelAssembler::finestPart(NodeIndex node, HullBuilder& builder) const {
+  Content content = contentUnder(node);
+  if (!(definition_.thickness > 0.0)) return partAround(content, builder);
+  // How well a plate follows a sheet is told without its thickness, which would hide how it bends.
+  const TriangleHull thin =
+      encloseInHull(builder, content.points, {space_.mesh.diagonal, definition_.maxVertices});
+  const double gap = gapOf(thin) + definition_.hullMargin + rimOf(definition_);
+  content.points = thickenedTo(content.points, definition_.thickness);
+  content.balls.clear();
+  for (const glm::dvec3& point : content.points) content.balls.push_back({point, 0.0});
+  PartDraft draft = partAround(content, builder);
+  draft.gap = std::max(gap, draft.gap);
   return draft;
 }
 
@@ -139,20 +161,20 @@ LevelAssembler::Draft LevelAssembler::coarser(const Draft& finer, std::size_t co
       child = j;
       add(content, finer.parts[j].content);
     }
-    draft.parts.push_back(children == 1 ? finer.parts[child] : partAround(content));
+    draft.parts.push_back(children == 1 ? finer.parts[child] : partAround(content, builder_));
   }
   return draft;
 }
 
-PartDraft LevelAssembler::partAround(const Content& content) {
+PartDraft LevelAssembler::partAround(const Content& content, HullBuilder& builder) const {
   const double diagonal = space_.mesh.diagonal;
-  const TriangleHull hull = encloseInHull(builder_, content.points, {diagonal, definition_.maxVertices});
+  const TriangleHull hull = encloseInHull(builder, content.points, {diagonal, definition_.maxVertices});
   PartDraft draft;
   draft.part = toPart(hull, space_.mesh.origin);
   draft.gap = gapOf(hull) + definition_.hullMargin;
   draft.area = hull.area;
   if (definition_.fitPrimitives) {
-    if (std::optional<PartDraft> primitive = primitiveAround(content, draft, hull))
+    if (std::optional<PartDraft> primitive = primitiveAround(content, draft, hull, builder))
       draft = std::move(*primitive);
   }
   draft.content.points = outlineOf(draft.part, space_.mesh.origin, definition_.hullMargin);
@@ -161,12 +183,13 @@ PartDraft LevelAssembler::partAround(const Content& content) {
 }
 
 std::optional<PartDraft> LevelAssembler::primitiveAround(const Content& content, const PartDraft& draft,
-                                                         const TriangleHull& hull) {
+                                                         const TriangleHull& hull,
+                                                         HullBuilder& builder) const {
   const double diagonal = space_.mesh.diagonal;
   const PrimitiveDef wanted{kPrimitiveSlack * diagonal, kPrimitiveVolume * volumeOf(hull)};
   for (const FittedPrimitive& fitted : fitPrimitives(content.balls, hull, space_.mesh.origin, wanted)) {
     TriangleHull outline;
-    if (!builder_.build(outlineOf(fitted.part, space_.mesh.origin, 0.0), {}, outline)) continue;
+    if (!builder.build(outlineOf(fitted.part, space_.mesh.origin, 0.0), {}, outline)) continue;
     const double gap = gapOf(outline);
     if (gap <= draft.gap + kPrimitiveGap * diagonal) return PartDraft{fitted.part, {}, gap, outline.area};
   }
@@ -202,7 +225,6 @@ Content LevelAssembler::contentUnder(NodeIndex node) const {
   indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
   Content content;
   for (const std::uint32_t i : indices) content.points.push_back(space_.mesh.vertices[i]);
-  if (definition_.thickness > 0.0) content.points = thickenedTo(content.points, definition_.thickness);
   for (const glm::dvec3& point : content.points) content.balls.push_back({point, 0.0});
   return content;
 }

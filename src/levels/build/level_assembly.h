@@ -57,16 +57,18 @@ class LevelAssembler {
   };
 
   /// The finest level: splits the part furthest from the mesh until all are near enough or there are
-  /// enough of them. `progress` is given a share from 0 to 1.
+  /// enough of them; two threads, which make what one would. `progress` is given a share from 0 to 1.
   [[nodiscard]] Draft finest(const FinestDef& definition, const std::function<void(double)>& progress);
 
   /// The next coarser level, of at most `count` parts around those of `finer`.
   [[nodiscard]] Draft coarser(const Draft& finer, std::size_t count);
 
  private:
-  [[nodiscard]] PartDraft partAround(const Content& content);
+  [[nodiscard]] PartDraft finestPart(NodeIndex node, HullBuilder& builder) const;
+  [[nodiscard]] PartDraft partAround(const Content& content, HullBuilder& builder) const;
   [[nodiscard]] std::optional<PartDraft> primitiveAround(const Content& content, const PartDraft& draft,
-                                                         const TriangleHull& hull);
+                                                         const TriangleHull& hull,
+                                                         HullBuilder& builder) const;
   [[nodiscard]] double gapOf(const TriangleHull& hull) const;
   [[nodiscard]] Content contentUnder(NodeIndex node) const;
 
@@ -75,6 +77,7 @@ class LevelAssembler {
   const MergeTree& tree_;
   AssemblyDef definition_;
   HullBuilder builder_;
+  HullBuilder otherBuilder_;  ///< Of a second thread.
 };
 
 }  // namespace scatter::levels

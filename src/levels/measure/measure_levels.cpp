@@ -125,6 +125,7 @@ Result<LevelMeasures> measureLevels(const LevelSet& levelSet, const SurfaceMesh&
   LevelMeasures measures;
   measures.diagonal = space.mesh.diagonal;
   measures.isSolid = space.isSolid;
+  measures.isInsideOut = space.isSolid && space.wasInsideOut;
   if (space.isSolid) measures.meshVolume = meshVolume(space);
   for (int index = 1; index <= levelSet.count(); ++index) {
     const Level& level = levelSet.level(index);
