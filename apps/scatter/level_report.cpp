@@ -157,16 +157,18 @@ std::string describeMass(const LevelModel& model) {
 }
 
 std::string formatFigures(const LevelMeasures& measures) {
-  std::vector<Cells> lines{{"level", "parts", "vertices", "most", "volume m3", "ratio", "mean gap %",
-                            "p95 gap %", "max gap %", "max gap", "cost"}};
+  std::vector<Cells> lines{{"level", "parts", "vertices", "most", "volume m3", "ratio", "overlap",
+                            "mean gap %", "p95 gap %", "max gap %", "max gap", "cost"}};
   const double diagonal = measures.diagonal;
   for (std::size_t i = 0; i < measures.levels.size(); ++i) {
     const LevelFigures& level = measures.levels[i];
     lines.push_back(
         {fmt::format("{}", i + 1), fmt::format("{}", level.parts), fmt::format("{}", level.vertices),
          fmt::format("{}", level.mostVertices), fmt::format("{:.4g}", level.unionVolume),
-         measures.isSolid ? fmt::format("{:.2f}", level.volumeRatio) : "-", percent(level.meanGap / diagonal),
-         percent(level.p95Gap / diagonal), percent(level.maxGap / diagonal), lengthText(level.maxGap),
+         measures.isSolid ? fmt::format("{:.2f}", level.volumeRatio) : "-",
+         level.unionVolume > 0.0 ? fmt::format("{:.2f}", level.partVolume / level.unionVolume) : "-",
+         percent(level.meanGap / diagonal), percent(level.p95Gap / diagonal),
+         percent(level.maxGap / diagonal), lengthText(level.maxGap),
          fmt::format("{:.1f}", level.predictedCost)});
   }
   return lab::textTable(lines);

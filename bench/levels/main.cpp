@@ -72,8 +72,14 @@ Result<Made> make(const SurfaceMesh& mesh, const Method& method, int limitSecond
 const std::string kHeader =
     "mesh,triangles,method,max_vertices,levels,level,parts,vertices,build_cpu_s,passes,triangles_outside,"
     "area_outside_percent,"
-    "furthest_outside_percent,volume_ratio,mean_gap_percent,p95_gap_percent,max_gap_percent,commit,compiler,"
+    "furthest_outside_percent,volume_ratio,mean_gap_percent,p95_gap_percent,max_gap_percent,overlap,commit,"
+    "compiler,"
     "flags,cpu\n";
+
+/// In how many parts a point lies that lies in any.
+double overlapOf(const LevelFigures& level) {
+  return level.unionVolume > 0.0 ? level.partVolume / level.unionVolume : 0.0;
+}
 
 /// A row for each level; percentages are of the diagonal, but for the area.
 Result<std::string> rowsOf(const MeshFile& file, const Method& method, const Made& made) {
@@ -90,13 +96,13 @@ Result<std::string> rowsOf(const MeshFile& file, const Method& method, const Mad
   for (std::size_t i = 0; i < measures->levels.size(); ++i) {
     const LevelFigures& level = measures->levels[i];
     rows += fmt::format(
-        "{},{},{},{},{},{},{},{},{:.2f},{},{},{:.3f},{:.4f},{:.3f},{:.3f},{:.3f},{:.3f},{},{},{},{}\n",
+        "{},{},{},{},{},{},{},{},{:.2f},{},{},{:.3f},{:.4f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{},{},{},{}\n",
         file.name, file.mesh.triangles.size(), method.name,
         method.maxVertices > 0 ? std::to_string(method.maxVertices) : "any", measures->levels.size(), i + 1,
         level.parts, level.vertices, made.seconds, check->passed() ? "yes" : "no", check->mesh->outside,
         100.0 * check->mesh->areaOutside, percent * furthest, level.volumeRatio, percent * level.meanGap,
-        percent * level.p95Gap, percent * level.maxGap, build.commit, build.compiler, build.flags,
-        machineInfo().cpu);
+        percent * level.p95Gap, percent * level.maxGap, overlapOf(level), build.commit, build.compiler,
+        build.flags, machineInfo().cpu);
   }
   return rows;
 }
