@@ -29,7 +29,7 @@ Motion motionOf(DocumentMotion motion) {
   return Motion::kDynamic;
 }
 
-/// Bits for Bullet-like filters. A bit stands for all systems that a body is of at once: so two bits tell
+/// The bits of BodyDef::group. A bit stands for all systems that a body is of at once: so two bits tell
 /// whether bodies of several systems collide.
 class FilterBits {
  public:
