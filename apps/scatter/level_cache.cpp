@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "io/extension.h"
+
 namespace scatter::app {
 
 namespace {
@@ -33,7 +35,7 @@ std::string textOf(std::uint64_t hash) {
 /// The names of files in the mesh's folder that it mentions, in order.
 std::vector<fs::path> mentionedBy(const fs::path& mesh, const std::string& text) {
   std::vector<fs::path> files;
-  if (mesh.extension() != ".gltf") return files;
+  if (io::lowerExtension(mesh) != ".gltf") return files;
   std::error_code error;
   const fs::path folder = mesh.has_parent_path() ? mesh.parent_path() : ".";
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {

@@ -61,14 +61,13 @@ std::string knownTo(const SolidMass& mass, const std::string& pieces) {
 }
 
 /// Found out by comparing, as files do not say it.
-std::string sourceOfMass(const LevelModel& model) {
+std::string sourceOfMass(const LevelModel& model, const LevelMeasures& measures) {
   const MassProperties& own = model.levels->mass();
-  if (const auto mesh = massOfMesh(model.mesh); mesh && isAbout(mesh->properties, own)) {
+  if (const auto& mesh = measures.meshMass; mesh && isAbout(mesh->properties, own)) {
     return fmt::format("what the mesh encloses, {:.4g} m3 ({})", mesh->properties.volume,
                        knownTo(*mesh, "shells"));
   }
-  if (const auto parts = massOfUnion(model.levels->finest().parts);
-      parts && isAbout(parts->properties, own)) {
+  if (const auto& parts = measures.levels.back().mass; parts && isAbout(parts->properties, own)) {
     return fmt::format("what the finest level fills, {:.4g} m3 ({})", parts->properties.volume,
                        knownTo(*parts, "parts"));
   }
@@ -104,14 +103,14 @@ bool hasHulls(const LevelSet& levels) {
   return false;
 }
 
-nlohmann::ordered_json jsonOf(const LevelModel& model) {
+nlohmann::ordered_json massJson(const LevelModel& model, const LevelMeasures& measures) {
   const MassProperties& mass = model.levels->mass();
   auto inertia = nlohmann::ordered_json::array();
   for (int row = 0; row < 3; ++row)
     inertia.push_back({mass.inertia[0][row], mass.inertia[1][row], mass.inertia[2][row]});
   return {{"center_of_mass_m", {mass.centerOfMass.x, mass.centerOfMass.y, mass.centerOfMass.z}},
           {"inertia_of_1_kg_m2", std::move(inertia)},
-          {"source", sourceOfMass(model)}};
+          {"source", sourceOfMass(model, measures)}};
 }
 
 }  // namespace
@@ -146,14 +145,14 @@ std::string describeMesh(const LevelModel& model, const LevelMeasures& measures)
                      lengthText(measures.diagonal), volume, margin);
 }
 
-std::string describeMass(const LevelModel& model) {
+std::string describeMass(const LevelModel& model, const LevelMeasures& measures) {
   const MassProperties& mass = model.levels->mass();
   const Vec3& c = mass.centerOfMass;
   const Mat3& i = mass.inertia;
   return fmt::format(
       "mass properties: centre of mass ({:.4g}, {:.4g}, {:.4g}) m; inertia of 1 kg ({:.4g}, {:.4g}, {:.4g}) "
       "m2; {}\n",
-      c.x, c.y, c.z, i[0][0], i[1][1], i[2][2], sourceOfMass(model));
+      c.x, c.y, c.z, i[0][0], i[1][1], i[2][2], sourceOfMass(model, measures));
 }
 
 std::string formatFigures(const LevelMeasures& measures) {
@@ -162,14 +161,14 @@ std::string formatFigures(const LevelMeasures& measures) {
   const double diagonal = measures.diagonal;
   for (std::size_t i = 0; i < measures.levels.size(); ++i) {
     const LevelFigures& level = measures.levels[i];
-    lines.push_back(
-        {fmt::format("{}", i + 1), fmt::format("{}", level.parts), fmt::format("{}", level.vertices),
-         fmt::format("{}", level.mostVertices), fmt::format("{:.4g}", level.unionVolume),
-         measures.isSolid ? fmt::format("{:.2f}", level.volumeRatio) : "-",
-         level.unionVolume > 0.0 ? fmt::format("{:.2f}", level.partVolume / level.unionVolume) : "-",
-         percent(level.meanGap / diagonal), percent(level.p95Gap / diagonal),
-         percent(level.maxGap / diagonal), lengthText(level.maxGap),
-         fmt::format("{:.1f}", level.predictedCost)});
+    lines.push_back({fmt::format("{}", i + 1), fmt::format("{}", level.parts),
+                     fmt::format("{}", level.vertices), fmt::format("{}", level.mostVertices),
+                     fmt::format("{:.4g}", level.unionVolume),
+                     measures.isSolid ? fmt::format("{:.2f}", level.volumeRatio) : "-",
+                     level.unionVolume > 0.0 ? fmt::format("{:.2f}", level.overlap()) : "-",
+                     percent(level.meanGap / diagonal), percent(level.p95Gap / diagonal),
+                     percent(level.maxGap / diagonal), lengthText(level.maxGap),
+                     fmt::format("{:.1f}", level.predictedCost)});
   }
   return lab::textTable(lines);
 }
@@ -186,7 +185,7 @@ std::string figuresJson(const std::vector<LevelModel>& models, const std::vector
                     {"mesh_volume_m3", figures.meshVolume},
                     {"solid", figures.isSolid},
                     {"hull_margin_m", models[i].levels->hullMargin()},
-                    {"mass_properties", jsonOf(models[i])},
+                    {"mass_properties", massJson(models[i], figures)},
                     {"levels", std::move(levels)}});
   }
   // Names come from files and need not be text.

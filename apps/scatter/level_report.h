@@ -17,7 +17,7 @@ namespace scatter::app {
 [[nodiscard]] std::string describeMesh(const LevelModel& model, const LevelMeasures& measures);
 
 /// Volume, centre of mass and inertia, in a line, and whose they are.
-[[nodiscard]] std::string describeMass(const LevelModel& model);
+[[nodiscard]] std::string describeMass(const LevelModel& model, const LevelMeasures& measures);
 
 /// The figures of each level, coarsest first.
 [[nodiscard]] std::string formatFigures(const LevelMeasures& measures);

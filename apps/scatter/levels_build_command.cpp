@@ -110,7 +110,7 @@ ExitStatus report(const std::string& file, const LevelModel& model, const LevelC
                   MeshInterior interior) {
   const Result<LevelMeasures> measures = measureLevels(*model.levels, model.mesh, {.interior = interior});
   if (!measures) return failed(measures.error());
-  fmt::print("{}{}\n{}\n{}\n{}: written\n", describeMesh(model, *measures), describeMass(model),
+  fmt::print("{}{}\n{}\n{}\n{}: written\n", describeMesh(model, *measures), describeMass(model, *measures),
              formatFigures(*measures), describe(check, model.levels->count()), file);
   return ExitStatus::kOk;
 }

@@ -109,7 +109,7 @@ ExitStatus run(const LevelsShowArguments& arguments) {
   }
   for (std::size_t i = 0; i < models->size(); ++i) {
     fmt::print("{}{}{}\n{}", i > 0 ? "\n" : "", describeMesh((*models)[i], (*measures)[i]),
-               describeMass((*models)[i]), formatFigures((*measures)[i]));
+               describeMass((*models)[i], (*measures)[i]), formatFigures((*measures)[i]));
   }
   return ExitStatus::kOk;
 }

@@ -76,11 +76,6 @@ const std::string kHeader =
     "compiler,"
     "flags,cpu\n";
 
-/// In how many parts a point lies that lies in any.
-double overlapOf(const LevelFigures& level) {
-  return level.unionVolume > 0.0 ? level.partVolume / level.unionVolume : 0.0;
-}
-
 /// A row for each level; percentages are of the diagonal, but for the area.
 Result<std::string> rowsOf(const MeshFile& file, const Method& method, const Made& made) {
   std::vector<Level> levels;
@@ -101,7 +96,7 @@ Result<std::string> rowsOf(const MeshFile& file, const Method& method, const Mad
         method.maxVertices > 0 ? std::to_string(method.maxVertices) : "any", measures->levels.size(), i + 1,
         level.parts, level.vertices, made.seconds, check->passed() ? "yes" : "no", check->mesh->outside,
         100.0 * check->mesh->areaOutside, percent * furthest, level.volumeRatio, percent * level.meanGap,
-        percent * level.p95Gap, percent * level.maxGap, overlapOf(level), build.commit, build.compiler,
+        percent * level.p95Gap, percent * level.maxGap, level.overlap(), build.commit, build.compiler,
         build.flags, machineInfo().cpu);
   }
   return rows;

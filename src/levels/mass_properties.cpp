@@ -160,7 +160,6 @@ Result<void> checkVolumes(const std::vector<ConvexPart>& parts) {
 
 Result<SolidMass> massOfMesh(const MeshSpace& space) {
   if (!space.isClosed) return fail("the mesh is open");
-  if (!space.isSolid) return fail("the mesh is a surface");
   const WorkMesh& mesh = space.mesh;
   const glm::dvec3 middle = 0.5 * (mesh.bounds.min + mesh.bounds.max);
   RawMoments sum;

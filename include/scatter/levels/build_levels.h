@@ -16,9 +16,8 @@ namespace scatter {
 
 /// What counts as inside of a mesh. Inside, levels may fill space at no cost.
 enum class MeshInterior {
-  /// Solid if the triangles enclose a volume well enough to tell, else Surface. A mesh that encloses one, but
-  /// is
-  /// inside out as a whole, may be a room or a mistake: buildLevels() refuses to choose.
+  /// Solid if the triangles enclose a volume well enough to tell, else Surface. If it is inside out as a
+  /// whole, it may be a room or a mistake: buildLevels() refuses to choose.
   kAutomatic,
   kSolid,    ///< What the triangles wind around; small holes are bridged.
   kSurface,  ///< Nothing: bowls, sheets and tubes stay hollow, and so do rooms.

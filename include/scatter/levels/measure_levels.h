@@ -2,10 +2,12 @@
 
 #include <scatter/levels/build_levels.h>
 #include <scatter/levels/level_set.h>
+#include <scatter/levels/mass_properties.h>
 #include <scatter/levels/surface_mesh.h>
 #include <scatter/result.h>
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace scatter {
@@ -16,9 +18,15 @@ struct LevelFigures {
   int vertices = 0;      ///< Of all hulls; a box counts 8, round parts none.
   int mostVertices = 0;  ///< Of one hull.
 
+  /// What the parts fill together; nothing if one of them has no volume.
+  std::optional<SolidMass> mass{};
+
   double partVolume = 0.0;   ///< Sum over the parts, cubic metres; where parts overlap, counted once each.
   double unionVolume = 0.0;  ///< Of their union, estimated by sampling, good to about 1 %.
   double volumeRatio = 0.0;  ///< Union to mesh; 0 if the mesh has no volume.
+
+  /// In how many parts a point lies that lies in any; 0 if none does.
+  [[nodiscard]] double overlap() const { return unionVolume > 0.0 ? partVolume / unionVolume : 0.0; }
 
   /// The gap: distances to the mesh from the part of the level's surface that is exposed, which is what is
   /// not inside another part of the level and not inside the mesh (one-sided Hausdorff distance). The
@@ -33,11 +41,12 @@ struct LevelFigures {
 };
 
 struct LevelMeasures {
-  double diagonal = 0.0;             ///< Of the mesh's bounds, metres: gaps are often given as a share of it.
-  double meshVolume = 0.0;           ///< Cubic metres; 0 if the mesh is not solid.
-  bool isSolid = true;               ///< Whether the mesh was taken as solid.
-  bool isInsideOut = false;          ///< Taken as solid only by turning all of it: it may be a room.
-  std::vector<LevelFigures> levels;  ///< Coarsest first.
+  double diagonal = 0.0;    ///< Of the mesh's bounds, metres: gaps are often given as a share of it.
+  double meshVolume = 0.0;  ///< Cubic metres; 0 if the mesh is not solid.
+  std::optional<SolidMass> meshMass{};  ///< Of what the mesh encloses, if massOfMesh() can tell.
+  bool isSolid = true;                  ///< Whether the mesh was taken as solid.
+  bool isInsideOut = false;             ///< Taken as solid only by turning all of it: it may be a room.
+  std::vector<LevelFigures> levels;     ///< Coarsest first.
 };
 
 struct MeasureDef {

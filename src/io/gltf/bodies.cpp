@@ -220,14 +220,15 @@ void GltfBodies::readCollider(std::size_t node, const JsonPlace& collider) {
     const auto materials = file_->root().find({"extensions", kRigidBodies, "physicsMaterials"});
     result.material = material->index(materials ? materials->size() : 0, "physics material");
   }
-  if (const auto filter = collider.find("collisionFilter")) {
+  std::optional<std::size_t> filter;
+  if (const auto given = collider.find("collisionFilter")) {
     const auto filters = file_->root().find({"extensions", kRigidBodies, "collisionFilters"});
-    result.filter = filter->index(filters ? filters->size() : 0, "collision filter");
+    filter = given->index(filters ? filters->size() : 0, "collision filter");
   }
   GltfBody& body = *bodyOf(node);
   if (body.colliders.empty()) {
-    body.filter = result.filter;
-  } else if (body.filter != result.filter) {
+    body.filter = filter;
+  } else if (body.filter != filter) {
     file_->warn(collider, "a body has one collision filter; that of its first collider is taken for all");
   }
   body.colliders.push_back(result);

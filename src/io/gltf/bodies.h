@@ -20,7 +20,6 @@ struct GltfCollider {
   bool hull = false;
   GltfPlacement placement;  ///< In the rigid frame of the body.
   std::optional<std::size_t> material;
-  std::optional<std::size_t> filter;
 };
 
 /// A mesh that is drawn with a body.

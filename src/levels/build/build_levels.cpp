@@ -270,7 +270,8 @@ class Build {
 
   // Of the mesh where that has an inside; bodies must not weigh what levels fill besides.
   void setMass(const MeshSpace& space, LevelSetDef& set) {
-    const Result<SolidMass> mass = massOfMesh(space);
+    const bool isHollow = space.isClosed && !space.isSolid;
+    const Result<SolidMass> mass = isHollow ? fail("the mesh is a surface") : massOfMesh(space);
     if (mass) {
       set.mass = mass->properties;
     } else {

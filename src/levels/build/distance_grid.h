@@ -22,9 +22,6 @@ class DistanceGrid {
   /// The distance at a point, interpolated; negative inside. Points beyond the grid are moved to its edge.
   [[nodiscard]] double value(const glm::dvec3& point) const;
 
-  /// The same, but 0 inside.
-  [[nodiscard]] double gap(const glm::dvec3& point) const { return std::max(0.0, value(point)); }
-
  private:
   DistanceGrid(const MeshSpace& space, int cells);
   void fillSlice(const MeshSpace& space, int k);

@@ -25,9 +25,6 @@ constexpr double kTrialTolerance = 3e-4;
 constexpr double kTrialThickness = 1e-4;
 constexpr double kTrialSpacing = 1.0 / 60.0;
 
-/// Of the box around a hull, for hollows within it: those wider than an eighth of it are found.
-constexpr int kTrialHalvings = 3;
-
 /// With at most so many parts, all pairs are candidates.
 constexpr std::size_t kAllPairs = 128;
 constexpr std::size_t kNearest = 4;
@@ -156,12 +153,8 @@ class GreedyMerger {
   /// The gap of the common hull as it will be once it has few vertices, and a little for its size.
   double costOf(std::uint32_t a, std::uint32_t b) {
     buildCommonHull(a, b);
-    const auto gapAt = [this](const glm::dvec3& point) { return grid_.gap(point); };
     const auto valueAt = [this](const glm::dvec3& point) { return grid_.value(point); };
-    // A hollow may be closed, or wider within than where the hull shuts it.
-    const double onSurface = largestGap(hull_, kTrialSpacing * diagonal_, gapAt);
-    const double gap = largestInside(hull_, kTrialHalvings, onSurface, valueAt);
-    return gap + kExcessWeight * hull_.excess +
+    return largestGap(hull_, kTrialSpacing * diagonal_, valueAt) + kExcessWeight * hull_.excess +
            kSizeWeight * glm::length(hull_.bounds.max - hull_.bounds.min);
   }
 

@@ -15,7 +15,7 @@ namespace scatter::levels {
 /// distances of about `spacing`. As a distance changes by at most the way gone, samples are needed only
 /// where it can exceed the largest one so far.
 template <class GapAt>
-[[nodiscard]] double largestGap(const TriangleHull& hull, double spacing, const GapAt& gapAt) {
+[[nodiscard]] double largestOnSurface(const TriangleHull& hull, double spacing, const GapAt& gapAt) {
   using Corners = std::array<glm::dvec3, 3>;
   struct Patch {
     Corners corners{};
@@ -56,11 +56,12 @@ template <class GapAt>
 }
 
 /// The largest value of `valueAt(point)`, a signed distance, in the inside of a hull, where it exceeds
-/// `atLeast`; else that. Looked for in the middles of boxes that are halved so many times, and left alone
-/// where they cannot hold more.
+/// `atLeast`; else that. Looked for in the middles of boxes that are halved, and left alone where they cannot
+/// hold more.
 template <class ValueAt>
-[[nodiscard]] double largestInside(const TriangleHull& hull, int halvings, double atLeast,
-                                   const ValueAt& valueAt) {
+[[nodiscard]] double largestInside(const TriangleHull& hull, double atLeast, const ValueAt& valueAt) {
+  // Of the box around the hull: hollows wider than an eighth of it are found.
+  constexpr int kHalvings = 3;
   struct Cell {
     glm::dvec3 middle{0.0};
     glm::dvec3 half{0.0};
@@ -73,7 +74,7 @@ template <class ValueAt>
   };
   double largest = atLeast;
   std::vector<Cell> open{
-      {0.5 * (hull.bounds.min + hull.bounds.max), 0.5 * (hull.bounds.max - hull.bounds.min), halvings}};
+      {0.5 * (hull.bounds.min + hull.bounds.max), 0.5 * (hull.bounds.max - hull.bounds.min), kHalvings}};
   while (!open.empty()) {
     const Cell cell = open.back();
     open.pop_back();
@@ -91,6 +92,16 @@ template <class ValueAt>
     }
   }
   return largest;
+}
+
+/// The largest value of `valueAt(point)`, a signed distance, on the surface of a hull and inside of it, where
+/// it exceeds `atLeast`; else that. A hollow that the hull fills may be closed, or wider within than where
+/// the hull shuts it.
+template <class ValueAt>
+[[nodiscard]] double largestGap(const TriangleHull& hull, double spacing, const ValueAt& valueAt,
+                                double atLeast = 0.0) {
+  const auto gapAt = [&valueAt](const glm::dvec3& point) { return std::max(0.0, valueAt(point)); };
+  return largestInside(hull, std::max(atLeast, largestOnSurface(hull, spacing, gapAt)), valueAt);
 }
 
 }  // namespace scatter::levels

@@ -16,9 +16,6 @@
 namespace scatter::levels {
 namespace {
 
-/// Of the box around a hull, for hollows within it: those wider than an eighth of it are found.
-constexpr int kHalvings = 3;
-
 /// Shares of the diagonal.
 constexpr double kSpacing = 1.0 / 60.0;
 constexpr double kNegligibleGap = 1e-4;
@@ -78,6 +75,12 @@ double volumeOf(const TriangleHull& hull) {
   return volume;
 }
 
+Content contentOf(std::vector<glm::dvec3> points) {
+  Content content{std::move(points), {}};
+  for (const glm::dvec3& point : content.points) content.balls.push_back({point, 0.0});
+  return content;
+}
+
 /// How far the rim of a flat plate is from the sheet: half its thickness in two directions.
 double rimOf(const AssemblyDef& definition) {
   return std::sqrt(0.5) * definition.thickness;
@@ -130,16 +133,12 @@ LevelAssembler::Draft LevelAssembler::finest(const FinestDef& definition,
 }
 
 PartDraft LevelAssembler::finestPart(NodeIndex node, HullBuilder& builder) const {
-  Content content = contentUnder(node);
-  if (!(definition_.thickness > 0.0)) return partAround(content, builder);
+  const std::vector<glm::dvec3> points = pointsUnder(node);
+  if (!(definition_.thickness > 0.0)) return partAround(contentOf(points), builder);
   // How well a plate follows a sheet is told without its thickness, which would hide how it bends.
-  const TriangleHull thin =
-      encloseInHull(builder, content.points, {space_.mesh.diagonal, definition_.maxVertices});
+  const TriangleHull thin = encloseInHull(builder, points, {space_.mesh.diagonal, definition_.maxVertices});
   const double gap = gapOf(thin) + definition_.hullMargin + rimOf(definition_);
-  content.points = thickenedTo(content.points, definition_.thickness);
-  content.balls.clear();
-  for (const glm::dvec3& point : content.points) content.balls.push_back({point, 0.0});
-  PartDraft draft = partAround(content, builder);
+  PartDraft draft = partAround(contentOf(thickenedTo(points, definition_.thickness)), builder);
   draft.gap = std::max(gap, draft.gap);
   return draft;
 }
@@ -198,7 +197,7 @@ std::optional<PartDraft> LevelAssembler::primitiveAround(const Content& content,
 
 double LevelAssembler::gapOf(const TriangleHull& hull) const {
   const double spacing = kSpacing * space_.mesh.diagonal;
-  const auto roughly = [this](const glm::dvec3& point) { return grid_.gap(point); };
+  const auto roughly = [this](const glm::dvec3& point) { return grid_.value(point); };
   const auto exactly = [this](const glm::dvec3& point) {
     // Away from the mesh the grid knows the side, which saves the winding number.
     const double side = grid_.value(point);
@@ -208,14 +207,12 @@ double LevelAssembler::gapOf(const TriangleHull& hull) const {
   // Corners stick out most, but the middle of a face may lie over a hollow.
   double corners = 0.0;
   for (const glm::dvec3& vertex : hull.vertices) corners = std::max(corners, exactly(vertex));
-  double rough = std::max(corners, largestGap(hull, spacing, roughly));
-  // A hollow may be closed, or wider within than where the hull shuts it.
-  rough = largestInside(hull, kHalvings, rough, [this](const glm::dvec3& p) { return grid_.value(p); });
+  const double rough = largestGap(hull, spacing, roughly, corners);
   if (rough > kFineCells * grid_.step()) return rough;
-  return largestInside(hull, kHalvings, std::max(corners, largestGap(hull, spacing, exactly)), exactly);
+  return largestGap(hull, spacing, exactly, corners);
 }
 
-Content LevelAssembler::contentUnder(NodeIndex node) const {
+std::vector<glm::dvec3> LevelAssembler::pointsUnder(NodeIndex node) const {
   std::vector<std::uint32_t> indices;
   for (const std::uint32_t triangle : tree_.trianglesUnder(node)) {
     const Triangle& corners = space_.mesh.triangles[triangle];
@@ -223,10 +220,10 @@ Content LevelAssembler::contentUnder(NodeIndex node) const {
   }
   std::sort(indices.begin(), indices.end());
   indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
-  Content content;
-  for (const std::uint32_t i : indices) content.points.push_back(space_.mesh.vertices[i]);
-  for (const glm::dvec3& point : content.points) content.balls.push_back({point, 0.0});
-  return content;
+  std::vector<glm::dvec3> points;
+  points.reserve(indices.size());
+  for (const std::uint32_t i : indices) points.push_back(space_.mesh.vertices[i]);
+  return points;
 }
 
 }  // namespace scatter::levels

@@ -70,7 +70,7 @@ class LevelAssembler {
                                                          const TriangleHull& hull,
                                                          HullBuilder& builder) const;
   [[nodiscard]] double gapOf(const TriangleHull& hull) const;
-  [[nodiscard]] Content contentUnder(NodeIndex node) const;
+  [[nodiscard]] std::vector<glm::dvec3> pointsUnder(NodeIndex node) const;
 
   const MeshSpace& space_;
   const DistanceGrid& grid_;

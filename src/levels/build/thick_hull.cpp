@@ -51,13 +51,13 @@ Extents extentsOf(std::span<const glm::dvec3> points) {
   return extents;
 }
 
-/// The points moved both ways along every axis that lacks extent.
-std::vector<glm::dvec3> thickened(std::span<const glm::dvec3> points, const Extents& extents,
-                                  double thickness) {
+/// The points moved both ways along each axis, as far as is given for it.
+std::vector<glm::dvec3> movedBothWays(std::span<const glm::dvec3> points, const Extents& extents,
+                                      const glm::dvec3& ways) {
   std::vector<glm::dvec3> result(points.begin(), points.end());
   for (int axis = 0; axis < 3; ++axis) {
-    if (extents.size[axis] >= thickness) continue;
-    const glm::dvec3 step = 0.5 * thickness * extents.axes[axis];
+    if (!(ways[axis] > 0.0)) continue;
+    const glm::dvec3 step = ways[axis] * extents.axes[axis];
     const std::size_t count = result.size();
     for (std::size_t i = 0; i < count; ++i) {
       result.push_back(result[i] + step);
@@ -65,6 +65,16 @@ std::vector<glm::dvec3> thickened(std::span<const glm::dvec3> points, const Exte
     }
   }
   return result;
+}
+
+/// Along every axis that lacks extent, by all of the thickness.
+std::vector<glm::dvec3> thickened(std::span<const glm::dvec3> points, const Extents& extents,
+                                  double thickness) {
+  glm::dvec3 ways{0.0};
+  for (int axis = 0; axis < 3; ++axis) {
+    if (extents.size[axis] < thickness) ways[axis] = 0.5 * thickness;
+  }
+  return movedBothWays(points, extents, ways);
 }
 
 /// The box around the points along the axes of their extents.
@@ -92,17 +102,9 @@ std::vector<glm::dvec3> boxAround(std::span<const glm::dvec3> points, const Exte
 
 std::vector<glm::dvec3> thickenedTo(std::span<const glm::dvec3> points, double thickness) {
   const Extents extents = extentsOf(points);
-  std::vector<glm::dvec3> result(points.begin(), points.end());
-  for (int axis = 0; axis < 3; ++axis) {
-    const double lack = thickness - extents.size[axis];
-    if (!(lack > 0.0)) continue;
-    const glm::dvec3 step = 0.5 * lack * extents.axes[axis];
-    const std::size_t count = result.size();
-    for (std::size_t i = 0; i < count; ++i) {
-      result.push_back(result[i] + step);
-      result.push_back(result[i] - step);
-    }
-  }
+  std::vector<glm::dvec3> result = movedBothWays(points, extents, 0.5 * (thickness - extents.size));
+  // Rounding must not leave the points themselves outside of what is around them.
+  result.insert(result.end(), points.begin(), points.end());
   return result;
 }
 

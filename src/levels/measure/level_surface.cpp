@@ -9,6 +9,7 @@
 #include <utility>
 #include <variant>
 
+#include "levels/mesh/even_points.h"
 #include "levels/mesh/triangle.h"
 
 namespace scatter::levels {
@@ -18,8 +19,7 @@ namespace {
 constexpr int kRings = 16;
 constexpr int kRingPoints = 32;
 
-/// The additive recurrences that spread points most evenly in two and three dimensions (Roberts, 2018).
-constexpr double kPlastic2[] = {0.7548776662466927, 0.5698402909980532};
+/// The additive recurrence that spreads points most evenly in three dimensions (Roberts, 2018).
 constexpr double kPlastic3[] = {0.8191725133961645, 0.6710436067037893, 0.5497004779019703};
 
 double fraction(double value) {
@@ -120,14 +120,8 @@ std::vector<LevelSurface::Sample> LevelSurface::samples(std::size_t count) const
       // As many samples as the area so far deserves.
       const double deserved = std::floor(passed / total * static_cast<double>(count) + 0.5);
       while (static_cast<double>(result.size()) < deserved && result.size() < count) {
-        const auto i = static_cast<double>(result.size());
-        double x = fraction(0.5 + kPlastic2[0] * i);
-        double y = fraction(0.5 + kPlastic2[1] * i);
-        if (x + y > 1.0) {
-          x = 1.0 - x;
-          y = 1.0 - y;
-        }
-        result.push_back({a + x * u + y * v, p, hull.planes[face].normal});
+        const glm::dvec2 at = evenInTriangle(result.size());
+        result.push_back({a + at.x * u + at.y * v, p, hull.planes[face].normal});
       }
     }
   }

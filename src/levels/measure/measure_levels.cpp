@@ -44,6 +44,7 @@ void countParts(const Level& level, LevelFigures& figures) {
   figures.parts = static_cast<int>(level.parts.size());
   figures.predictedCost = std::pow(figures.parts, kNearParts) * weight / figures.parts;
   if (const auto mass = massOfUnion(level.parts)) {
+    figures.mass = *mass;
     figures.partVolume = static_cast<double>(mass->properties.volume * (1.0F + mass->shared));
   }
 }
@@ -103,9 +104,7 @@ double deepestHollow(const std::vector<glm::dvec3>& filled, const MeshSpace& spa
 }
 
 // Of an open mesh, whose holes are bridged, about.
-double meshVolume(const MeshSpace& space) {
-  if (const auto mass = massOfMesh(space)) return static_cast<double>(mass->properties.volume);
-  const WorkMesh& mesh = space.mesh;
+double bridgedVolume(const WorkMesh& mesh) {
   double volume = 0.0;
   for (const Triangle& t : mesh.triangles) {
     volume += glm::dot(mesh.vertices[t[0]], glm::cross(mesh.vertices[t[1]], mesh.vertices[t[2]])) / 6.0;
@@ -126,7 +125,11 @@ Result<LevelMeasures> measureLevels(const LevelSet& levelSet, const SurfaceMesh&
   measures.diagonal = space.mesh.diagonal;
   measures.isSolid = space.isSolid;
   measures.isInsideOut = space.isSolid && space.wasInsideOut;
-  if (space.isSolid) measures.meshVolume = meshVolume(space);
+  if (const auto mass = massOfMesh(space)) measures.meshMass = *mass;
+  if (space.isSolid) {
+    measures.meshVolume = measures.meshMass ? static_cast<double>(measures.meshMass->properties.volume)
+                                            : bridgedVolume(space.mesh);
+  }
   for (int index = 1; index <= levelSet.count(); ++index) {
     const Level& level = levelSet.level(index);
     LevelFigures figures;

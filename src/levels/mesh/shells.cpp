@@ -5,13 +5,13 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "levels/mesh/even_points.h"
 #include "levels/mesh/triangle.h"
 
 namespace scatter::levels {
@@ -170,7 +170,7 @@ struct Sides {
   double area = 0.0;
 };
 
-/// At a point of a triangle, given by how far it is towards the second and the third corner.
+/// At a point of a triangle as evenInTriangle() gives it.
 Sides sidesOf(const WorkMesh& mesh, const MeshTree& tree, std::uint32_t triangle,
               const glm::dvec2& at = glm::dvec2(1.0 / 3.0)) {
   const Triangle& t = mesh.triangles[triangle];
@@ -184,14 +184,6 @@ Sides sidesOf(const WorkMesh& mesh, const MeshTree& tree, std::uint32_t triangle
   const glm::dvec3 step = vector * (beside / area);
   const glm::dvec3 point = a + at.x * (b - a) + at.y * (c - a);
   return {tree.winding(point + step), tree.winding(point - step), area};
-}
-
-/// The n-th of points that fill a triangle evenly, as sidesOf() takes them: the sequence of the plastic
-/// number (Roberts 2018), folded at the diagonal.
-glm::dvec2 spread(std::size_t n) {
-  const glm::dvec2 step(0.7548776662466927, 0.5698402909980532);
-  const glm::dvec2 point = glm::fract(0.5 + static_cast<double>(n) * step);
-  return point.x + point.y <= 1.0 ? point : 1.0 - point;
 }
 
 std::uint32_t largestTriangle(const WorkMesh& mesh, const Shell& shell) {
@@ -298,7 +290,7 @@ bool MeshSpace::isSimple() const {
     const Triangle& t = mesh.triangles[i];
     due += kSamples * triangleArea(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]) / total;
     for (; due >= 1.0; due -= 1.0) {
-      const Sides sides = sidesOf(mesh, tree, i, spread(sample++));
+      const Sides sides = sidesOf(mesh, tree, i, evenInTriangle(sample++));
       looked += 1.0;
       if (sides.front > 0.5 && sides.back > 0.5) within += 1.0;
     }
