@@ -17,6 +17,7 @@ struct Arguments {
   std::uint64_t seed = 1;
   std::string only;
   bool contacts = false;
+  bool oneFriction = false;
 };
 
 struct Scene {
@@ -49,6 +50,7 @@ std::vector<Scene> scenesOf(const Arguments& arguments) {
   for (Scene& scene : scenes) {
     scene.trial.steps = arguments.steps;
     scene.trial.seed = arguments.seed;
+    scene.trial.oneFriction = arguments.oneFriction;
   }
   return scenes;
 }
@@ -123,6 +125,8 @@ int main(int argc, char** argv) {
   app.add_option("--steps", arguments.steps, "Steps of each run")->check(CLI::Range(1, 100000));
   app.add_option("--seed", arguments.seed, "Of bodies and ground");
   app.add_option("--only", arguments.only, "Part of a scene's name");
+  app.add_flag("--one-friction", arguments.oneFriction,
+               "Multi-body worlds solve one direction of friction, as discrete ones do, in the place of two");
   app.add_flag("--contacts", arguments.contacts,
                "Instead: compare contacts where the bodies end, in fresh worlds");
   CLI11_PARSE(app, argc, argv);

@@ -58,6 +58,8 @@ class Stage {
       installation_ = std::make_unique<btHybridInstallation>(&dispatcher_);
     }
     world_.setGravity(btVector3(0, btScalar(-9.81), 0));
+    // Worlds of multi-bodies set it, others do not.
+    if (trial.oneFriction) world_.getSolverInfo().m_solverMode &= ~SOLVER_USE_2_FRICTION_DIRECTIONS;
     addGround();
     for (int i = 0; i < 4; ++i) models_.push_back(std::make_unique<Model>(trial.body, random_));
     for (int i = 0; i < trial.bodies; ++i) addBody(i, kind == WorldKind::kHybrid);

@@ -24,6 +24,7 @@ struct Trial {
   float relief = 0.0F;
   int steps = 0;
   std::uint64_t seed = 1;
+  bool oneFriction = false;  ///< Multi-body worlds solve one direction of friction, as discrete ones do.
 };
 
 /// What a trial took: processor time of one thread, milliseconds.

@@ -30,7 +30,8 @@ Json collisionJson(const CollisionDef& collision) {
                               {"lazy_manifolds", steps.lazyManifolds},
                               {"own_gjk", steps.ownGjk},
                               {"warm_simplex", steps.warmSimplex},
-                              {"recycling", steps.recycling}};
+                              {"recycling", steps.recycling},
+                              {"passages", steps.passages}};
   }
   return json;
 }

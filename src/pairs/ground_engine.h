@@ -29,6 +29,10 @@ class GroundEngine : public Manifolds {
 
   [[nodiscard]] virtual Frame groundFrame() const = 0;
 
+  /// How fast the body moves against the ground at a point of it, both in the ground's frame, metres a
+  /// second; zero if the engine does not know.
+  [[nodiscard]] virtual Vec3 velocityAt(const Vec3& point) const = 0;
+
   /// Changes when the ground's shape does, as far as engines tell.
   [[nodiscard]] virtual int groundVersion() = 0;
 
@@ -52,6 +56,9 @@ class GroundEngine : public Manifolds {
 
   /// After a look, of every manifold.
   virtual void looked(void* /*manifold*/) {}
+
+  /// Whether a program lets a part meet the ground at all.
+  [[nodiscard]] virtual bool letsMeet(int part) const = 0;
 
   /// Whether a part keeps the contacts that it has, as far as they are good.
   [[nodiscard]] virtual bool keeps(int part) = 0;

@@ -42,8 +42,9 @@ float partsNear(const PartList& parts, const Below& below, float limit, std::vec
 // What is on credit is settled by contacts that have just been found.
 bool mayCarry(const GroundPair& pair, const PartBody& body, const Frame& ground) {
   return !pair.contacts.empty() && ground == pair.ground && body.jumps() == pair.jumps &&
-         std::ranges::none_of(pair.contacts,
-                              [](const GroundContact& contact) { return contact.credit > 0.0F; });
+         !pair.passage.open() && std::ranges::none_of(pair.contacts, [](const GroundContact& contact) {
+           return contact.credit > 0.0F;
+         });
 }
 
 Displacement movedSince(const GroundPair& pair, const PartBody& body, const Frame& ground) {
@@ -51,7 +52,16 @@ Displacement movedSince(const GroundPair& pair, const PartBody& body, const Fram
                            body.parts().radius());
 }
 
-/// Of the lowest point of a part; of one that is not known exactly, of the polytope around it.
+/// The lowest point of a part, in the body's frame; of one that is not known exactly, of the polytope around
+/// it.
+Vec3 lowestOf(const PartList::Part& part, const Below& below) {
+  const bool isBox = part.kind == PartKind::kBox;
+  const PolytopeView& shape = isBox ? part.sharp : part.core;
+  const Vec3 vertex = shape.vertex(support(shape, -below.normal).vertex);
+  return isBox ? vertex : vertex - part.margin * below.normal;
+}
+
+/// Of its lowest point.
 float heightOf(const PartList::Part& part, const Below& below) {
   if (part.kind == PartKind::kBox) return below.height - reach(part.sharp, -below.normal);
   return below.height - reach(part.core, -below.normal) - part.margin;
@@ -98,6 +108,7 @@ void GroundLook::look() {
     carry();
     return;
   }
+  if (pair_.jumps != body_->jumps()) pair_.passage.forget();
   pair_.ground = engine_.groundFrame();
   pair_.jumps = body_->jumps();
   pair_.quietUntil = Pair::kAwake;
@@ -142,6 +153,8 @@ bool GroundLook::place(int level) {
   const int versions[2]{placed.version, engine_.groundVersion()};
   if (pair_.level != level || pair_.hasFallenBack || !std::ranges::equal(versions, pair_.versions)) {
     pair_.restart(engine_.threshold(), engine_);
+    pair_.passage.begin(placed.body->parts());
+    if (versions[1] != pair_.versions[1]) pair_.passage.forget();
     pair_.level = level;
     std::ranges::copy(versions, pair_.versions);
   }
@@ -218,13 +231,19 @@ void GroundLook::lookAtHalfSpace(const HalfSpace& solid) {
   }
 }
 
+// Twice the threshold, as what is proven is more than what makes a contact.
+float GroundLook::regionReach() const {
+  return 2.0F * pair_.parts.threshold() + engine_.groundMargin();
+}
+
 // False: the engine's own algorithm is at work.
 bool GroundLook::hasRegion(const Frame& bodyInGround) {
   if (pair_.region.room(body_->parts(), bodyInGround) >= 0.0F) return true;
-  // Twice the threshold, as what is proven is more than what makes a contact.
-  const float reach = 2.0F * pair_.parts.threshold() + engine_.groundMargin();
-  const bool isWhole =
-      pair_.region.gather(body_->parts(), bodyInGround, reach, engine_, pair_.parts, scratch_.region);
+  const Vec3 way = steps_.passages
+                       ? pair_.passage.wayTo(bodyInGround, engine_.velocityAt(bodyInGround.origin))
+                       : Vec3(0.0F);
+  const bool isWhole = pair_.region.gather(body_->parts(), bodyInGround, way, regionReach(), engine_,
+                                           pair_.parts, scratch_.region);
   work_.pieces += static_cast<int>(pair_.region.pieces().pieces.size());
   if (!isWhole) pair_.isTooFine = fallBack();
   return isWhole;
@@ -234,18 +253,62 @@ void GroundLook::lookAtPieces() {
   const Frame bodyInGround = relativeFrame(pair_.ground, body_->frame());
   if (!hasRegion(bodyInGround)) return;
   const auto room = static_cast<double>(pair_.region.room(body_->parts(), bodyInGround));
+  if (steps_.passages)
+    pair_.passage.follow(bodyInGround, pair_.region.pieces(), regionReach(),
+                         engine_.velocityAt(bodyInGround.origin));
   if (pair_.region.empty()) {
     ++work_.pairs;
     staysQuietFor(room);
     return;
   }
   PartBody& region = pair_.region.moveTo(pair_.ground);
-  if (advance(region)) {
-    judge(region);
+  const bool isAwake = advance(region);
+  scratch_.found.clear();
+  if (isAwake) judge(region);
+  if (pair_.passage.open()) {
+    dropBehind(region);
     addFound(region.frame());
-    if (foresight_ == nullptr) pair_.parts.settle(region, *body_, steps_);
+    holdInFront(region, bodyInGround);
+  } else {
+    addFound(region.frame());
   }
-  staysQuietFor(std::min(room, pair_.parts.quietUntil() - region.travel() - body_->travel()));
+  if (isAwake && foresight_ == nullptr) pair_.parts.settle(region, *body_, steps_);
+  if (!pair_.passage.open())
+    staysQuietFor(std::min(room, pair_.parts.quietUntil() - region.travel() - body_->travel()));
+}
+
+// The body is behind other triangles, too, and those know only the way on.
+void GroundLook::dropBehind(const PartBody& region) {
+  constexpr float kBeside = 0.3F;
+  const Vec3& front = pair_.passage.open()->normal;
+  std::erase_if(scratch_.found, [&](const GroundScratch::Found& found) {
+    const bool isBeside = std::abs(glm::dot(region.parts().part(found.piece).normal, front)) < kBeside;
+    return !isBeside && glm::dot(found.contact.axis, front) < kBeside;
+  });
+}
+
+// Until its middle is in front again, the plane across its way out is its ground. No part is deeper than a
+// body that has just come half through: the way back need not be as fast.
+void GroundLook::holdInFront(const PartBody& region, const Frame& bodyInGround) {
+  const Passage& passage = *pair_.passage.open();
+  const PartList& parts = body_->parts();
+  const float margin = pair_.region.pieces().margin;
+  const Below below{bodyInGround.rotateBack(passage.normal), passage.heightOf(bodyInGround.origin) - margin};
+  const float deepest = -std::min({parts.half().x, parts.half().y, parts.half().z});
+  ChildPair child;
+  child.a = static_cast<std::uint16_t>(passage.piece);
+  partsNear(parts, below, engine_.threshold(), scratch_.near);
+  for (const int i : scratch_.near) {
+    const PartList::Part& part = parts.part(i);
+    const float height = heightOf(part, below);
+    if (height > engine_.threshold() || !engine_.letsMeet(i)) continue;
+    child.b = static_cast<std::uint16_t>(i);
+    PartContact contact;
+    contact.axis = passage.normal;
+    contact.pointB = region.frame().toLocal(body_->frame()(lowestOf(part, below)));
+    contact.distance = std::max(height, deepest);
+    engine_.add(manifoldOf(i), pair_.region.pieces(), child, contact, region.frame());
+  }
 }
 
 bool GroundLook::advance(PartBody& region) {
@@ -255,7 +318,6 @@ bool GroundLook::advance(PartBody& region) {
 }
 
 void GroundLook::judge(const PartBody& region) {
-  scratch_.found.clear();
   if (foresight_ != nullptr) {
     for (std::size_t i = 0; i < foresight_->awake.size(); ++i)
       consider(foresight_->awake[i], foresight_->looks[i].verdict, foresight_->looks[i].contact,
@@ -289,7 +351,7 @@ void GroundLook::consider(int index, ChildVerdict verdict, const PartContact& co
   const bool isTold = verdict == ChildVerdict::kContact && isOfWhole(child, contact);
   const bool isKnown = isTold || asks(child, region, found);
   if (isKnown || pair_.region.pieces().kind != PartKind::kTriangle)
-    scratch_.found.push_back({index, child.b, found.distance, isKnown, found});
+    scratch_.found.push_back({child.a, child.b, found.distance, isKnown, found});
 }
 
 // The shortest way out of a piece that was cut from a large shape may be through the cut, which is no way out
@@ -315,10 +377,10 @@ bool GroundLook::asks(const ChildPair& child, const Frame& region, PartContact& 
 void GroundLook::addFound(const Frame& region) {
   std::ranges::sort(scratch_.found, [](const GroundScratch::Found& a, const GroundScratch::Found& b) {
     if (a.part != b.part) return a.part < b.part;
-    return a.distance != b.distance ? a.distance > b.distance : a.child < b.child;
+    return a.distance != b.distance ? a.distance > b.distance : a.piece < b.piece;
   });
   for (const GroundScratch::Found& found : scratch_.found) {
-    const ChildPair& child = pair_.parts.children()[static_cast<std::size_t>(found.child)];
+    const ChildPair child{found.piece, found.part};
     void* const manifold = manifoldOf(found.part);
     if (found.isKnown) {
       engine_.add(manifold, pair_.region.pieces(), child, found.contact, region);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "pairs/ground_pair.h"
@@ -10,8 +11,8 @@ namespace scatter::pairs {
 struct GroundScratch {
   /// A piece and a part that may touch.
   struct Found {
-    int child;  ///< Of the pair's.
-    int part;
+    std::uint16_t piece;
+    std::uint16_t part;
     float distance;  ///< Of the contact that is known; otherwise the engine's detector must look.
     bool isKnown;
     PartContact contact;
@@ -64,6 +65,7 @@ class GroundLook {
   bool drop(const GroundContact& contact);
   void lookAtHalfSpace(const HalfSpace& solid);
   void lookAtPieces();
+  [[nodiscard]] float regionReach() const;
   bool hasRegion(const Frame& bodyInGround);
   [[nodiscard]] bool advance(PartBody& region);
   void judge(const PartBody& region);
@@ -71,6 +73,8 @@ class GroundLook {
   [[nodiscard]] bool isOfWhole(const ChildPair& child, const PartContact& contact) const;
   bool asks(const ChildPair& child, const Frame& region, PartContact& contact);
   void addFound(const Frame& region);
+  void dropBehind(const PartBody& region);
+  void holdInFront(const PartBody& region, const Frame& bodyInGround);
   void* manifoldOf(int part);
   void staysQuietFor(double metres);
 

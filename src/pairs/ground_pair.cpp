@@ -17,6 +17,7 @@ void GroundPair::renew() {
   contacts.clear();
   parts.reset(0.0F);
   region.forget();
+  passage.forget();
   quietUntil = Pair::kAwake;
   jumps = 0;
   level = landing = 0;

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "pairs/pair.h"
+#include "pairs/passage.h"
 #include "pairs/region.h"
 
 namespace scatter::pairs {
@@ -40,6 +41,7 @@ struct GroundPair {
   Frame looked{};
   bool isSettled = false;
   bool hasRecycled = false;  ///< In its last step it did not look for all contacts (PairSteps::recycling).
+  PassageWatch passage{};
 
   /// Of the step under way, until it has been made use of. Has no contacts.
   Foresight* foresight = nullptr;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <glm/common.hpp>
 #include <span>
 #include <vector>
 
@@ -11,12 +12,14 @@ namespace scatter::pairs {
 /// The convex pieces of a ground near a body, all of one kind, in the ground's frame. Memory that is filled
 /// again and again.
 struct GroundPieces {
-  /// A piece has the numbers by which the engine knows it, and so many of `points`.
+  /// A piece has the numbers by which the engine knows it, and so many of `points`, at least one.
   struct Piece {
     int part = -1;
     int index = -1;
     std::size_t first = 0;
     std::size_t count = 0;
+    Vec3 low{0.0F};  ///< Of its points.
+    Vec3 high{0.0F};
   };
 
   PartKind kind = PartKind::kTriangle;
@@ -29,7 +32,12 @@ struct GroundPieces {
     points.clear();
   }
   void add(int part, int index, std::span<const Vec3> corners) {
-    pieces.push_back({part, index, points.size(), corners.size()});
+    Piece piece{part, index, points.size(), corners.size(), corners[0], corners[0]};
+    for (const Vec3& corner : corners) {
+      piece.low = glm::min(piece.low, corner);
+      piece.high = glm::max(piece.high, corner);
+    }
+    pieces.push_back(piece);
     points.insert(points.end(), corners.begin(), corners.end());
   }
   [[nodiscard]] std::span<const Vec3> pointsOf(const Piece& piece) const {

@@ -27,15 +27,9 @@ void describe(const GroundPieces& pieces, const GroundPieces::Piece& piece, cons
   part.kind = pieces.kind;
   part.margin = pieces.margin;
   part.core.clear();
-  Vec3 low = points[0];
-  Vec3 high = points[0];
-  for (const Vec3& point : points) {
-    part.core.push_back(point - origin);
-    low = glm::min(low, point);
-    high = glm::max(high, point);
-  }
-  part.boundsCenter = 0.5F * (low + high) - origin;
-  part.boundsHalf = 0.5F * (high - low);
+  for (const Vec3& point : points) part.core.push_back(point - origin);
+  part.boundsCenter = 0.5F * (piece.low + piece.high) - origin;
+  part.boundsHalf = 0.5F * (piece.high - piece.low);
   part.boundsMargin = pieces.kind == PartKind::kBox ? 0.0F : pieces.margin;
   if (pieces.kind == PartKind::kBox) part.boundsHalf += Vec3(pieces.margin);
 }
@@ -59,14 +53,16 @@ float Region::room(const PartList& parts, const Frame& body) const {
   return std::min({least.x, least.y, least.z});
 }
 
-bool Region::gather(const PartList& parts, const Frame& body, float reach, GroundEngine& engine,
-                    PartPair& pair, RegionScratch& scratch) {
+bool Region::gather(const PartList& parts, const Frame& body, const Vec3& way, float reach,
+                    GroundEngine& engine, PartPair& pair, RegionScratch& scratch) {
   boundsIn(parts, body, low_, high_);
   low_ -= Vec3(kSkin * parts.radius());
   high_ += Vec3(kSkin * parts.radius());
   std::swap(pieces_, scratch.before);
   pieces_.clear();
-  const bool isWhole = engine.collect(low_ - reach, high_ + reach, pieces_);
+  const Vec3 low = glm::min(low_, low_ - way);
+  const Vec3 high = glm::max(high_, high_ - way);
+  const bool isWhole = engine.collect(low - reach, high + reach, pieces_);
   if (!isWhole || pieces_.pieces.empty()) {
     pair.reset(pair.threshold());
     gathered_ = isWhole;

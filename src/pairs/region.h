@@ -24,10 +24,10 @@ class Region {
   /// now. `body` is where it is in the ground's frame.
   [[nodiscard]] float room(const PartList& parts, const Frame& body) const;
 
-  /// Looks up the pieces around the body, up to `reach` further; `pair`, of this region and the body, goes on
-  /// with those that it knows. False if the engine cannot tell them all.
-  [[nodiscard]] bool gather(const PartList& parts, const Frame& body, float reach, GroundEngine& engine,
-                            PartPair& pair, RegionScratch& scratch);
+  /// Looks up the pieces around the body, up to `reach` further, and around the way that it has come; `pair`,
+  /// of this region and the body, goes on with those that it knows. False if the engine cannot tell them all.
+  [[nodiscard]] bool gather(const PartList& parts, const Frame& body, const Vec3& way, float reach,
+                            GroundEngine& engine, PartPair& pair, RegionScratch& scratch);
 
   /// The pieces as a body, with the ground at `ground`. Not if there are none.
   [[nodiscard]] PartBody& moveTo(const Frame& ground);

@@ -23,7 +23,8 @@ class FakeGroundEngine : public FakeManifolds<pairs::GroundEngine> {
     }
   }
 
-  Vec3 position{0.0F};     ///< Of the body.
+  Vec3 position{0.0F};  ///< Of the body.
+  Vec3 velocity{0.0F};
   bool refuses = false;    ///< The shape is no list of parts.
   int version = 0;         ///< Of the ground.
   bool isTooFine = false;  ///< There are too many triangles.
@@ -40,6 +41,7 @@ class FakeGroundEngine : public FakeManifolds<pairs::GroundEngine> {
     return !refuses;
   }
   [[nodiscard]] Frame groundFrame() const override { return {}; }
+  [[nodiscard]] Vec3 velocityAt(const Vec3& /*point*/) const override { return velocity; }
   int groundVersion() override { return version; }
   [[nodiscard]] float groundMargin() const override { return 0.0F; }
   [[nodiscard]] std::optional<pairs::HalfSpace> halfSpace() const override {
@@ -61,6 +63,7 @@ class FakeGroundEngine : public FakeManifolds<pairs::GroundEngine> {
     ++fallbacks;
     return position.y < 1.0F;
   }
+  [[nodiscard]] bool letsMeet(int /*part*/) const override { return true; }
   bool keeps(int /*part*/) override { return true; }
   // Without this the triangles beside the one under a part would push it sideways.
   bool mayMeet(const pairs::GroundPieces& pieces, const ChildPair& child) override {

@@ -142,6 +142,34 @@ TEST(GroundRegion, IsLookedUpOncePerSkin) {
   EXPECT_GE(body.engine.lookups, 2);
 }
 
+// Two plates of 4 cm, one beside the other, at 36 m/s.
+TEST(GroundStep, HoldsWhatHasPassedThroughItsTriangles) {
+  std::vector<std::vector<PartDef>> levels(3);
+  for (auto& level : levels) {
+    for (const float x : {-0.3F, 0.3F})
+      level.push_back(boxPart(Vec3(x, 0.0F, 0.0F), Vec3(0.3F, 0.02F, 0.3F), Mat3(1.0F), 0.01F));
+  }
+  for (const bool holds : {true, false}) {
+    LivingGround plates(true, levels);
+    plates.steps.passages = holds;
+    plates.engine.velocity = Vec3(0.0F, -36.0F, 0.0F);
+    for (const float y : {2.5F, 1.9F, 1.3F, 0.7F, 0.1F}) plates.stepAt(y);
+    EXPECT_TRUE(plates.pair.contacts.empty());
+    plates.stepAt(-0.5F);
+    EXPECT_EQ(plates.pair.contacts.size(), holds ? 2U : 0U);
+    if (!holds) continue;
+    // No deeper than a body that is half through, for as long as its middle is below.
+    EXPECT_NEAR(plates.press(), 0.02F, 1e-4F);
+    EXPECT_FALSE(plates.isQuiet());
+    plates.stepAt(-0.01F);
+    EXPECT_NEAR(plates.press(), 0.02F, 1e-4F);
+    plates.stepAt(0.01F);
+    EXPECT_FALSE(plates.pair.passage.open());
+    plates.stepAt(0.1F);
+    EXPECT_TRUE(plates.pair.contacts.empty());
+  }
+}
+
 TEST(GroundRegion, OfTooManyPiecesIsTheEnginesWhileItHasContacts) {
   LivingGround body(true);
   body.engine.isTooFine = true;

@@ -15,8 +15,8 @@ enum class PairMidphase : std::uint8_t {
 /// at which Bullet drops contacts.
 inline constexpr float kUsualRecycling = 0.001F;
 
-/// The steps of the pair algorithm, to be left out one by one when measuring what each is worth. None but
-/// `recycling` changes which child pairs are in contact.
+/// The steps of the pair algorithm, to be left out one by one when measuring what each is worth. None but the
+/// two last changes which child pairs are in contact.
 struct PairSteps {
   PairMidphase midphase = PairMidphase::kNeighbourList;
   bool motionBound = true;    ///< Skip child pairs that cannot have met since their distance was measured.
@@ -31,6 +31,12 @@ struct PairSteps {
   /// Parts that are apart are looked at when they have moved so far, or a quarter of the distance at which
   /// contacts begin. 0: all contacts are found anew in every step.
   float recycling = 0.0F;
+
+  /// A body whose middle has passed through a triangle of a mesh or a height field between two steps is held
+  /// and taken back to the side that it came from. Off: it is pushed to where it comes out soonest, so that
+  /// thin or fast bodies fall through, as in Bullet. Not of links of multi-bodies that are faster than half
+  /// their radius a step, nor of what is past the ground's bounds after a step, which no narrowphase hears of.
+  bool passages = true;
 };
 
 /// The pair algorithm's work in one step. Exact counts: the same run after run.

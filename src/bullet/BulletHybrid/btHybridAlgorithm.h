@@ -50,8 +50,9 @@ public:
 	/// In the planner; -1 if the pair does not switch.
 	virtual int getPlanIndex() const = 0;
 
-	/// Whether it kept its contacts in the last step instead of looking for them, or was given those that were held.
-	virtual bool hasReused() const = 0;
+	/// Whether its contacts are others than a look finds: it kept those of the step before, was given some that were held, or holds
+	/// a body that has passed through its ground.
+	virtual bool hasOthers() const = 0;
 
 	/// Whether it began anew when it was last at work, because it was new, its level was, or a shape had changed.
 	virtual bool hasRestarted() const = 0;

@@ -336,7 +336,7 @@ void btHybridContactVerifier::collectOurs(btCollisionWorld* world)
 	{
 		const btCollisionObject* a = static_cast<const btCollisionObject*>(pairs[i].m_pProxy0->m_clientObject);
 		const btCollisionObject* b = static_cast<const btCollisionObject*>(pairs[i].m_pProxy1->m_clientObject);
-		if (!pairs[i].m_algorithm || m_parallel->getFate(a, b) < btHybridParallelWorld::KEPT_CONTACTS)
+		if (!pairs[i].m_algorithm || m_parallel->getFate(a, b) < btHybridParallelWorld::HAS_OTHERS)
 			continue;
 		manifolds.resize(0);
 		pairs[i].m_algorithm->getAllContactManifolds(manifolds);

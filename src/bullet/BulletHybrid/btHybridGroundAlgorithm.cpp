@@ -53,9 +53,9 @@ GroundPair& btHybridGroundAlgorithm::getPair() const
 	return m_narrowphase->getGrounds()[m_index];
 }
 
-bool btHybridGroundAlgorithm::hasReused() const
+bool btHybridGroundAlgorithm::hasOthers() const
 {
-	return getPair().hasRecycled;
+	return getPair().hasRecycled || getPair().passage.open();
 }
 
 bool btHybridGroundAlgorithm::hasRestarted() const

@@ -33,7 +33,7 @@ public:
 	{
 		return m_planIndex;
 	}
-	virtual bool hasReused() const;
+	virtual bool hasOthers() const;
 	virtual bool hasRestarted() const;
 
 	virtual bool mayBeForeseen() const;

@@ -4,6 +4,7 @@
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 #include <BulletCollision/CollisionShapes/btStaticPlaneShape.h>
 #include <BulletCollision/CollisionShapes/btTriangleShape.h>
+#include <BulletDynamics/Dynamics/btRigidBody.h>
 #include <LinearMath/btAabbUtil2.h>
 
 #include "btHybridDetectors.h"
@@ -147,6 +148,19 @@ scatter::Frame btHybridGroundEngine::groundFrame() const
 	return btHybridFrameOf(m_call.m_ground->getWorldTransform());
 }
 
+// Of links of multi-bodies Bullet keeps no velocity where this could find it.
+scatter::Vec3 btHybridGroundEngine::velocityAt(const scatter::Vec3& point) const
+{
+	const btTransform& pose = m_call.m_ground->getWorldTransform();
+	const btVector3 place = pose(vector(point));
+	btVector3 velocity(0, 0, 0);
+	if (const btRigidBody* body = btRigidBody::upcast(m_call.m_body->getCollisionObject()))
+		velocity += body->getVelocityInLocalPoint(place - body->getCenterOfMassPosition());
+	if (const btRigidBody* ground = btRigidBody::upcast(m_call.m_ground->getCollisionObject()))
+		velocity -= ground->getVelocityInLocalPoint(place - ground->getCenterOfMassPosition());
+	return btHybridVec3(velocity * pose.getBasis());
+}
+
 int btHybridGroundEngine::groundVersion()
 {
 	return m_bodies.m_ground.getVersion();
@@ -227,7 +241,7 @@ const btHybridPartBounds& btHybridGroundEngine::getBounds(int part)
 	if (bounds.m_isKnown)
 		return bounds;
 	bounds.m_isKnown = true;
-	bounds.m_mayBegin = isLetThrough(part);
+	bounds.m_mayBegin = letsMeet(part);
 	if (!bounds.m_mayBegin || m_bodies.m_ground.getKind() == BT_HYBRID_HALF_SPACE)
 		return bounds;
 	bounds.m_mayBegin = meetsInWorld(part) && meetsLeaf(part);
@@ -240,7 +254,7 @@ const btHybridPartBounds& btHybridGroundEngine::getBounds(int part)
 }
 
 // A filter that a program may have set for the children of compounds.
-bool btHybridGroundEngine::isLetThrough(int part) const
+bool btHybridGroundEngine::letsMeet(int part) const
 {
 	if (!gCompoundChildShapePairCallback || m_bodies.m_body->getChildIndex(part) < 0)
 		return true;

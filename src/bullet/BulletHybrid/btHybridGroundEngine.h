@@ -59,7 +59,6 @@ class btHybridGroundEngine : public btHybridManifolds<scatter::pairs::GroundEngi
 	btTransform getPartTransform(int part) const;
 	void boundGround();
 	const btHybridPartBounds& getBounds(int part);
-	bool isLetThrough(int part) const;
 	bool meetsInWorld(int part);
 	bool meetsLeaf(int part);
 
@@ -72,6 +71,7 @@ public:
 
 	virtual bool place(int level, scatter::pairs::PlacedBody& body);
 	virtual scatter::Frame groundFrame() const;
+	virtual scatter::Vec3 velocityAt(const scatter::Vec3& point) const;
 	virtual int groundVersion();
 	virtual float groundMargin() const;
 	virtual std::optional<scatter::pairs::HalfSpace> halfSpace() const;
@@ -79,6 +79,7 @@ public:
 	virtual float reach(const scatter::Vec3& direction) const;
 	virtual bool fallBack();
 	virtual void looked(void* manifold);
+	virtual bool letsMeet(int part) const;
 	virtual bool keeps(int part);
 	virtual bool mayMeet(const scatter::pairs::GroundPieces& pieces, const scatter::ChildPair& child);
 	virtual void add(void* manifold, const scatter::pairs::GroundPieces& pieces, const scatter::ChildPair& child, const scatter::PartContact& contact, const scatter::Frame& frame);

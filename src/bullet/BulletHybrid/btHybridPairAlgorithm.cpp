@@ -53,7 +53,7 @@ Pair& btHybridPairAlgorithm::getPair() const
 	return m_narrowphase->getPairs(m_switches)[m_index];
 }
 
-bool btHybridPairAlgorithm::hasReused() const
+bool btHybridPairAlgorithm::hasOthers() const
 {
 	return getPair().origin != scatter::pairs::ContactOrigin::kFound;
 }

@@ -31,7 +31,7 @@ public:
 	{
 		return m_planIndex;
 	}
-	virtual bool hasReused() const;
+	virtual bool hasOthers() const;
 	virtual bool hasRestarted() const;
 
 	virtual void processCollision(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut);

@@ -315,11 +315,11 @@ btHybridParallelWorld::Fate btHybridParallelWorld::getFate(const btCollisionObje
 	if (!m_original->getDispatcher()->needsCollision(a, b))
 		return LEFT_ALONE;
 	const btHybridAlgorithm* algorithm = findAlgorithm(a, b);
-	if (!m_planner || !algorithm || algorithm->getPlanIndex() < 0)
+	if (!algorithm)
 		return LOOKED_AT_FINEST;
-	if (!m_planner->isAtFinest(algorithm->getPlanIndex()))
+	if (m_planner && algorithm->getPlanIndex() >= 0 && !m_planner->isAtFinest(algorithm->getPlanIndex()))
 		return AT_COARSER;
-	return algorithm->hasReused() ? KEPT_CONTACTS : LOOKED_AT_FINEST;
+	return algorithm->hasOthers() ? HAS_OTHERS : LOOKED_AT_FINEST;
 }
 
 // As btCollisionDispatcher::defaultNearCallback, with a result that knows the children.

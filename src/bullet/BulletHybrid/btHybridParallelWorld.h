@@ -82,7 +82,7 @@ public:
 	{
 		LEFT_ALONE,       ///< not with a hybrid, or the dispatcher does not let them collide
 		AT_COARSER,       ///< it is not at its finest level
-		KEPT_CONTACTS,    ///< it has reused the contacts of the step before
+		HAS_OTHERS,       ///< it has contacts on purpose that no look at its shapes would find
 		LOOKED_AT_FINEST  ///< or has no pair, though it might need one
 	};
 

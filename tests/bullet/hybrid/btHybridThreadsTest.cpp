@@ -168,6 +168,13 @@ void recycleOnGrounds(Crowd& crowd, int step) {
   layGrounds(crowd, step);
 }
 
+// So fast that they pass through the hills within a step.
+void throwAtGrounds(Crowd& crowd, int step) {
+  if (step == 0) crowd.addGrounds();
+  if (step % 25 != 5) return;
+  for (auto& body : crowd.bodies) body->setLinearVelocity(btVector3(0, -70, 0));
+}
+
 void throwFarAway(Crowd& crowd, int step) {
   if (step % 30 != 20) return;
   btTransform pose = crowd.bodies[5]->getWorldTransform();
@@ -185,6 +192,7 @@ INSTANTIATE_TEST_SUITE_P(Ways, Threads,
                                          Way{.name = "BodiesComeAndGo", .act = removeAndAdd},
                                          Way{.name = "OnGrounds", .act = layGrounds},
                                          Way{.name = "RecycledOnGrounds", .act = recycleOnGrounds},
+                                         Way{.name = "ThrownAtGrounds", .act = throwAtGrounds},
                                          Way{.name = "FarAway", .act = throwFarAway}),
                          [](const auto& way) { return way.param.name; });
 
