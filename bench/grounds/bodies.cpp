@@ -1,5 +1,6 @@
 #include "bodies.h"
 
+#include <BulletCollision/CollisionShapes/btBoxShape.h>
 #include <BulletCollision/CollisionShapes/btConvexHullShape.h>
 #include <algorithm>
 
@@ -17,14 +18,36 @@ std::unique_ptr<btConvexHullShape> hullOf(const std::vector<btVector3>& points) 
   return hull;
 }
 
+std::unique_ptr<btConvexHullShape> rock(Random& random) {
+  std::vector<btVector3> points;
+  for (int i = 0; i < 24; ++i) points.push_back(0.4F * random.inCube(1.0F).normalized());
+  return hullOf(points);
+}
+
 }  // namespace
 
 Model::Model(BodyKind kind, Random& random) {
-  if (kind == BodyKind::kShip) {
-    addShip(random);
-  } else {
-    addWheel(random);
+  switch (kind) {
+    case BodyKind::kShip:
+      addShip(random);
+      break;
+    case BodyKind::kWheel:
+      addWheel(random);
+      break;
+    case BodyKind::kRock:
+      bare_ = rock(random);
+      break;
+    case BodyKind::kCrate:
+      bare_ = std::make_unique<btBoxShape>(
+          btVector3(random.in(0.2F, 0.4F), random.in(0.2F, 0.4F), random.in(0.2F, 0.4F)));
+      break;
   }
+  if (!bare_) addLevels();
+  btVector3 center;
+  finest()->getBoundingSphere(center, radius_);
+}
+
+void Model::addLevels() {
   // Coarser hulls are of all points of the finer ones that they hold, with the same margin.
   for (auto& level : levels_) level = std::make_unique<btCompoundShape>();
   addCoarser(2, 1);
@@ -33,8 +56,6 @@ Model::Model(BodyKind kind, Random& random) {
   for (auto& level : levels_) {
     if (const char* mistake = set_.addLevel(level.get())) throw std::runtime_error(mistake);
   }
-  btVector3 center;
-  finest()->getBoundingSphere(center, radius_);
 }
 
 void Model::addHull(std::vector<btVector3> points) {

@@ -10,18 +10,30 @@
 
 namespace scatter::bench {
 
-enum class BodyKind { kShip, kWheel };
+enum class BodyKind {
+  kShip,
+  kWheel,
+  kRock,   ///< A bare hull.
+  kCrate,  ///< A bare box.
+};
 
-/// A body of many hulls, and the same as a set of three nested levels.
+[[nodiscard]] constexpr bool isBare(BodyKind kind) {
+  return kind == BodyKind::kRock || kind == BodyKind::kCrate;
+}
+
+/// A body of many hulls, and the same as a set of three nested levels; or a bare one without levels.
 class Model {
  public:
   Model(BodyKind kind, Random& random);
 
-  [[nodiscard]] btCompoundShape* finest() { return levels_[2].get(); }
+  [[nodiscard]] btCollisionShape* finest() {
+    return bare_ ? bare_.get() : static_cast<btCollisionShape*>(levels_[2].get());
+  }
   [[nodiscard]] const btHybridLevelSet& levels() const { return set_; }
   [[nodiscard]] float radius() const { return radius_; }
 
  private:
+  void addLevels();
   void addHull(std::vector<btVector3> points);
   void addShip(Random& random);
   void addWheel(Random& random);
@@ -29,6 +41,7 @@ class Model {
 
   std::vector<std::vector<btVector3>> hulls_;
   std::vector<std::unique_ptr<btCollisionShape>> shapes_;
+  std::unique_ptr<btCollisionShape> bare_;
   std::unique_ptr<btCompoundShape> levels_[3];
   btHybridLevelSet set_;
   float radius_ = 0;

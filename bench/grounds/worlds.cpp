@@ -62,7 +62,7 @@ class Stage {
     if (trial.oneFriction) world_.getSolverInfo().m_solverMode &= ~SOLVER_USE_2_FRICTION_DIRECTIONS;
     addGround();
     for (int i = 0; i < 4; ++i) models_.push_back(std::make_unique<Model>(trial.body, random_));
-    for (int i = 0; i < trial.bodies; ++i) addBody(i, kind == WorldKind::kHybrid);
+    for (int i = 0; i < trial.bodies; ++i) addBody(i, kind == WorldKind::kHybrid && !isBare(trial.body));
   }
 
   ~Stage() {
@@ -112,9 +112,14 @@ class Stage {
   /// How far the lowest point of a part is over flat ground.
   [[nodiscard]] float height(const PartKey& key) const {
     const btRigidBody& body = *bodies_[static_cast<std::size_t>(key.first)];
-    const auto* compound = static_cast<const btCompoundShape*>(body.getCollisionShape());
-    const auto* part = static_cast<const btConvexShape*>(compound->getChildShape(key.second));
-    const btTransform pose = body.getWorldTransform() * compound->getChildTransform(key.second);
+    const btCollisionShape* shape = body.getCollisionShape();
+    btTransform pose = body.getWorldTransform();
+    if (shape->isCompound()) {
+      const auto* compound = static_cast<const btCompoundShape*>(shape);
+      shape = compound->getChildShape(key.second);
+      pose = pose * compound->getChildTransform(key.second);
+    }
+    const auto* part = static_cast<const btConvexShape*>(shape);
     return pose(part->localGetSupportingVertex(btVector3(0, -1, 0) * pose.getBasis())).y();
   }
 

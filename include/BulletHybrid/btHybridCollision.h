@@ -17,7 +17,8 @@ struct btHybridCollisionInfo
 	bool m_pairAlgorithm;  ///< off: Bullet's own algorithms, as in btDiscreteDynamicsWorld
 
 	/// Also for pairs in which neither body has levels, if their shapes are compounds of convex shapes, or one is and the other one
-	/// is convex, a plane, a triangle mesh or a height field. Off, so that a world without hybrids gives the same bits as btDiscreteDynamicsWorld.
+	/// is convex, a plane, a triangle mesh or a height field; and for a bare hull against a hull or a box, and a bare hull or box
+	/// on a triangle mesh or a height field. Off, so that a world without hybrids gives the same bits as btDiscreteDynamicsWorld.
 	bool m_plainBodies;
 
 	/// recycling: at most half of gContactBreakingThreshold; less than 0, or no number, is 0.

@@ -14,10 +14,10 @@ class btHybridRegistration;
 ///     if (installation.getMistake()) puts(installation.getMistake());
 ///
 /// Collides two objects of which one has a compound shape, whose children are convex or such compounds, and the other one a compound
-/// of this kind, a convex shape, a static plane, a triangle mesh (btBvhTriangleMeshShape, scaled or not), or a height field. It does
-/// so in the place of create functions that were registered before; those that a program registers afterwards are used. All other
+/// of this kind, a convex shape, a static plane, a triangle mesh (btBvhTriangleMeshShape, scaled or not), or a height field; also a
+/// bare btConvexHullShape with another one or a btBoxShape, and either on a mesh or a height field. It does so in the place of create functions that were registered before; those that a program registers afterwards are used. All other
 /// pairs go on to those of the dispatcher's configuration. The contacts are those that Bullet finds, for a fraction of its time where
-/// compounds have many children. A btHybridRigidBody takes part with the shape that it has.
+/// compounds have many children, and for about two thirds of it where bodies are bare. A btHybridRigidBody takes part with the shape that it has.
 ///
 /// Levels that switch, policies and budgets need the stages of a btHybridDynamicsWorld, which installs the algorithm itself: here
 /// everything is at its finest level.

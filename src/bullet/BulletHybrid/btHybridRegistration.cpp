@@ -31,9 +31,39 @@ btCollisionAlgorithm* btHybridRegistration::CreateFunc::CreateCollisionAlgorithm
 	return m_default->CreateCollisionAlgorithm(info, body0Wrap, body1Wrap);
 }
 
-static bool isTaken(int shapeType)
+static bool isPolyhedron(int shapeType)
 {
-	return btBroadphaseProxy::isConvex(shapeType) || btBroadphaseProxy::isCompound(shapeType) || btHybridGround::maybe(shapeType);
+	return shapeType == BOX_SHAPE_PROXYTYPE || shapeType == CONVEX_HULL_SHAPE_PROXYTYPE;
+}
+
+// Bare polyhedra where the algorithm is worth it: two boxes, and a polyhedron on a plane, are as cheap in Bullet's own algorithms
+// (`ground_bench --only rocks`, `--only crates`).
+static bool isBareTaken(int type0, int type1)
+{
+	if (isPolyhedron(type0) && isPolyhedron(type1))
+		return type0 == CONVEX_HULL_SHAPE_PROXYTYPE || type1 == CONVEX_HULL_SHAPE_PROXYTYPE;
+	const int other = isPolyhedron(type0) ? type1 : type0;
+	return (isPolyhedron(type0) || isPolyhedron(type1)) && btBroadphaseProxy::isConcave(other) && btHybridGround::maybe(other) && other != STATIC_PLANE_PROXYTYPE;
+}
+
+static bool isTaken(int type0, int type1)
+{
+	const bool isCompound0 = btBroadphaseProxy::isCompound(type0);
+	if (!isCompound0 && !btBroadphaseProxy::isCompound(type1))
+		return isBareTaken(type0, type1);
+	const int other = isCompound0 ? type1 : type0;
+	return btBroadphaseProxy::isConvex(other) || btBroadphaseProxy::isCompound(other) || btHybridGround::maybe(other);
+}
+
+static const int c_types = MAX_BROADPHASE_COLLISION_TYPES;
+
+template <class Use>
+static void forEachTaken(Use use)
+{
+	for (int type0 = 0; type0 < c_types; type0++)
+		for (int type1 = 0; type1 < c_types; type1++)
+			if (isTaken(type0, type1))
+				use(type0, type1);
 }
 
 // Those that are in charge of a dispatcher: it does not tell who has registered with it, and worlds may be made in several
@@ -47,30 +77,23 @@ btHybridRegistration::btHybridRegistration(btDispatcher* dispatcher, const btHyb
 	m_narrowphase->addUser();
 	if (!m_dispatcher)
 		return;
-	const int types = MAX_BROADPHASE_COLLISION_TYPES;
-	m_createFuncs.resize(2 * types);
-	for (int type = 0; type < types; type++)
-	{
-		const int pairs[2][2] = {{COMPOUND_SHAPE_PROXYTYPE, type}, {type, COMPOUND_SHAPE_PROXYTYPE}};
-		for (int k = 0; k < 2 && isTaken(type); k++)
-		{
-			CreateFunc& create = m_createFuncs[2 * type + k];
-			create.m_registration = this;
-			create.m_default = m_dispatcher->getCollisionConfiguration()->getCollisionAlgorithmCreateFunc(pairs[k][0], pairs[k][1]);
-			m_dispatcher->registerCollisionCreateFunc(pairs[k][0], pairs[k][1], &create);
-		}
-	}
+	// The dispatcher keeps their addresses.
+	m_createFuncs.reserve(c_types * c_types);
+	forEachTaken([this](int type0, int type1)
+	             {
+		CreateFunc create;
+		create.m_registration = this;
+		create.m_default = m_dispatcher->getCollisionConfiguration()->getCollisionAlgorithmCreateFunc(type0, type1);
+		m_createFuncs.push_back(create);
+		m_dispatcher->registerCollisionCreateFunc(type0, type1, &m_createFuncs[m_createFuncs.size() - 1]); });
 }
 
 btHybridRegistration::~btHybridRegistration()
 {
-	for (int type = 0; m_dispatcher && type < MAX_BROADPHASE_COLLISION_TYPES; type++)
-	{
-		if (!isTaken(type))
-			continue;
-		m_dispatcher->registerCollisionCreateFunc(COMPOUND_SHAPE_PROXYTYPE, type, m_createFuncs[2 * type].m_default);
-		m_dispatcher->registerCollisionCreateFunc(type, COMPOUND_SHAPE_PROXYTYPE, m_createFuncs[2 * type + 1].m_default);
-	}
+	int next = 0;
+	if (m_dispatcher)
+		forEachTaken([this, &next](int type0, int type1)
+		             { m_dispatcher->registerCollisionCreateFunc(type0, type1, m_createFuncs[next++].m_default); });
 	giveUpCharge();
 	m_narrowphase->removeUser();
 }
@@ -128,7 +151,8 @@ bool btHybridRegistration::mayTake(const btCollisionAlgorithmConstructionInfo& i
 	if (!m_narrowphase->getInfo().m_pairAlgorithm || info.m_manifold)
 		return false;
 	const bool isPlain = !btHybridRigidBody::upcast(body0Wrap->getCollisionObject()) && !btHybridRigidBody::upcast(body1Wrap->getCollisionObject());
-	if (isPlain && !m_narrowphase->getInfo().m_plainBodies)
+	const bool isBare = !body0Wrap->getCollisionShape()->isCompound() && !body1Wrap->getCollisionShape()->isCompound();
+	if (isPlain ? !m_narrowphase->getInfo().m_plainBodies : isBare)
 		return false;
 	return !isForeign(body0Wrap) && !isForeign(body1Wrap);
 }
@@ -142,7 +166,8 @@ int btHybridRegistration::findSideOnGround(const btCollisionObjectWrapper* body0
 		const btCollisionObjectWrapper* body = wraps[side];
 		const btCollisionObjectWrapper* ground = wraps[1 - side];
 		const bool isWhole = ground->getCollisionShape() == ground->getCollisionObject()->getCollisionShape();
-		if (!body->getCollisionShape()->isCompound() || !isWhole || btHybridRigidBody::upcast(ground->getCollisionObject()))
+		const bool isBody = body->getCollisionShape()->isCompound() || isPolyhedron(body->getCollisionShape()->getShapeType());
+		if (!isBody || !isWhole || btHybridRigidBody::upcast(ground->getCollisionObject()))
 			continue;
 		btVector3 center;
 		btScalar radius;

@@ -87,15 +87,21 @@ struct Touch {
 };
 
 /// Of each part of a body, its deepest contact with the ground, in worlds that are new.
-std::map<int, Touch> deepest(Stage& stage, const btTransform& pose, bool installs) {
+std::map<int, Touch> deepest(const Stage& stage, btCollisionShape* shape, const btTransform& pose,
+                             bool installs) {
   BulletTestWorld<btDiscreteDynamicsWorld> world;
   std::unique_ptr<btHybridInstallation> installation;
   if (installs) installation = std::make_unique<btHybridInstallation>(&world.dispatcher);
   btRigidBody* ground = world.add(0, stage.ground->getCollisionShape(), {0, 0, 0});
-  btRigidBody* body = world.add(1, stage.body->getCollisionShape(), {0, 0, 0});
+  btRigidBody* body = world.add(1, shape, {0, 0, 0});
   ground->setWorldTransform(stage.ground->getWorldTransform());
   body->setWorldTransform(pose);
   world.world.performDiscreteCollisionDetection();
+  const bool isBareOnTriangles = !shape->isCompound() && ground->getCollisionShape()->isConcave();
+  if (installs && isBareOnTriangles) {
+    EXPECT_EQ(installation->takeCollisionCounts().pairs,
+              world.broadphase.getOverlappingPairCache()->getNumOverlappingPairs());
+  }
   std::map<int, Touch> result;
   for (int i = 0; i < world.dispatcher.getNumManifolds(); ++i) {
     const btPersistentManifold& manifold = *world.dispatcher.getManifoldByIndexInternal(i);
@@ -137,8 +143,9 @@ TEST_P(Grounds, NoPartIsShallowerThanInBulletUnlessItsWayOutIsShorter) {
     for (int i = 0; i < 20; ++i) {
       const btTransform pose(stage.shapes.random.rotation(),
                              stage.ground->getWorldTransform()(stage.shapes.random.inCube(0.5F)));
-      const std::map<int, Touch> bullets = deepest(stage, pose, false);
-      const std::map<int, Touch> ours = deepest(stage, pose, true);
+      btCollisionShape* shape = stage.body->getCollisionShape();
+      const std::map<int, Touch> bullets = deepest(stage, shape, pose, false);
+      const std::map<int, Touch> ours = deepest(stage, shape, pose, true);
       for (const auto& [part, touch] : bullets) {
         if (touch.distance > 0.015F) continue;
         ++compared;
@@ -153,6 +160,35 @@ TEST_P(Grounds, NoPartIsShallowerThanInBulletUnlessItsWayOutIsShorter) {
   }
   EXPECT_GT(compared, 200);
 }
+
+class Terrains : public testing::TestWithParam<GroundType> {};
+
+TEST_P(Terrains, HaveBulletsContactsWithBareHullsAndBoxes) {
+  int compared = 0;
+  for (std::uint64_t seed = 201; seed <= 210; ++seed) {
+    Stage stage(GetParam(), seed, 1.0F, 1);
+    for (int i = 0; i < 40; ++i) {
+      btCollisionShape* shape = stage.shapes.hull(0.4F, 16);
+      if (i % 2 == 0) shape = stage.shapes.make<btBoxShape>(btVector3(0.3F, 0.2F, 0.25F));
+      const btTransform pose(stage.shapes.random.rotation(),
+                             stage.ground->getWorldTransform()(stage.shapes.random.inCube(0.5F)));
+      const std::map<int, Touch> bullets = deepest(stage, shape, pose, false);
+      const std::map<int, Touch> ours = deepest(stage, shape, pose, true);
+      for (const auto& [part, touch] : bullets) {
+        if (touch.distance > 0.015F) continue;
+        ++compared;
+        ASSERT_TRUE(ours.contains(part)) << "seed " << seed << ", pose " << i;
+        EXPECT_LE(ours.at(part).distance, touch.distance + 1e-4F) << "seed " << seed << ", pose " << i;
+      }
+    }
+  }
+  EXPECT_GT(compared, 100);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Terrains,
+                         testing::Values(GroundType::kMesh, GroundType::kScaledMesh,
+                                         GroundType::kHeightField),
+                         nameOfGround);
 
 /// Blocks of three levels, whose coarser shapes stick out by 10 and 20 cm, on a ground.
 struct BlocksOnGround {

@@ -25,7 +25,9 @@ class Crowd : public PairTestWorld {
       addBody(i % 4 == 3 ? block : ship, btTransform(random.rotation(), 2.2F * cell));
     }
     for (int i = 0; i < 6; ++i) {
-      btRigidBody* plain = add(1, shapes_.compound(5, 1), btVector3(static_cast<float>(i) * 2, -3, 1));
+      btCollisionShape* shape = shapes_.compound(5, 1);
+      if (i % 3 == 2) shape = shapes_.hull(1, 16);
+      btRigidBody* plain = add(1, shape, btVector3(static_cast<float>(i) * 2, -3, 1));
       plain->setActivationState(DISABLE_DEACTIVATION);
     }
     btHybridCollisionInfo info = world.getCollisionInfo();
