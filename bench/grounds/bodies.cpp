@@ -34,6 +34,9 @@ Model::Model(BodyKind kind, Random& random) {
     case BodyKind::kWheel:
       addWheel(random);
       break;
+    case BodyKind::kPlate:
+      addPlate(random);
+      break;
     case BodyKind::kRock:
       bare_ = rock(random);
       break;
@@ -115,6 +118,19 @@ void Model::addWheel(Random& random) {
     }
   }
   addHull(std::move(hub));
+}
+
+// As thin as a board, and as wide as a table.
+void Model::addPlate(Random& random) {
+  const float half = random.in(0.01F, 0.08F);
+  for (int x = -1; x <= 1; ++x) {
+    std::vector<btVector3> points;
+    for (int k = 0; k < 10; ++k) {
+      const btVector3 point = random.inCube(1.0F) * btVector3(0.25F, half, 0.25F);
+      points.push_back(point + btVector3(0.4F * static_cast<float>(x), 0, 0));
+    }
+    addHull(std::move(points));
+  }
 }
 
 void Model::addCoarser(int level, std::size_t group) {

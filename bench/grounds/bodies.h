@@ -13,6 +13,7 @@ namespace scatter::bench {
 enum class BodyKind {
   kShip,
   kWheel,
+  kPlate,  ///< Thin, of three hulls.
   kRock,   ///< A bare hull.
   kCrate,  ///< A bare box.
 };
@@ -37,6 +38,7 @@ class Model {
   void addHull(std::vector<btVector3> points);
   void addShip(Random& random);
   void addWheel(Random& random);
+  void addPlate(Random& random);
   void addCoarser(int level, std::size_t group);
 
   std::vector<std::vector<btVector3>> hulls_;

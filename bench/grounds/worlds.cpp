@@ -166,6 +166,8 @@ class Stage {
     info.m_startWorldTransform.setRotation(isFlat ? btQuaternion::getIdentity() : random_.rotation());
     bodies_.push_back(isHybrid ? std::make_unique<btHybridRigidBody>(info, &model.levels())
                                : std::make_unique<btRigidBody>(info));
+    if (trial_.body == BodyKind::kPlate)
+      bodies_.back()->setLinearVelocity(btVector3(0, -random_.in(5.0F, 40.0F), 0));
     world_.addRigidBody(bodies_.back().get());
   }
 

@@ -229,11 +229,11 @@ bool onlyCarries(const GroundPair& pair, const PlacedBody& placed, int level, co
 }
 
 bool isForeseeable(const GroundPair& pair, const PlacedBody& placed, int level, const Frame& ground,
-                   int groundVersion, const PairSteps& steps) {
+                   int groundVersion, const Vec3& ahead, const PairSteps& steps) {
   if (!isAsItWas(pair, placed, level, groundVersion) || placed.body->parts().hasOpaque()) return false;
   if (mayRecycle(pair, *placed.body, ground, steps)) return false;
   const Frame bodyInGround = relativeFrame(ground, placed.body->frame());
-  return !(pair.region.room(placed.body->parts(), bodyInGround) < 0.0F) && !pair.region.empty();
+  return pair.region.holds(placed.body->parts(), bodyInGround, ahead) && !pair.region.empty();
 }
 
 bool foresee(GroundPair& pair, const PlacedBody& placed, const Frame& ground, const PairSteps& steps,

@@ -29,9 +29,9 @@ class GroundEngine : public Manifolds {
 
   [[nodiscard]] virtual Frame groundFrame() const = 0;
 
-  /// How fast the body moves against the ground at a point of it, both in the ground's frame, metres a
-  /// second; zero if the engine does not know.
-  [[nodiscard]] virtual Vec3 velocityAt(const Vec3& point) const = 0;
+  /// How far the body is about to move against the ground in this step at its velocity, in the ground's
+  /// frame; zero if the engine does not know.
+  [[nodiscard]] virtual Vec3 wayAhead() const = 0;
 
   /// Changes when the ground's shape does, as far as engines tell.
   [[nodiscard]] virtual int groundVersion() = 0;

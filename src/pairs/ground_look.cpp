@@ -42,7 +42,7 @@ float partsNear(const PartList& parts, const Below& below, float limit, std::vec
 // What is on credit is settled by contacts that have just been found.
 bool mayCarry(const GroundPair& pair, const PartBody& body, const Frame& ground) {
   return !pair.contacts.empty() && ground == pair.ground && body.jumps() == pair.jumps &&
-         !pair.passage.open() && std::ranges::none_of(pair.contacts, [](const GroundContact& contact) {
+         !pair.passage.holds() && std::ranges::none_of(pair.contacts, [](const GroundContact& contact) {
            return contact.credit > 0.0F;
          });
 }
@@ -191,6 +191,12 @@ bool GroundLook::drop(const GroundContact& contact) {
   return true;
 }
 
+bool GroundLook::hasPoints(int part) const {
+  const auto place =
+      std::ranges::find_if(pair_.contacts, [part](const GroundContact& c) { return c.part == part; });
+  return place != pair_.contacts.end() && engine_.countPoints(place->manifold) > 0;
+}
+
 void* GroundLook::manifoldOf(int part) {
   const auto place = std::ranges::lower_bound(pair_.contacts, part, std::less<>(),
                                               [](const GroundContact& c) { return c.part; });
@@ -237,12 +243,12 @@ float GroundLook::regionReach() const {
 }
 
 // False: the engine's own algorithm is at work.
-bool GroundLook::hasRegion(const Frame& bodyInGround) {
-  if (pair_.region.room(body_->parts(), bodyInGround) >= 0.0F) return true;
-  const Vec3 way = steps_.passages
-                       ? pair_.passage.wayTo(bodyInGround, engine_.velocityAt(bodyInGround.origin))
-                       : Vec3(0.0F);
-  const bool isWhole = pair_.region.gather(body_->parts(), bodyInGround, way, regionReach(), engine_,
+bool GroundLook::hasRegion(const Frame& bodyInGround, const Vec3& ahead) {
+  if (pair_.region.holds(body_->parts(), bodyInGround, ahead)) return true;
+  GroundMotion motion;
+  motion.ahead = ahead;
+  if (steps_.passages) motion.since = pair_.passage.wayTo(bodyInGround, ahead);
+  const bool isWhole = pair_.region.gather(body_->parts(), bodyInGround, motion, regionReach(), engine_,
                                            pair_.parts, scratch_.region);
   work_.pieces += static_cast<int>(pair_.region.pieces().pieces.size());
   if (!isWhole) pair_.isTooFine = fallBack();
@@ -251,11 +257,10 @@ bool GroundLook::hasRegion(const Frame& bodyInGround) {
 
 void GroundLook::lookAtPieces() {
   const Frame bodyInGround = relativeFrame(pair_.ground, body_->frame());
-  if (!hasRegion(bodyInGround)) return;
+  const Vec3 ahead = steps_.passages ? engine_.wayAhead() : Vec3(0.0F);
+  if (!hasRegion(bodyInGround, ahead)) return;
   const auto room = static_cast<double>(pair_.region.room(body_->parts(), bodyInGround));
-  if (steps_.passages)
-    pair_.passage.follow(bodyInGround, pair_.region.pieces(), regionReach(),
-                         engine_.velocityAt(bodyInGround.origin));
+  if (steps_.passages) pair_.passage.follow(bodyInGround, pair_.region.pieces(), regionReach(), ahead);
   if (pair_.region.empty()) {
     ++work_.pairs;
     staysQuietFor(room);
@@ -265,15 +270,12 @@ void GroundLook::lookAtPieces() {
   const bool isAwake = advance(region);
   scratch_.found.clear();
   if (isAwake) judge(region);
-  if (pair_.passage.open()) {
-    dropBehind(region);
-    addFound(region.frame());
-    holdInFront(region, bodyInGround);
-  } else {
-    addFound(region.frame());
-  }
+  if (pair_.passage.open()) dropBehind(region);
+  addFound(region.frame());
+  if (pair_.passage.open()) holdInFront(*pair_.passage.open(), region, bodyInGround);
+  if (pair_.passage.coming()) holdInFront(*pair_.passage.coming(), region, bodyInGround);
   if (isAwake && foresight_ == nullptr) pair_.parts.settle(region, *body_, steps_);
-  if (!pair_.passage.open())
+  if (!pair_.passage.holds())
     staysQuietFor(std::min(room, pair_.parts.quietUntil() - region.travel() - body_->travel()));
 }
 
@@ -287,21 +289,23 @@ void GroundLook::dropBehind(const PartBody& region) {
   });
 }
 
-// Until its middle is in front again, the plane across its way out is its ground. No part is deeper than a
-// body that has just come half through: the way back need not be as fast.
-void GroundLook::holdInFront(const PartBody& region, const Frame& bodyInGround) {
-  const Passage& passage = *pair_.passage.open();
+// Until its middle is in front again, the plane across its way out is the ground of a body that is behind; no
+// part is deeper than if the body had just come half through, as the way back need not be as fast. What is
+// about to pass may come as far as the plane, but for parts that are behind it already or touch something.
+void GroundLook::holdInFront(const Passage& passage, const PartBody& region, const Frame& bodyInGround) {
   const PartList& parts = body_->parts();
   const float margin = pair_.region.pieces().margin;
   const Below below{bodyInGround.rotateBack(passage.normal), passage.heightOf(bodyInGround.origin) - margin};
+  const float most = engine_.threshold() + passage.reach;
   const float deepest = -std::min({parts.half().x, parts.half().y, parts.half().z});
   ChildPair child;
   child.a = static_cast<std::uint16_t>(passage.piece);
-  partsNear(parts, below, engine_.threshold(), scratch_.near);
+  partsNear(parts, below, most, scratch_.near);
   for (const int i : scratch_.near) {
     const PartList::Part& part = parts.part(i);
     const float height = heightOf(part, below);
-    if (height > engine_.threshold() || !engine_.letsMeet(i)) continue;
+    if (height > most || !engine_.letsMeet(i)) continue;
+    if (passage.reach > 0.0F && (height < -engine_.threshold() || hasPoints(i))) continue;
     child.b = static_cast<std::uint16_t>(i);
     PartContact contact;
     contact.axis = passage.normal;

@@ -66,7 +66,7 @@ class GroundLook {
   void lookAtHalfSpace(const HalfSpace& solid);
   void lookAtPieces();
   [[nodiscard]] float regionReach() const;
-  bool hasRegion(const Frame& bodyInGround);
+  bool hasRegion(const Frame& bodyInGround, const Vec3& ahead);
   [[nodiscard]] bool advance(PartBody& region);
   void judge(const PartBody& region);
   void consider(int index, ChildVerdict verdict, const PartContact& contact, const Frame& region);
@@ -74,7 +74,8 @@ class GroundLook {
   bool asks(const ChildPair& child, const Frame& region, PartContact& contact);
   void addFound(const Frame& region);
   void dropBehind(const PartBody& region);
-  void holdInFront(const PartBody& region, const Frame& bodyInGround);
+  void holdInFront(const Passage& passage, const PartBody& region, const Frame& bodyInGround);
+  [[nodiscard]] bool hasPoints(int part) const;
   void* manifoldOf(int part);
   void staysQuietFor(double metres);
 

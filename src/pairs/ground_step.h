@@ -13,11 +13,12 @@ namespace scatter::pairs {
 }
 
 /// Whether a body and a ground at the places where they are placed cannot be in contact, by what the last
-/// look has proven.
+/// look has proven, and will not be before the body has gone `ahead`, metres.
 [[nodiscard]] inline bool staysQuiet(const GroundPair& pair, const PlacedBody& placed, const Frame& ground,
-                                     int groundVersion) {
-  return placed.body->travel() < pair.quietUntil && placed.body->jumps() == pair.jumps &&
-         placed.version == pair.versions[0] && groundVersion == pair.versions[1] && ground == pair.ground;
+                                     int groundVersion, float ahead) {
+  return placed.body->travel() + static_cast<double>(ahead) < pair.quietUntil &&
+         placed.body->jumps() == pair.jumps && placed.version == pair.versions[0] &&
+         groundVersion == pair.versions[1] && ground == pair.ground;
 }
 
 /// Finds the contacts of a body, with its shape of a level that is somebody else's business, with its ground.

@@ -38,9 +38,10 @@ Vec3 middleOf(const PartList& parts) {
   return best;
 }
 
-bool fits(const Vec3& way, const Vec3& velocity, float radius) {
+// Whether bodies have come a way in motion. Along the velocity they go `ahead`.
+bool fits(const Vec3& way, const Vec3& ahead, float radius) {
   const float length = glm::length(way);
-  return length < kShortWay * radius || glm::dot(way, velocity) > kAlong * length * glm::length(velocity);
+  return length < kShortWay * radius || glm::dot(way, ahead) > kAlong * length * glm::length(ahead);
 }
 
 /// Of a triangle's size: so far beyond its edges it still is one, so that no way slips between two.
@@ -90,25 +91,33 @@ bool isNear(const GroundPieces::Piece& piece, const Vec3& low, const Vec3& high)
   return true;
 }
 
-// On which side of the first piece on the way it begins; 0: there is none.
-double sideOfPassage(const glm::dvec3& from, const glm::dvec3& to, const GroundPieces& pieces) {
-  double side = 0.0;
+/// The first piece on a way.
+struct Crossing {
+  double side = 0.0;  ///< On which the way begins; 0: there is none.
+  std::size_t piece = 0;
+  glm::dvec3 normal{0.0};  ///< To that side, not of length 1.
+};
+
+Crossing firstCrossing(const glm::dvec3& from, const glm::dvec3& to, const GroundPieces& pieces) {
+  Crossing first;
   double least = std::numeric_limits<double>::infinity();
   const Vec3 low = glm::min(Vec3(from), Vec3(to));
   const Vec3 high = glm::max(Vec3(from), Vec3(to));
   const float slack = 1e-3F * glm::length(high - low);
-  for (const GroundPieces::Piece& piece : pieces.pieces) {
-    if (!isNear(piece, low - slack, high + slack)) continue;
-    const Triangle triangle(pieces.pointsOf(piece));
+  for (std::size_t i = 0; i < pieces.pieces.size(); ++i) {
+    if (!isNear(pieces.pieces[i], low - slack, high + slack)) continue;
+    const Triangle triangle(pieces.pointsOf(pieces.pieces[i]));
     const double before = triangle.heightOf(from);
     const double after = triangle.heightOf(to);
     if (before == 0.0 || (before > 0.0) == (after > 0.0)) continue;
     const double share = before / (before - after);
     if (!(share < least) || !triangle.holds(from + share * (to - from))) continue;
     least = share;
-    side = before > 0.0 ? 1.0 : -1.0;
+    first.side = before > 0.0 ? 1.0 : -1.0;
+    first.piece = i;
+    first.normal = first.side * triangle.normal;
   }
-  return side;
+  return first;
 }
 
 /// The piece that is nearest to a point.
@@ -151,13 +160,21 @@ std::optional<Passage> passageOf(const glm::dvec3& last, const glm::dvec3& middl
   const NearestPiece nearest = nearestPiece(middle, std::numeric_limits<float>::max(), pieces);
   if (!std::isfinite(nearest.distance)) return std::nullopt;
   const bool isInFront =
-      nearest.isFace() ? side * nearest.height > 0.0 : sideOfPassage(last, middle, pieces) == -side;
+      nearest.isFace() ? side * nearest.height > 0.0 : firstCrossing(last, middle, pieces).side == -side;
   if (isInFront) return std::nullopt;
   // So near the surface the way there is lost in rounding.
   constexpr double kOnSurface = 1e-4;
   const glm::dvec3 way = nearest.point - middle;
   const Vec3 normal(nearest.distance > kOnSurface ? way / nearest.distance : side * nearest.normal);
-  return Passage{nearest.piece, normal, glm::dot(normal, Vec3(nearest.point))};
+  return Passage{nearest.piece, normal, glm::dot(normal, Vec3(nearest.point)), 0.0F};
+}
+
+std::optional<Passage> passageAhead(const Vec3& from, const Vec3& ahead, const GroundPieces& pieces) {
+  const Crossing crossing = firstCrossing(glm::dvec3(from), glm::dvec3(from + ahead), pieces);
+  if (crossing.side == 0.0) return std::nullopt;
+  const Vec3 normal(glm::normalize(crossing.normal));
+  const Vec3& corner = pieces.pointsOf(pieces.pieces[crossing.piece])[0];
+  return Passage{crossing.piece, normal, glm::dot(normal, corner), -glm::dot(normal, ahead)};
 }
 
 }  // namespace
@@ -171,21 +188,24 @@ void PassageWatch::begin(const PartList& parts) {
 void PassageWatch::forget() {
   last_.reset();
   open_.reset();
+  coming_.reset();
 }
 
-void PassageWatch::follow(const Frame& body, const GroundPieces& pieces, float reach, const Vec3& velocity) {
+void PassageWatch::follow(const Frame& body, const GroundPieces& pieces, float reach, const Vec3& ahead) {
+  coming_.reset();
   if (pieces.kind != PartKind::kTriangle) return;
   const Vec3 now = body(middle_);
-  const Vec3 way = wayTo(body, velocity);
+  const Vec3 way = wayTo(body, ahead);
   const bool isMotion = last_ && now - *last_ == way;
   clear_ = isMotion ? clear_ - glm::length(way) : 0.0F;
   if (open_ || !(clear_ > 0.0F)) look(now, way, pieces, reach);
   last_ = now;
+  if (!open_ && glm::length(ahead) > clear_) coming_ = passageAhead(now, ahead, pieces);
 }
 
 void PassageWatch::look(const Vec3& now, const Vec3& way, const GroundPieces& pieces, float reach) {
   const glm::dvec3 from(open_ && last_ ? *last_ : now - way);
-  if (!open_) side_ = sideOfPassage(from, glm::dvec3(now), pieces);
+  if (!open_) side_ = firstCrossing(from, glm::dvec3(now), pieces).side;
   open_ = side_ != 0.0 ? passageOf(from, glm::dvec3(now), side_, pieces) : std::nullopt;
   // To a fast body the nearest piece would have to be found each time.
   const bool isSlow = glm::length(way) < 0.5F * reach;
@@ -193,9 +213,9 @@ void PassageWatch::look(const Vec3& now, const Vec3& way, const GroundPieces& pi
     clear_ = std::min(reach, static_cast<float>(nearestPiece(glm::dvec3(now), reach, pieces).distance));
 }
 
-Vec3 PassageWatch::wayTo(const Frame& body, const Vec3& velocity) const {
+Vec3 PassageWatch::wayTo(const Frame& body, const Vec3& ahead) const {
   const Vec3 way = last_ ? body(middle_) - *last_ : Vec3(0.0F);
-  return fits(way, velocity, radius_) ? way : Vec3(0.0F);
+  return fits(way, ahead, radius_) ? way : Vec3(0.0F);
 }
 
 }  // namespace scatter::pairs

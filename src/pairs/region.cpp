@@ -10,6 +10,15 @@ namespace {
 /// Of the body's radius. A larger one makes regions of more pieces, a smaller one more regions.
 constexpr float kSkin = 0.25F;
 
+/// Of the body's radius: the longest way in a step around which pieces are looked up.
+constexpr float kLongestWay = 8.0F;
+
+Vec3 limited(const Vec3& way, const PartList& parts) {
+  const float most = kLongestWay * parts.radius();
+  const float length = glm::length(way);
+  return length > most ? way * (most / length) : way;
+}
+
 /// The bounds of a body's parts in the frame in which the body is at `body`.
 void boundsIn(const PartList& parts, const Frame& body, Vec3& low, Vec3& high) {
   const Vec3 center = body(parts.center());
@@ -53,15 +62,23 @@ float Region::room(const PartList& parts, const Frame& body) const {
   return std::min({least.x, least.y, least.z});
 }
 
-bool Region::gather(const PartList& parts, const Frame& body, const Vec3& way, float reach,
+bool Region::holds(const PartList& parts, const Frame& body, const Vec3& ahead) const {
+  Frame next = body;
+  next.origin += limited(ahead, parts);
+  return room(parts, body) >= 0.0F && room(parts, next) >= 0.0F;
+}
+
+bool Region::gather(const PartList& parts, const Frame& body, const GroundMotion& motion, float reach,
                     GroundEngine& engine, PartPair& pair, RegionScratch& scratch) {
   boundsIn(parts, body, low_, high_);
-  low_ -= Vec3(kSkin * parts.radius());
-  high_ += Vec3(kSkin * parts.radius());
+  const Vec3 ahead = limited(motion.ahead, parts);
+  low_ = glm::min(low_, low_ + ahead) - Vec3(kSkin * parts.radius());
+  high_ = glm::max(high_, high_ + ahead) + Vec3(kSkin * parts.radius());
   std::swap(pieces_, scratch.before);
   pieces_.clear();
-  const Vec3 low = glm::min(low_, low_ - way);
-  const Vec3 high = glm::max(high_, high_ - way);
+  const Vec3 since = limited(motion.since, parts);
+  const Vec3 low = glm::min(low_, low_ - since);
+  const Vec3 high = glm::max(high_, high_ - since);
   const bool isWhole = engine.collect(low - reach, high + reach, pieces_);
   if (!isWhole || pieces_.pieces.empty()) {
     pair.reset(pair.threshold());

@@ -14,6 +14,12 @@ struct RegionScratch {
   std::vector<int> moved{};
 };
 
+/// How a body moves against its ground, in the ground's frame, metres.
+struct GroundMotion {
+  Vec3 since{0.0F};  ///< The way that it has come since the last look.
+  Vec3 ahead{0.0F};  ///< The way that it is about to go in this step.
+};
+
 /// The pieces of a ground around a body, looked up with a skin, so that it need not be done in every step. To
 /// the body's parts they are one more body.
 class Region {
@@ -24,9 +30,13 @@ class Region {
   /// now. `body` is where it is in the ground's frame.
   [[nodiscard]] float room(const PartList& parts, const Frame& body) const;
 
-  /// Looks up the pieces around the body, up to `reach` further, and around the way that it has come; `pair`,
-  /// of this region and the body, goes on with those that it knows. False if the engine cannot tell them all.
-  [[nodiscard]] bool gather(const PartList& parts, const Frame& body, const Vec3& way, float reach,
+  /// Whether all that is near is known also when the body has gone `ahead`.
+  [[nodiscard]] bool holds(const PartList& parts, const Frame& body, const Vec3& ahead) const;
+
+  /// Looks up the pieces around the body, up to `reach` further, and around its ways, as far as they are not
+  /// longer than bodies that anybody sees move; `pair`, of this region and the body, goes on with those that
+  /// it knows. False if the engine cannot tell them all.
+  [[nodiscard]] bool gather(const PartList& parts, const Frame& body, const GroundMotion& motion, float reach,
                             GroundEngine& engine, PartPair& pair, RegionScratch& scratch);
 
   /// The pieces as a body, with the ground at `ground`. Not if there are none.

@@ -23,8 +23,8 @@ class FakeGroundEngine : public FakeManifolds<pairs::GroundEngine> {
     }
   }
 
-  Vec3 position{0.0F};  ///< Of the body.
-  Vec3 velocity{0.0F};
+  Vec3 position{0.0F};     ///< Of the body.
+  Vec3 ahead{0.0F};        ///< How far it is about to move.
   bool refuses = false;    ///< The shape is no list of parts.
   int version = 0;         ///< Of the ground.
   bool isTooFine = false;  ///< There are too many triangles.
@@ -41,7 +41,7 @@ class FakeGroundEngine : public FakeManifolds<pairs::GroundEngine> {
     return !refuses;
   }
   [[nodiscard]] Frame groundFrame() const override { return {}; }
-  [[nodiscard]] Vec3 velocityAt(const Vec3& /*point*/) const override { return velocity; }
+  [[nodiscard]] Vec3 wayAhead() const override { return ahead; }
   int groundVersion() override { return version; }
   [[nodiscard]] float groundMargin() const override { return 0.0F; }
   [[nodiscard]] std::optional<pairs::HalfSpace> halfSpace() const override {

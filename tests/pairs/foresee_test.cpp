@@ -190,8 +190,8 @@ struct OverGround {
     engine.position = position;
     scratches.used = 0;
     PlacedBody placed;
-    if (!engine.place(1, placed) ||
-        !isForeseeable(pair, placed, 1, engine.groundFrame(), engine.groundVersion(), steps))
+    if (!engine.place(1, placed) || !isForeseeable(pair, placed, 1, engine.groundFrame(),
+                                                   engine.groundVersion(), engine.wayAhead(), steps))
       return false;
     foresee(pair, placed, engine.groundFrame(), steps, scratches);
     return true;

@@ -32,10 +32,10 @@ struct PairSteps {
   /// contacts begin. 0: all contacts are found anew in every step.
   float recycling = 0.0F;
 
-  /// A body whose middle has passed through a triangle of a mesh or a height field between two steps is held
-  /// and taken back to the side that it came from. Off: it is pushed to where it comes out soonest, so that
-  /// thin or fast bodies fall through, as in Bullet. Not of links of multi-bodies that are faster than half
-  /// their radius a step, nor of what is past the ground's bounds after a step, which no narrowphase hears of.
+  /// A body whose middle would pass through a triangle of a mesh or a height field in this step gets contacts
+  /// before it touches, so that it stops there; one whose middle has passed all the same is taken back to the
+  /// side that it came from. Off: thin or fast bodies fall through, or are pushed through, as in Bullet. Not
+  /// of links of multi-bodies that are faster than half their radius a step.
   bool passages = true;
 };
 

@@ -55,7 +55,7 @@ GroundPair& btHybridGroundAlgorithm::getPair() const
 
 bool btHybridGroundAlgorithm::hasOthers() const
 {
-	return getPair().hasRecycled || getPair().passage.open();
+	return getPair().hasRecycled || getPair().passage.holds();
 }
 
 bool btHybridGroundAlgorithm::hasRestarted() const
@@ -70,7 +70,8 @@ bool btHybridGroundAlgorithm::staysQuiet(btHybridGroundEngine& engine) const
 	scatter::pairs::PlacedBody body;
 	if (!(pair.quietUntil >= 0) || (m_planIndex >= 0 && !m_narrowphase->getPlanner()->isSettled(m_planIndex)))
 		return false;
-	return engine.follow(body) && scatter::pairs::staysQuiet(pair, body, engine.groundFrame(), engine.groundVersion());
+	const float ahead = m_narrowphase->getSteps().passages ? glm::length(engine.wayAhead()) : 0;
+	return engine.follow(body) && scatter::pairs::staysQuiet(pair, body, engine.groundFrame(), engine.groundVersion(), ahead);
 }
 
 bool btHybridGroundAlgorithm::mayBeForeseen() const
@@ -107,11 +108,12 @@ void btHybridGroundAlgorithm::foresee(btHybridAhead& ahead, btHybridStepMemory& 
 	const scatter::Frame ground = btHybridFrameOf(m_bodies->m_groundObject->getWorldTransform());
 	const int version = m_bodies->m_ground.getVersion();
 	const scatter::PairSteps& steps = m_narrowphase->getSteps();
-	if (pair.quietUntil >= 0 && scatter::pairs::staysQuiet(pair, placed, ground, version))
+	const scatter::Vec3 way = steps.passages ? btHybridWayAhead(m_bodies->m_object->getObject(), m_bodies->m_groundObject, ahead.m_info->m_timeStep) : scatter::Vec3(0);
+	if (pair.quietUntil >= 0 && scatter::pairs::staysQuiet(pair, placed, ground, version, glm::length(way)))
 		return;
 	const size_t used = memory.m_foresight.used;
 	bool isDecided = scatter::pairs::onlyCarries(pair, placed, m_bodies->m_level, ground, version, steps);
-	if (!isDecided && scatter::pairs::isForeseeable(pair, placed, m_bodies->m_level, ground, version, steps))
+	if (!isDecided && scatter::pairs::isForeseeable(pair, placed, m_bodies->m_level, ground, version, way, steps))
 	{
 		isDecided = scatter::pairs::foresee(pair, placed, ground, steps, memory.m_foresight);
 		memory.m_looked++;

@@ -106,6 +106,17 @@ struct OneContact : public btManifoldResult
 };
 }  // namespace
 
+scatter::Vec3 btHybridWayAhead(const btCollisionObject* body, const btCollisionObject* ground, btScalar timeStep)
+{
+	const btRigidBody* moving = btRigidBody::upcast(body);
+	if (!moving)
+		return scatter::Vec3(0);
+	btVector3 velocity = moving->getLinearVelocity();
+	if (const btRigidBody* carrier = btRigidBody::upcast(ground))
+		velocity -= carrier->getVelocityInLocalPoint(moving->getCenterOfMassPosition() - carrier->getCenterOfMassPosition());
+	return btHybridVec3(timeStep * (velocity * ground->getWorldTransform().getBasis()));
+}
+
 void btHybridGroundBodies::take(int level, btHybridObjects& objects)
 {
 	if (level == m_level)
@@ -148,17 +159,9 @@ scatter::Frame btHybridGroundEngine::groundFrame() const
 	return btHybridFrameOf(m_call.m_ground->getWorldTransform());
 }
 
-// Of links of multi-bodies Bullet keeps no velocity where this could find it.
-scatter::Vec3 btHybridGroundEngine::velocityAt(const scatter::Vec3& point) const
+scatter::Vec3 btHybridGroundEngine::wayAhead() const
 {
-	const btTransform& pose = m_call.m_ground->getWorldTransform();
-	const btVector3 place = pose(vector(point));
-	btVector3 velocity(0, 0, 0);
-	if (const btRigidBody* body = btRigidBody::upcast(m_call.m_body->getCollisionObject()))
-		velocity += body->getVelocityInLocalPoint(place - body->getCenterOfMassPosition());
-	if (const btRigidBody* ground = btRigidBody::upcast(m_call.m_ground->getCollisionObject()))
-		velocity -= ground->getVelocityInLocalPoint(place - ground->getCenterOfMassPosition());
-	return btHybridVec3(velocity * pose.getBasis());
+	return btHybridWayAhead(m_call.m_body->getCollisionObject(), m_call.m_ground->getCollisionObject(), m_call.m_info.m_timeStep);
 }
 
 int btHybridGroundEngine::groundVersion()
@@ -300,10 +303,15 @@ bool btHybridGroundEngine::mayMeet(const GroundPieces& pieces, const ChildPair& 
 void btHybridGroundEngine::add(void* manifold, const GroundPieces& pieces, const ChildPair& child, const scatter::PartContact& contact, const scatter::Frame& frame)
 {
 	const Meeting meeting(&m_levelWrap, m_bodies.m_body, m_call.m_ground, pieces, child);
-	const MeetingScope scope(m_call.m_result, m_bodies.m_side, meeting, btHybridContacts::at(manifold));
+	btPersistentManifold* to = btHybridContacts::at(manifold);
+	const MeetingScope scope(m_call.m_result, m_bodies.m_side, meeting, to);
 	// The manifold's second body is the ground, whichever comes first in the pair.
 	const scatter::Vec3 onGround = contact.pointB - contact.axis * contact.distance;
+	// Of a body that is about to come so far, Bullet takes no contact as far away, and drops it in the next step.
+	const btScalar usual = to->getContactBreakingThreshold();
+	to->setContactBreakingThreshold(btMax(usual, btScalar(contact.distance)));
 	m_call.m_result->addContactPoint(vector(frame.rotate(contact.axis)), vector(frame(onGround)), contact.distance);
+	to->setContactBreakingThreshold(usual);
 }
 
 bool btHybridGroundEngine::find(void* manifold, const GroundPieces& pieces, const ChildPair& child, const scatter::Frame& frame, scatter::PartContact& contact)

@@ -43,6 +43,10 @@ struct btHybridGroundCall
 	btManifoldResult* m_result;
 };
 
+/// How far a body is about to move against its ground at their velocities, in the ground's frame. Of links of multi-bodies Bullet
+/// keeps no velocity where this could find it.
+scatter::Vec3 btHybridWayAhead(const btCollisionObject* body, const btCollisionObject* ground, btScalar timeStep);
+
 /// Bullet, as a body of parts and its ground see it in one step.
 class btHybridGroundEngine : public btHybridManifolds<scatter::pairs::GroundEngine>
 {
@@ -71,7 +75,7 @@ public:
 
 	virtual bool place(int level, scatter::pairs::PlacedBody& body);
 	virtual scatter::Frame groundFrame() const;
-	virtual scatter::Vec3 velocityAt(const scatter::Vec3& point) const;
+	virtual scatter::Vec3 wayAhead() const;
 	virtual int groundVersion();
 	virtual float groundMargin() const;
 	virtual std::optional<scatter::pairs::HalfSpace> halfSpace() const;

@@ -281,9 +281,16 @@ INSTANTIATE_TEST_SUITE_P(All, FlatGrounds,
 
 /// Thin bodies of several parts that come down fast on hills.
 struct FastBodies {
-  FastBodies(GroundType type, std::uint64_t seed, bool installs) : shapes(seed), grounds(shapes) {
+  FastBodies(GroundType type, std::uint64_t seed, bool installs) : FastBodies(seed, installs) {
+    fall(grounds.make(type, 1.0F));
+  }
+
+  FastBodies(std::uint64_t seed, bool installs) : shapes(seed), grounds(shapes) {
     if (installs) installation = std::make_unique<btHybridInstallation>(&w.dispatcher);
-    ground = w.add(0, grounds.make(type, 1.0F), {0, 0, 0});
+  }
+
+  void fall(btCollisionShape* onto) {
+    ground = w.add(0, onto, {0, 0, 0});
     for (int i = 0; i < 16; ++i) {
       // Apart from each other, as only the ground is asked about.
       const btVector3 place(4.0F * static_cast<float>(i % 4) - 6, 0, 4.0F * static_cast<float>(i / 4) - 6);
@@ -345,6 +352,23 @@ TEST_P(Hills, HoldFastThinBodiesThatFallThroughThemInBullet) {
   EXPECT_GT(sunken[0], 12 * 16 / 4) << "or this test shows nothing";
   // One that is beyond the ground's bounds after a step is not asked about.
   EXPECT_LE(sunken[1], sunken[0] / 50);
+}
+
+// A level net has bounds without a height: what is below it after a step has no pair with it any more.
+TEST(MeshGround, HoldsThinBodiesThatComeDownFast) {
+  int sunken[2] = {0, 0};
+  btTriangleMesh net;
+  addFlatNet(net, -12, 12);
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    for (const bool installs : {false, true}) {
+      FastBodies stage(seed, installs);
+      stage.fall(stage.w.shape<btBvhTriangleMeshShape>(&net, true));
+      for (int i = 0; i < 120; ++i) stage.w.step();
+      sunken[installs ? 1 : 0] += stage.countSunken();
+    }
+  }
+  EXPECT_GT(sunken[0], 12 * 16 / 4) << "or this test shows nothing";
+  EXPECT_EQ(sunken[1], 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Hills,
