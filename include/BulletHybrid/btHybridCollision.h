@@ -66,8 +66,8 @@ struct btHybridMissedContact
 /// each step with the points that the hybrid world's began it with. Compared are child pairs of bodies of which one is a
 /// hybrid, that the dispatcher lets collide, whose shapes are convex or compounds of convex children, and children of such a
 /// compound with a plane, a triangle mesh or a height field, which counts as one: pairs that were
-/// looked at at their finest level: not those that kept the contacts of the step before, nor bodies that are held because they have
-/// passed through their ground (PairSteps::passages). A pair that begins anew, as it is
+/// looked at at their finest level: not those that kept the contacts of the step before, nor bodies that are held because they
+/// pass through their ground (PairSteps::passages). A pair that begins anew, as it is
 /// new, has come back to its finest level, or a shape of it has changed, begins without points in both worlds.
 /// A child pair is in contact if it has contact points; of two spheres each point counts, as Bullet finds them anew.
 struct btHybridContactReport

@@ -233,8 +233,9 @@ class Gjk {
     count_ = nearest_.count;
     const float distance = glm::length(nearest_.point);
     if (!(distance > 0.0F)) return finish(State::kOverlap);
-    if (distance >= result_.distance) {
-      if (++stalled_ > 3) return finish(State::kUndecided);
+    // Where rounding hides the way on, what is known may be all that can be.
+    if (distance >= result_.distance && ++stalled_ > 3) {
+      return finish(isTight(roundingAt(simplex_[0])) ? State::kConverged : State::kUndecided);
     }
     result_.distance = distance;
     result_.axis = nearest_.point * (-1.0F / distance);
