@@ -87,8 +87,8 @@ Spread spreadOf(const std::vector<std::vector<Cost>>& costs, std::size_t world, 
 }
 
 struct Row {
-  const char* scene;
-  const char* world;
+  const char* scene = "";
+  const char* world = "";
   Cost last;
   Spread total;
   Spread p99;

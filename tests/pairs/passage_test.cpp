@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "../trials.h"
 #include "collision/geometry.h"
 
 namespace scatter::pairs {
@@ -60,7 +61,7 @@ struct Plate {
 
 TEST(Passage, NoWaySlipsBetweenTriangles) {
   Random random(1);
-  for (int i = 0; i < 5000; ++i) {
+  for (int i = 0; i < test::trials(5000); ++i) {
     const GroundPieces pieces = hills(random, i % 2 == 0 ? 0.0F : 0.8F);
     // Every other way is through a corner or the middle of an edge.
     const Vec3 a = pieces.points[static_cast<std::size_t>(random.uniform(0.0F, 1.0F) * 383.0F)];

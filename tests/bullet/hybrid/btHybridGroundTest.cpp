@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "../../trials.h"
 #include "PairTestWorld.h"
 #include "RandomGrounds.h"
 #include "ScriptedMotion.h"
@@ -165,7 +166,7 @@ class Terrains : public testing::TestWithParam<GroundType> {};
 
 TEST_P(Terrains, HaveBulletsContactsWithBareHullsAndBoxes) {
   int compared = 0;
-  for (std::uint64_t seed = 201; seed <= 210; ++seed) {
+  for (const std::uint64_t seed : seeds(201, 10)) {
     Stage stage(GetParam(), seed, 1.0F, 1);
     for (int i = 0; i < 40; ++i) {
       btCollisionShape* shape = stage.shapes.hull(0.4F, 16);
@@ -182,7 +183,7 @@ TEST_P(Terrains, HaveBulletsContactsWithBareHullsAndBoxes) {
       }
     }
   }
-  EXPECT_GT(compared, 100);
+  EXPECT_GT(compared, trials(100));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Terrains,
@@ -342,14 +343,14 @@ class Hills : public testing::TestWithParam<GroundType> {};
 
 TEST_P(Hills, HoldFastThinBodiesThatFallThroughThemInBullet) {
   int sunken[2] = {0, 0};
-  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+  for (const std::uint64_t seed : seeds(1, 12)) {
     for (const bool installs : {false, true}) {
       FastBodies stage(GetParam(), seed, installs);
       for (int i = 0; i < 120; ++i) stage.w.step();
       sunken[installs ? 1 : 0] += stage.countSunken();
     }
   }
-  EXPECT_GT(sunken[0], 12 * 16 / 4) << "or this test shows nothing";
+  EXPECT_GT(sunken[0], trials(12) * 16 / 4) << "or this test shows nothing";
   // One that is beyond the ground's bounds after a step is not asked about.
   EXPECT_LE(sunken[1], sunken[0] / 50);
 }
@@ -359,7 +360,7 @@ TEST(MeshGround, HoldsThinBodiesThatComeDownFast) {
   int sunken[2] = {0, 0};
   btTriangleMesh net;
   addFlatNet(net, -12, 12);
-  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+  for (const std::uint64_t seed : seeds(1, 12)) {
     for (const bool installs : {false, true}) {
       FastBodies stage(seed, installs);
       stage.fall(stage.w.shape<btBvhTriangleMeshShape>(&net, true));
@@ -367,7 +368,7 @@ TEST(MeshGround, HoldsThinBodiesThatComeDownFast) {
       sunken[installs ? 1 : 0] += stage.countSunken();
     }
   }
-  EXPECT_GT(sunken[0], 12 * 16 / 4) << "or this test shows nothing";
+  EXPECT_GT(sunken[0], trials(12) * 16 / 4) << "or this test shows nothing";
   EXPECT_EQ(sunken[1], 0);
 }
 
