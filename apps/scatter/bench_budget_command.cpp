@@ -8,6 +8,7 @@
 
 #include "bench_arguments.h"
 #include "family_arguments.h"
+#include "world_spec.h"
 
 namespace scatter::app {
 
@@ -75,6 +76,10 @@ Result<BudgetStudyOptions> makeStudy(const BenchBudgetArguments& arguments,
 Result<void> checkMeaning(const CLI::App& command, const BenchBudgetArguments& arguments) {
   if (arguments.byClock && arguments.cut > 0.0) {
     return fail("--cut has no meaning with --clock: it is for budgets in units");
+  }
+  // Families take seconds to be written.
+  if (auto world = parseWorld(arguments.world); !world) {
+    return tl::unexpected(world.error());
   }
   return checkFamilyArguments(command, drawsFamilies(arguments), "--families");
 }

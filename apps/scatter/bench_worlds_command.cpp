@@ -14,6 +14,7 @@
 #include "interrupt.h"
 #include "progress_line.h"
 #include "run_arguments.h"
+#include "world_spec.h"
 
 namespace scatter::app {
 
@@ -85,6 +86,12 @@ ExitStatus measure(const CLI::App& command, const BenchWorldsArguments& argument
   const std::string asks = std::string("--scenes ") + kFamilies;
   if (auto meaningful = checkFamilyArguments(command, asksForFamilies(arguments), asks); !meaningful) {
     return refuse(meaningful.error());
+  }
+  // Families take seconds to be written.
+  for (const std::string& world : arguments.worlds) {
+    if (auto known = parseWorld(world); !known) {
+      return refuse(known.error());
+    }
   }
   const auto folder = makeFamilyFolder(asksForFamilies(arguments));
   if (!folder) {
