@@ -281,6 +281,8 @@ void GroundLook::lookAtPieces() {
 
 // The body is behind other triangles, too, and those know only the way on.
 void GroundLook::dropBehind(const PartBody& region) {
+  // A cosine: walls, which are more than 73 degrees from the way out, hold as they do, and so does what
+  // pushes out.
   constexpr float kBeside = 0.3F;
   const Vec3& front = pair_.passage.open()->normal;
   std::erase_if(scratch_.found, [&](const GroundScratch::Found& found) {
