@@ -47,6 +47,20 @@ TEST(ThreadPool, WakesUpAfterAPause) {
   }
 }
 
+TEST(ThreadPool, MayBeToldOfWorkThatComesOrDoesNot) {
+  ThreadPool pool(3);
+  ThreadPool alone(1);
+  alone.expectWork();
+  for (int round = 0; round < 200; ++round) {
+    pool.expectWork();
+    if (round % 3 == 0) std::this_thread::sleep_for(std::chrono::microseconds(300));
+    if (round % 5 == 0) continue;
+    std::atomic<int> sum = 0;
+    pool.run(50, [&](int i) { sum += i; });
+    ASSERT_EQ(sum, 1225) << "round " << round;
+  }
+}
+
 TEST(ThreadPool, SharesWorkThatTakesTime) {
   ThreadPool pool(3);
   std::mutex mutex;
