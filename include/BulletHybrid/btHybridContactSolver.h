@@ -5,20 +5,22 @@
 
 #include "BulletHybrid/btHybridContactReduction.h"
 
-class btHybridContactProblem;
+class btHybridContactGroups;
+class btITaskScheduler;
 
 /// What the last call of solveGroup was about.
 struct btHybridContactSolverInfo
 {
 	int m_pairs;            ///< of bodies, whose contacts are solved four pairs at a time
 	int m_points;           ///< their contacts
-	int m_colours;          ///< sets of pairs without a moving body in common, which are solved one after another
+	int m_colours;          ///< sets of pairs without a moving body in common, which are solved one after another; of the group that has the most
 	int m_rows;             ///< the places of four that the contacts take; some have fewer in them
+	int m_groups;           ///< of islands, which are solved beside each other
 	int m_bulletManifolds;  ///< whose contacts are Bullet's own business, see btHybridContactSolver
 	btHybridContactReductionCount m_reduced;
 
 	btHybridContactSolverInfo()
-	    : m_pairs(0), m_points(0), m_colours(0), m_rows(0), m_bulletManifolds(0)
+	    : m_pairs(0), m_points(0), m_colours(0), m_rows(0), m_groups(0), m_bulletManifolds(0)
 	{
 	}
 };
@@ -26,7 +28,7 @@ struct btHybridContactSolverInfo
 /// A btSequentialImpulseConstraintSolver that solves contacts four pairs of bodies at a time, for any
 /// btDiscreteDynamicsWorld: give it to the constructor in the place of Bullet's. It finds the same impulses as
 /// Bullet's with another order of contacts, so motions differ as they do between two orders of Bullet's. The same
-/// bits, run after run, on one machine.
+/// bits, run after run, for any number of threads, on one machine.
 ///
 /// It heeds all of btContactSolverInfo: restitution, warm starting, split impulses, both friction directions,
 /// per-contact cfm, erp, stiffness and damping, locked axes, kinematic bodies, iterations and residual. Joints are
@@ -40,7 +42,7 @@ struct btHybridContactSolverInfo
 ATTRIBUTE_ALIGNED16(class)
 btHybridContactSolver : public btSequentialImpulseConstraintSolver
 {
-	btHybridContactProblem* m_problem;
+	btHybridContactGroups* m_groups;
 	bool m_clampsFriction;
 	bool m_reduces;
 	btHybridContactReductionInfo m_reduction;
@@ -48,16 +50,15 @@ btHybridContactSolver : public btSequentialImpulseConstraintSolver
 	btHybridContactSolver(const btHybridContactSolver&);
 	btHybridContactSolver& operator=(const btHybridContactSolver&);
 
+	friend class btHybridDynamicsWorld;
+
+	void setJoined(int body);
+	void convertManifold(btPersistentManifold * manifold, bool leavesAll, const btContactSolverInfo& info);
 	bool hasBulletRows() const;
-	int countBodies() const;
-	void addWarmStart();
-	void giveVelocities();
-	void takeVelocities();
-	void givePushes();
-	void takePushes();
 	btScalar solveBulletPushes();
 
 protected:
+	virtual void convertJoints(btTypedConstraint * *constraints, int numConstraints, const btContactSolverInfo& info);
 	virtual void convertContacts(btPersistentManifold * *manifolds, int numManifolds,
 	                             const btContactSolverInfo& info);
 	virtual void solveGroupCacheFriendlySplitImpulseIterations(
@@ -68,6 +69,11 @@ protected:
 	                                      btPersistentManifold** manifolds, int numManifolds,
 	                                      btTypedConstraint** constraints, int numConstraints,
 	                                      const btContactSolverInfo& info, btIDebugDraw* debugDrawer);
+
+	virtual btScalar solveGroupCacheFriendlyIterations(btCollisionObject * *bodies, int numBodies,
+	                                                   btPersistentManifold** manifolds, int numManifolds,
+	                                                   btTypedConstraint** constraints, int numConstraints,
+	                                                   const btContactSolverInfo& info, btIDebugDraw* debugDrawer);
 
 	/// One iteration of joints and of the contacts that are Bullet's own business.
 	virtual btScalar solveBulletRows(int iteration, btTypedConstraint** constraints, int numConstraints,
@@ -102,6 +108,15 @@ public:
 	{
 		m_reduces = false;
 	}
+
+	/// How many threads, the caller's among them, solve islands that do not touch each other: 1 to 64, 1 unless set otherwise. In a
+	/// btHybridDynamicsWorld they are the world's, whatever is set here, and all islands of a step are shared out at once; in other worlds,
+	/// those that Bullet hands over in one piece: see btContactSolverInfo::m_minimumSolverBatchSize. Returns 0, or for other numbers what is wrong.
+	const char* setNumThreads(int threads);
+	int getNumThreads() const;
+
+	/// The threads of a program's own scheduler, which must outlive its use, in the place of the solver's; 0: the solver's again.
+	void setTaskScheduler(btITaskScheduler * scheduler);
 
 	btHybridContactSolverInfo getContactSolverInfo() const;
 };

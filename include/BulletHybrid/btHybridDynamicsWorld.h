@@ -60,6 +60,7 @@ class btHybridDynamicsWorld : public btDiscreteDynamicsWorld
 
 	void planBodies();
 	void planPairs();
+	void dispatchPairs();
 	void closeRequests();
 	void findAsked();
 	void updateHybridAabb(btHybridRigidBody* body);
@@ -251,8 +252,9 @@ public:
 		return m_refusal;
 	}
 
-	/// How many threads, the caller's among them, look for the contacts of hybrids: 1 to 64, 1 unless set otherwise. Results are the same bits
-	/// for any number. Callbacks, listeners and the dispatcher's memory stay on the caller's thread; other threads read objects and shapes,
+	/// How many threads, the caller's among them, look for the contacts of hybrids, and solve islands if the world's solver is a
+	/// btHybridContactSolver: 1 to 64, 1 unless set otherwise. Results are the same bits for any number. Callbacks, listeners and the
+	/// dispatcher's memory stay on the caller's thread; other threads read objects and shapes, the meshes of grounds one at a time,
 	/// and write contacts while no callback that hears of contacts is set (gContactProcessedCallback and the like); otherwise they find out which
 	/// parts are near each other, and how near. With a near callback of the program's own, which may leave pairs out, there is one thread unless the
 	/// program promises otherwise; so there is in steps with few pairs, and on one core. Returns 0; or, for other
@@ -275,6 +277,7 @@ public:
 
 protected:
 	virtual void internalSingleStepSimulation(btScalar timeStep);
+	virtual void solveConstraints(btContactSolverInfo& info);
 };
 
 #endif  // BT_HYBRID_DYNAMICS_WORLD_H

@@ -229,22 +229,30 @@ bool onlyCarries(const GroundPair& pair, const PlacedBody& placed, int level, co
 }
 
 bool isForeseeable(const GroundPair& pair, const PlacedBody& placed, int level, const Frame& ground,
-                   int groundVersion, const Vec3& ahead, const PairSteps& steps) {
+                   int groundVersion, const PairSteps& steps) {
   if (!isAsItWas(pair, placed, level, groundVersion) || placed.body->parts().hasOpaque()) return false;
-  if (mayRecycle(pair, *placed.body, ground, steps)) return false;
-  const Frame bodyInGround = relativeFrame(ground, placed.body->frame());
-  return pair.region.holds(placed.body->parts(), bodyInGround, ahead) && !pair.region.empty();
+  return !mayRecycle(pair, *placed.body, ground, steps);
 }
 
+// What there is too much of, and what has become of a body that has jumped, is found out in the step itself.
 bool foresee(GroundPair& pair, const PlacedBody& placed, const Frame& ground, const PairSteps& steps,
-             ForesightScratch& scratch) {
+             GroundEngine& engine, RegionScratch& region, ForesightScratch& scratch) {
+  const Frame bodyInGround = relativeFrame(ground, placed.body->frame());
+  const Vec3 ahead = steps.passages ? engine.wayAhead() : Vec3(0.0F);
+  PairWork work;
+  if (!pair.region.holds(placed.body->parts(), bodyInGround, ahead)) {
+    if (pair.jumps != placed.body->jumps()) return false;
+    if (!gatherRegion(pair, *placed.body, bodyInGround, ahead, steps, engine, region, work)) return false;
+  }
+  if (pair.region.empty()) return true;
   Foresight& foresight = scratch.take();
+  foresight.work = work;
   pair.foresight = &foresight;
-  PartBody& region = pair.region.moveTo(ground);
-  foresight.isAwake = pair.parts.advance(region, *placed.body, steps, scratch.parts, foresight.work);
+  PartBody& pieces = pair.region.moveTo(ground);
+  foresight.isAwake = pair.parts.advance(pieces, *placed.body, steps, scratch.parts, foresight.work);
   if (!foresight.isAwake) return true;
-  judgeAll(pair.parts, region, *placed.body, steps, foresight);
-  pair.parts.settle(region, *placed.body, steps);
+  judgeAll(pair.parts, pieces, *placed.body, steps, foresight);
+  pair.parts.settle(pieces, *placed.body, steps);
   foresight.isSettled = true;
   return std::ranges::none_of(foresight.looks,
                               [](const ChildLook& look) { return look.verdict == ChildVerdict::kAskEngine; });

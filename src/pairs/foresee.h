@@ -74,15 +74,14 @@ struct ForesightScratch {
 bool foresee(Pair& pair, const PlacedBodies& bodies, const PairSteps& steps, const ContactPeek& peek,
              BoundsLocks& locks, ForesightScratch& scratch);
 
-/// The same of a body and its ground, which is at `ground`: not of half-spaces, and only while the pieces
-/// that are near are known. `level`: that the pair is going to look at. Nothing is to be found out of a pair
-/// that onlyCarries() contacts along. `ahead`: GroundEngine::wayAhead(), or zero without PairSteps::passages.
+/// The same of a body and its ground, which is at `ground`: not of half-spaces. `level`: that the pair is
+/// going to look at. Nothing is to be found out of a pair that onlyCarries() contacts along. `engine` is
+/// asked for pieces alone, where those near the body are not known any more; `region`: memory for them.
 [[nodiscard]] bool onlyCarries(const GroundPair& pair, const PlacedBody& placed, int level,
                                const Frame& ground, int groundVersion, const PairSteps& steps);
 [[nodiscard]] bool isForeseeable(const GroundPair& pair, const PlacedBody& placed, int level,
-                                 const Frame& ground, int groundVersion, const Vec3& ahead,
-                                 const PairSteps& steps);
+                                 const Frame& ground, int groundVersion, const PairSteps& steps);
 bool foresee(GroundPair& pair, const PlacedBody& placed, const Frame& ground, const PairSteps& steps,
-             ForesightScratch& scratch);
+             GroundEngine& engine, RegionScratch& region, ForesightScratch& scratch);
 
 }  // namespace scatter::pairs

@@ -67,7 +67,23 @@ float heightOf(const PartList::Part& part, const Below& below) {
   return below.height - reach(part.core, -below.normal) - part.margin;
 }
 
+// Twice the threshold, as what is proven is more than what makes a contact.
+float reachOf(const GroundPair& pair, const GroundEngine& engine) {
+  return 2.0F * pair.parts.threshold() + engine.groundMargin();
+}
+
 }  // namespace
+
+bool gatherRegion(GroundPair& pair, const PartBody& body, const Frame& bodyInGround, const Vec3& ahead,
+                  const PairSteps& steps, GroundEngine& engine, RegionScratch& scratch, PairWork& work) {
+  GroundMotion motion;
+  motion.ahead = ahead;
+  if (steps.passages) motion.since = pair.passage.wayTo(bodyInGround, ahead);
+  const bool isWhole = pair.region.gather(body.parts(), bodyInGround, motion, reachOf(pair, engine), engine,
+                                          pair.parts, scratch);
+  work.pieces += static_cast<int>(pair.region.pieces().pieces.size());
+  return isWhole;
+}
 
 bool mayRecycle(const GroundPair& pair, const PartBody& body, const Frame& ground, const PairSteps& steps) {
   if (!(steps.recycling > 0.0F) || !pair.isSettled || !mayCarry(pair, body, ground)) return false;
@@ -237,20 +253,11 @@ void GroundLook::lookAtHalfSpace(const HalfSpace& solid) {
   }
 }
 
-// Twice the threshold, as what is proven is more than what makes a contact.
-float GroundLook::regionReach() const {
-  return 2.0F * pair_.parts.threshold() + engine_.groundMargin();
-}
-
 // False: the engine's own algorithm is at work.
 bool GroundLook::hasRegion(const Frame& bodyInGround, const Vec3& ahead) {
   if (pair_.region.holds(body_->parts(), bodyInGround, ahead)) return true;
-  GroundMotion motion;
-  motion.ahead = ahead;
-  if (steps_.passages) motion.since = pair_.passage.wayTo(bodyInGround, ahead);
-  const bool isWhole = pair_.region.gather(body_->parts(), bodyInGround, motion, regionReach(), engine_,
-                                           pair_.parts, scratch_.region);
-  work_.pieces += static_cast<int>(pair_.region.pieces().pieces.size());
+  const bool isWhole =
+      gatherRegion(pair_, *body_, bodyInGround, ahead, steps_, engine_, scratch_.region, work_);
   if (!isWhole) pair_.isTooFine = fallBack();
   return isWhole;
 }
@@ -260,7 +267,8 @@ void GroundLook::lookAtPieces() {
   const Vec3 ahead = steps_.passages ? engine_.wayAhead() : Vec3(0.0F);
   if (!hasRegion(bodyInGround, ahead)) return;
   const auto room = static_cast<double>(pair_.region.room(body_->parts(), bodyInGround));
-  if (steps_.passages) pair_.passage.follow(bodyInGround, pair_.region.pieces(), regionReach(), ahead);
+  if (steps_.passages)
+    pair_.passage.follow(bodyInGround, pair_.region.pieces(), reachOf(pair_, engine_), ahead);
   if (pair_.region.empty()) {
     ++work_.pairs;
     staysQuietFor(room);

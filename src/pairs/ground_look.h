@@ -38,6 +38,12 @@ struct GroundScratch {
 [[nodiscard]] bool mayRecycle(const GroundPair& pair, const PartBody& body, const Frame& ground,
                               const PairSteps& steps);
 
+/// Looks up the pieces near the body, where Region::holds() says no more that they are known. Adds their
+/// number to `work`. False if there are more than can be dealt with.
+[[nodiscard]] bool gatherRegion(GroundPair& pair, const PartBody& body, const Frame& bodyInGround,
+                                const Vec3& ahead, const PairSteps& steps, GroundEngine& engine,
+                                RegionScratch& scratch, PairWork& work);
+
 /// One look for the contacts of a body's parts with its ground.
 class GroundLook {
  public:
@@ -65,7 +71,6 @@ class GroundLook {
   bool drop(const GroundContact& contact);
   void lookAtHalfSpace(const HalfSpace& solid);
   void lookAtPieces();
-  [[nodiscard]] float regionReach() const;
   bool hasRegion(const Frame& bodyInGround, const Vec3& ahead);
   [[nodiscard]] bool advance(PartBody& region);
   void judge(const PartBody& region);

@@ -68,9 +68,7 @@ struct Pair {
   bool hasFallenBack = false;  ///< The engine's own algorithm collides the bodies.
   bool restarted = false;      ///< It began without contacts when it last looked for some.
 
-  /// Of the step under way, until it has been made use of: it stays quiet, which was found out already; or
-  /// what was found out about it.
-  bool isForeseenQuiet = false;
+  /// Of the step under way, until it has been made use of: what was found out about it.
   Foresight* foresight = nullptr;
   StepAhead* ahead = nullptr;  ///< Or it has been made already.
 

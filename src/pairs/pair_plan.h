@@ -24,6 +24,12 @@ struct PairPlan {
   static constexpr int kNever = std::numeric_limits<int>::max();
 };
 
+/// Pairs that were left without a look.
+struct QuietPairs {
+  int all = 0;
+  int atFinest = 0;  ///< Of those, at their finest level.
+};
+
 /// How far the parts of a pair, or of a body and its ground, may move against each other without a look for
 /// contacts, metres. Small bodies may move less: a multiple of the distance at which their contacts end,
 /// which is a fiftieth of their size. Bodies of a metre have the usual audit distance.

@@ -321,6 +321,11 @@ void Planner::takeQuiet(int index) {
   count(planned);
 }
 
+void Planner::takeQuiet(const QuietPairs& pairs) {
+  counts_.pairs += pairs.all;
+  counts_.finestPairs += pairs.atFinest;
+}
+
 void Planner::takeWork(std::size_t pair, const PairOutcome& outcome) {
   PlannedPair& planned = planned_[pair];
   PairView& view = planned.view;

@@ -98,8 +98,9 @@ class Planner {
   [[nodiscard]] PairPlan planPair(int pair);
   void take(int pair, const PairOutcome& outcome);
 
-  /// A pair that is settled was left without a look.
+  /// A pair that is settled was left without a look; or several were, in a step without a plan.
   void takeQuiet(int pair);
+  void takeQuiet(const QuietPairs& pairs);
 
   [[nodiscard]] bool isAtFinest(int index) const { return pair(index).view.level == pair(index).view.finest; }
 

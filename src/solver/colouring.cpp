@@ -5,6 +5,14 @@
 
 namespace scatter::solver {
 
+namespace {
+
+bool bothMove(int pair, const ContactProblem& problem) {
+  return problem.bodies[static_cast<std::size_t>(problem.pairs[static_cast<std::size_t>(pair)].b)].moves;
+}
+
+}  // namespace
+
 void Colouring::colour(const ContactProblem& problem) {
   taken_.assign(problem.bodies.size(), 0);
   for (std::vector<int>& pairs : byColour_) pairs.clear();
@@ -13,12 +21,13 @@ void Colouring::colour(const ContactProblem& problem) {
   for (std::size_t i = 0; i < problem.pairs.size(); ++i) {
     byColour_[static_cast<std::size_t>(take(problem.pairs[i], problem))].push_back(static_cast<int>(i));
   }
-  for (int colour = 0; colour < kColours; ++colour) {
-    std::vector<int>& pairs = byColour_[static_cast<std::size_t>(colour)];
+  for (std::vector<int>& pairs : byColour_) {
     if (pairs.empty()) continue;
     ++colours_;
-    fill(pairs, problem, colour == kColours - 1 ? 1 : kLanes);
+    if (&pairs != &byColour_.back()) fill(pairs, problem);
   }
+  fit(problem);
+  for (const int pair : byColour_.back()) addBatch(std::span(&pair, 1), problem);
 }
 
 int Colouring::take(const ContactPair& pair, const ContactProblem& problem) {
@@ -34,22 +43,65 @@ int Colouring::take(const ContactPair& pair, const ContactProblem& problem) {
 }
 
 // Those of two moving bodies apart from the others, and those of as many contacts together: few lanes idle.
-void Colouring::fill(std::vector<int>& pairs, const ContactProblem& problem, int lanes) {
+void Colouring::sort(std::vector<int>& pairs, const ContactProblem& problem) const {
   const auto pairOf = [&](int i) -> const ContactPair& { return problem.pairs[static_cast<std::size_t>(i)]; };
-  const auto bothMove = [&](int i) { return problem.bodies[static_cast<std::size_t>(pairOf(i).b)].moves; };
-  std::stable_sort(pairs.begin(), pairs.end(), [&](int i, int k) {
-    if (bothMove(i) != bothMove(k)) return bothMove(i);
-    return pairOf(i).count > pairOf(k).count;
+  std::sort(pairs.begin(), pairs.end(), [&](int i, int k) {
+    if (bothMove(i, problem) != bothMove(k, problem)) return bothMove(i, problem);
+    return pairOf(i).count != pairOf(k).count ? pairOf(i).count > pairOf(k).count : i < k;
   });
-  for (std::size_t i = 0; i < pairs.size();) {
-    PairBatch batch;
-    batch.pairs.fill(PairBatch::kNoPair);
-    batch.rows = pairOf(pairs[i]).count;
-    batch.bothMove = bothMove(pairs[i]);
-    for (int lane = 0; lane < lanes && i < pairs.size() && bothMove(pairs[i]) == batch.bothMove; ++lane, ++i)
-      batch.pairs[static_cast<std::size_t>(lane)] = pairs[i];
-    batches_.push_back(batch);
+}
+
+void Colouring::fill(std::vector<int>& pairs, const ContactProblem& problem) {
+  sort(pairs, problem);
+  const std::span<const int> all = pairs;
+  for (std::size_t i = 0; i < all.size();) {
+    std::size_t end = i + 1;
+    while (end < all.size() && end < i + kLanes && bothMove(all[end], problem) == bothMove(all[i], problem))
+      ++end;
+    const auto batch = all.subspan(i, end - i);
+    if (batch.size() == kLanes) {
+      addBatch(batch, problem);
+    } else {
+      left_.insert(left_.end(), batch.begin(), batch.end());
+    }
+    i = end;
   }
+}
+
+void Colouring::addBatch(std::span<const int> pairs, const ContactProblem& problem) {
+  PairBatch batch;
+  batch.pairs.fill(PairBatch::kNoPair);
+  std::ranges::copy(pairs, batch.pairs.begin());
+  batch.rows = problem.pairs[static_cast<std::size_t>(pairs.front())].count;
+  batch.bothMove = bothMove(pairs.front(), problem);
+  batches_.push_back(batch);
+}
+
+// Each goes into the first batch that it shares no moving body with.
+void Colouring::fit(const ContactProblem& problem) {
+  sort(left_, problem);
+  const std::size_t first = batches_.size();
+  for (const int pair : left_) {
+    std::size_t i = first;
+    while (i < batches_.size() && !hasRoom(batches_[i], pair, problem)) ++i;
+    if (i == batches_.size()) {
+      addBatch(std::span(&pair, 1), problem);
+    } else {
+      *std::ranges::find(batches_[i].pairs, PairBatch::kNoPair) = pair;
+    }
+  }
+  left_.clear();
+}
+
+bool Colouring::hasRoom(const PairBatch& batch, int pair, const ContactProblem& problem) const {
+  if (batch.pairs.back() != PairBatch::kNoPair || batch.bothMove != bothMove(pair, problem)) return false;
+  const ContactPair& one = problem.pairs[static_cast<std::size_t>(pair)];
+  return std::ranges::none_of(batch.pairs, [&](int i) {
+    if (i == PairBatch::kNoPair) return false;
+    const ContactPair& other = problem.pairs[static_cast<std::size_t>(i)];
+    const bool sharesB = batch.bothMove && (one.b == other.b || one.a == other.b || one.b == other.a);
+    return one.a == other.a || sharesB;
+  });
 }
 
 }  // namespace scatter::solver

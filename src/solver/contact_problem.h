@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "solver/lanes.h"
@@ -38,9 +39,9 @@ struct ContactPair {
 /// What is to be solved, in plain numbers: an engine fills it in each step.
 struct ContactProblem {
   std::vector<ContactBody> bodies;
-  std::vector<ProblemPoint> points;  ///< In any order.
-  std::vector<ContactPair> pairs;    ///< No two of the same bodies.
-  std::vector<int> order;            ///< The points of the pairs, one pair's after another's.
+  std::span<ProblemPoint> points;  ///< In any order; those of other problems may be among them. Not owned.
+  std::vector<ContactPair> pairs;  ///< No two of the same bodies.
+  std::vector<int> order;          ///< The points of the pairs, one pair's after another's.
 
   void clear();
 };

@@ -144,7 +144,7 @@ float squaredMost(const Lanes& most) {
 
 void ContactProblem::clear() {
   bodies.clear();
-  points.clear();
+  points = {};
   pairs.clear();
   order.clear();
 }

@@ -190,10 +190,10 @@ struct OverGround {
     engine.position = position;
     scratches.used = 0;
     PlacedBody placed;
-    if (!engine.place(1, placed) || !isForeseeable(pair, placed, 1, engine.groundFrame(),
-                                                   engine.groundVersion(), engine.wayAhead(), steps))
+    if (!engine.place(1, placed) ||
+        !isForeseeable(pair, placed, 1, engine.groundFrame(), engine.groundVersion(), steps))
       return false;
-    foresee(pair, placed, engine.groundFrame(), steps, scratches);
+    foresee(pair, placed, engine.groundFrame(), steps, engine, scratch.ground.region, scratches);
     return true;
   }
 

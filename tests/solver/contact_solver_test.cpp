@@ -33,23 +33,30 @@ ProblemPoint touch(Quad place, Quad normal, float distance, float friction, floa
   return point;
 }
 
+/// A problem that owns its points.
+struct OwnProblem : ContactProblem {
+  std::vector<ProblemPoint> own;
+};
+
 /// Two balls that fly towards each other along x; a is on the right.
-ContactProblem twoBalls(float massA, float massB, float restitution) {
-  ContactProblem problem;
+OwnProblem twoBalls(float massA, float massB, float restitution) {
+  OwnProblem problem;
   problem.bodies = {ball(massA, {1, 0, 0, 0}, {-1, 0, 0, 0}), ball(massB, {-1, 0, 0, 0}, {2, 0, 0, 0})};
-  problem.points = {touch({0, 0, 0, 0}, {1, 0, 0, 0}, 0, 0, restitution)};
+  problem.own = {touch({0, 0, 0, 0}, {1, 0, 0, 0}, 0, 0, restitution)};
+  problem.points = problem.own;
   problem.pairs = {{0, 1, 0, 1}};
   problem.order = {0};
   return problem;
 }
 
 /// A ball that slides over a floor of a body that does not move.
-ContactProblem slidingBall(float speed, float fall, float friction) {
-  ContactProblem problem;
+OwnProblem slidingBall(float speed, float fall, float friction) {
+  OwnProblem problem;
   problem.bodies = {ball(2, {0, 1, 0, 0}, {speed, 0, 0, 0}), ContactBody{}};
   problem.bodies[0].inertia[0] = problem.bodies[0].inertia[1] = problem.bodies[0].inertia[2] = {};
   problem.bodies[0].force = {0, -fall, 0, 0};
-  problem.points = {touch({0, 0, 0, 0}, {0, 1, 0, 0}, 0, friction, 0)};
+  problem.own = {touch({0, 0, 0, 0}, {0, 1, 0, 0}, 0, friction, 0)};
+  problem.points = problem.own;
   problem.pairs = {{0, 1, 0, 1}};
   problem.order = {0};
   return problem;
@@ -71,7 +78,7 @@ TEST(ContactSolver, KeepsMomentumAndBouncesAsTheRestitutionSays) {
 }
 
 TEST(ContactSolver, StopsASlowImpactWithoutABounce) {
-  ContactProblem problem = twoBalls(1, 1, 1);
+  OwnProblem problem = twoBalls(1, 1, 1);
   problem.bodies[0].velocity.x = -0.05F;
   problem.bodies[1].velocity.x = 0.05F;
   ContactSolver solver;
@@ -93,7 +100,7 @@ TEST(ContactSolver, HoldsWhatFrictionCanHold) {
 }
 
 TEST(ContactSolver, MovesDeepBodiesApartAndLeavesTheirVelocitiesAlone) {
-  ContactProblem problem = twoBalls(1, 1, 0);
+  OwnProblem problem = twoBalls(1, 1, 0);
   problem.bodies[0].velocity = problem.bodies[1].velocity = {};
   problem.points[0].onA.w = -0.1F;
   ContactSolver solver;
@@ -106,7 +113,7 @@ TEST(ContactSolver, MovesDeepBodiesApartAndLeavesTheirVelocitiesAlone) {
 }
 
 TEST(ContactSolver, BeginsWithTheImpulsesThatContactsHad) {
-  ContactProblem problem = slidingBall(0, 0.2F, 0);
+  OwnProblem problem = slidingBall(0, 0.2F, 0);
   problem.points[0].law.x = 0.2F * 2;
   ContactSolver solver;
   solver.begin(problem, {.timeStep = kStep});
@@ -115,7 +122,7 @@ TEST(ContactSolver, BeginsWithTheImpulsesThatContactsHad) {
 }
 
 TEST(ContactSolver, TellsItsImpulsesAndDirections) {
-  const ContactProblem problem = slidingBall(3, 0.2F, 0.4F);
+  const OwnProblem problem = slidingBall(3, 0.2F, 0.4F);
   ContactSolver solver;
   solve(solver, problem, {.timeStep = kStep, .frictionDirections = 2}, 10);
   int told = 0;
@@ -132,7 +139,7 @@ TEST(ContactSolver, TellsItsImpulsesAndDirections) {
 }
 
 TEST(ContactSolver, ClampsTheFrictionOfAContactThatBearsNothing) {
-  ContactProblem problem = slidingBall(1, 0.2F, 1);
+  OwnProblem problem = slidingBall(1, 0.2F, 1);
   ContactSolver clamped;
   ContactSolver kept;
   clamped.begin(problem, {.timeStep = kStep, .clampsFriction = true});
@@ -148,27 +155,28 @@ TEST(ContactSolver, ClampsTheFrictionOfAContactThatBearsNothing) {
 }
 
 /// Bodies of 1 kg on each other, with 64 contacts between each two and below the lowest, under gravity.
-ContactProblem stackOf(int bodies) {
-  ContactProblem problem;
+OwnProblem stackOf(int bodies) {
+  OwnProblem problem;
   problem.bodies.push_back(ContactBody{});
   for (int k = 1; k <= bodies; ++k) {
     problem.bodies.push_back(ball(1, {0, static_cast<float>(k) - 0.5F, 0, 0}, {}));
     problem.bodies.back().force = {0, -9.81F * kStep, 0, 0};
-    const int first = static_cast<int>(problem.points.size());
+    const int first = static_cast<int>(problem.own.size());
     for (int i = 0; i < 64; ++i) {
       const Quad place{static_cast<float>(i % 8) / 7 - 0.5F, static_cast<float>(k) - 1,
                        static_cast<float>(i / 8) / 7 - 0.5F, 0};
-      problem.order.push_back(static_cast<int>(problem.points.size()));
-      problem.points.push_back(touch(place, {0, 1, 0, 0}, 0, 0.5F, 0));
+      problem.order.push_back(static_cast<int>(problem.own.size()));
+      problem.own.push_back(touch(place, {0, 1, 0, 0}, 0, 0.5F, 0));
     }
     problem.pairs.push_back({k, k - 1, first, 64});
   }
+  problem.points = problem.own;
   return problem;
 }
 
 // All contacts of a pair one after another bear a pair at an iteration, and its upper end falls on.
 TEST(ContactSolver, BearsAStackInOneStep) {
-  const ContactProblem problem = stackOf(10);
+  const OwnProblem problem = stackOf(10);
   ContactSolver solver;
   solve(solver, problem, {.timeStep = kStep}, 10);
   for (std::size_t k = 1; k < problem.bodies.size(); ++k) {

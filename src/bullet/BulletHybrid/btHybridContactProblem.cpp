@@ -3,8 +3,8 @@
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include "btHybridQuad.h"
-#include "btHybridReducible.h"
 
+using scatter::solver::BodyVelocity;
 using scatter::solver::ContactBody;
 using scatter::solver::ContactPair;
 using scatter::solver::ContactSettings;
@@ -15,54 +15,6 @@ using scatter::solver::ReducibleContact;
 namespace
 {
 const int kNone = -1;
-
-bool needsBullet(const btManifoldPoint& point, const btContactSolverInfo& info)
-{
-	const bool hasDirections = (info.m_solverMode & SOLVER_ENABLE_FRICTION_DIRECTION_CACHING) &&
-	                           (point.m_contactPointFlags & BT_CONTACT_FLAG_LATERAL_FRICTION_INITIALIZED);
-	return point.m_combinedRollingFriction > 0 || (point.m_contactPointFlags & BT_CONTACT_FLAG_FRICTION_ANCHOR) ||
-	       hasDirections;
-}
-
-// Softness and error reduction of a contact, as btSequentialImpulseConstraintSolver::setupContactConstraint finds
-// them.
-void findLaw(const btManifoldPoint& point, const btContactSolverInfo& info, btScalar& cfm, btScalar& erp)
-{
-	cfm = info.m_globalCfm;
-	erp = info.m_erp2;
-	const int flags = point.m_contactPointFlags;
-	if (flags & (BT_CONTACT_FLAG_HAS_CONTACT_CFM | BT_CONTACT_FLAG_HAS_CONTACT_ERP))
-	{
-		if (flags & BT_CONTACT_FLAG_HAS_CONTACT_CFM)
-			cfm = point.m_contactCFM;
-		if (flags & BT_CONTACT_FLAG_HAS_CONTACT_ERP)
-			erp = point.m_contactERP;
-	}
-	else if (flags & BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING)
-	{
-		const btScalar spring = info.m_timeStep * point.m_combinedContactStiffness1;
-		const btScalar resistance = btMax(spring + point.m_combinedContactDamping1, btScalar(SIMD_EPSILON));
-		cfm = 1 / resistance;
-		erp = spring / resistance;
-	}
-}
-
-ProblemPoint contactOf(const btManifoldPoint& point, bool swaps, const btContactSolverInfo& info)
-{
-	btScalar cfm, erp;
-	findLaw(point, info, cfm, erp);
-	const bool warm = (info.m_solverMode & SOLVER_USE_WARMSTARTING) != 0;
-	const btVector3& placeA = point.m_positionWorldOnA;
-	const btVector3& placeB = point.m_positionWorldOnB;
-	ProblemPoint contact;
-	contact.onA = btHybridQuad(swaps ? placeB : placeA, point.getDistance());
-	contact.onB = btHybridQuad(swaps ? placeA : placeB, point.m_combinedFriction);
-	contact.normal =
-	    btHybridQuad(swaps ? -point.m_normalWorldOnB : point.m_normalWorldOnB, point.m_combinedRestitution);
-	contact.law = btHybridQuad(
-	    btVector3(warm ? point.m_appliedImpulse * info.m_warmstartingFactor : btScalar(0), cfm, erp), 1);
-	return contact;
-}
 
 ContactSettings settingsOf(const btContactSolverInfo& info, bool clampsFriction)
 {
@@ -83,48 +35,37 @@ ContactSettings settingsOf(const btContactSolverInfo& info, bool clampsFriction)
 void btHybridContactProblem::clear()
 {
 	m_problem.clear();
-	m_sources.clear();
+	m_bodies.clear();
+	m_moving.clear();
+	m_fixed.clear();
 	m_taken.clear();
 	m_lastPair.clear();
 	m_nextPair.clear();
-	m_bulletManifolds = 0;
 	m_reduced = btHybridContactReductionCount();
 }
 
-bool btHybridContactProblem::add(btPersistentManifold* manifold, Side side0, Side side1,
-                                 const btContactSolverInfo& info)
+void btHybridContactProblem::add(const btHybridContactPoints::Range& range, Side a, Side b, std::vector<int>& places)
 {
-	// A pair's manifolds may name its bodies in either order.
-	const bool swaps = !side0.m_moves || (side1.m_moves && side1.m_id < side0.m_id);
-	const int first = int(m_problem.points.size());
-	if (!takePoints(manifold, swaps, info))
-	{
-		m_problem.points.resize(first);
-		m_sources.resize(first);
-		return false;
-	}
-	const int count = int(m_problem.points.size()) - first;
-	if (count == 0)
-		return true;
-	const int pair = swaps ? pairOf(side1.m_id, side0.m_id) : pairOf(side0.m_id, side1.m_id);
-	m_problem.pairs[pair].count += count;
-	m_taken.push_back({pair, first, count});
-	return true;
+	const int place = placeOf(a, places);
+	const int pair = pairOf(place, placeOf(b, places));
+	m_problem.pairs[pair].count += range.m_count;
+	m_taken.push_back({pair, range.m_first, range.m_count});
 }
 
-bool btHybridContactProblem::takePoints(btPersistentManifold* manifold, bool swaps, const btContactSolverInfo& info)
+// What does not move may be in many problems, but there is little of it in one.
+int btHybridContactProblem::placeOf(Side side, std::vector<int>& places)
 {
-	for (int i = 0; i < manifold->getNumContacts(); ++i)
-	{
-		btManifoldPoint& point = manifold->getContactPoint(i);
-		if (!(point.getDistance() <= manifold->getContactProcessingThreshold()))
-			continue;
-		if (needsBullet(point, info))
-			return false;
-		m_problem.points.push_back(contactOf(point, swaps, info));
-		m_sources.push_back({&point, swaps, btHybridIsReducible(point)});
-	}
-	return true;
+	if (side.m_moves && places[side.m_id] != kNone)
+		return places[side.m_id];
+	for (size_t i = 0; !side.m_moves && i < m_fixed.size(); ++i)
+		if (m_bodies[m_fixed[i]] == side.m_id)
+			return m_fixed[i];
+	const int place = int(m_bodies.size());
+	m_bodies.push_back(side.m_id);
+	(side.m_moves ? m_moving : m_fixed).push_back(place);
+	if (side.m_moves)
+		places[side.m_id] = place;
+	return place;
 }
 
 // A body has few neighbours that it is the first of, and the manifolds of a pair mostly follow each other.
@@ -190,7 +131,7 @@ void btHybridContactProblem::leaveOut(int index, int kept)
 	if (impulse == 0)
 		return;
 	m_problem.points[kept].law.x += impulse;
-	btManifoldPoint& point = *m_sources[index].m_point;
+	btManifoldPoint& point = *m_points->sources()[index].m_point;
 	point.m_appliedImpulse = point.m_appliedImpulseLateral1 = point.m_appliedImpulseLateral2 = 0;
 }
 
@@ -202,7 +143,7 @@ void btHybridContactProblem::reduce(ContactPair& pair, int mostAlike)
 	for (int i = pair.first; i < pair.first + pair.count; ++i)
 	{
 		const int index = m_problem.order[i];
-		if (!m_sources[index].m_isReducible)
+		if (!m_points->sources()[index].m_isReducible)
 		{
 			m_problem.order[pair.first + left++] = index;
 			continue;
@@ -230,12 +171,14 @@ void btHybridContactProblem::reduce(ContactPair& pair, int mostAlike)
 	pair.count = left;
 }
 
-void btHybridContactProblem::begin(const btAlignedObjectArray<btSolverBody>& bodies,
+void btHybridContactProblem::begin(btHybridContactPoints& points, const btAlignedObjectArray<btSolverBody>& bodies,
                                    const btContactSolverInfo& info, bool clampsFriction,
                                    const btHybridContactReductionInfo* reduction)
 {
-	for (int i = 0; i < bodies.size(); ++i)
-		takeBody(bodies[i]);
+	m_points = &points;
+	m_problem.points = points.points();
+	for (int body : m_bodies)
+		takeBody(bodies[body]);
 	order();
 	for (ContactPair& pair : m_problem.pairs)
 	{
@@ -245,6 +188,70 @@ void btHybridContactProblem::begin(const btAlignedObjectArray<btSolverBody>& bod
 	m_solver.begin(m_problem, settingsOf(info, clampsFriction));
 }
 
+// As Bullet's solver does it, islands of at least 128 contacts at a time: these stop when nothing in them changes any more.
+void btHybridContactProblem::solve(const btContactSolverInfo& info)
+{
+	const btScalar enough = info.m_leastSquaresResidualThreshold;
+	const int pushes = info.m_splitImpulse && m_solver.pushes() ? info.m_numIterations : 0;
+	for (int i = 0; i < pushes && m_solver.solvePushes() > enough; ++i)
+	{
+	}
+	for (int i = 0; i < info.m_numIterations && m_solver.solveVelocities() > enough; ++i)
+	{
+	}
+}
+
+void btHybridContactProblem::giveVelocities(btAlignedObjectArray<btSolverBody>& bodies)
+{
+	for (int i : m_moving)
+	{
+		btSolverBody& body = bodies[m_bodies[i]];
+		body.m_deltaLinearVelocity = btHybridVectorOf(m_solver.velocities()[i].linear);
+		body.m_deltaAngularVelocity = btHybridVectorOf(m_solver.velocities()[i].angular);
+	}
+}
+
+void btHybridContactProblem::takeVelocities(const btAlignedObjectArray<btSolverBody>& bodies)
+{
+	for (int i : m_moving)
+	{
+		const btSolverBody& body = bodies[m_bodies[i]];
+		m_solver.velocities()[i].linear = btHybridQuad(body.m_deltaLinearVelocity);
+		m_solver.velocities()[i].angular = btHybridQuad(body.m_deltaAngularVelocity);
+	}
+}
+
+void btHybridContactProblem::givePushes(btAlignedObjectArray<btSolverBody>& bodies)
+{
+	for (int i : m_moving)
+	{
+		btSolverBody& body = bodies[m_bodies[i]];
+		body.m_pushVelocity = btHybridVectorOf(m_solver.pushVelocities()[i].linear);
+		body.m_turnVelocity = btHybridVectorOf(m_solver.pushVelocities()[i].angular);
+	}
+}
+
+void btHybridContactProblem::takePushes(const btAlignedObjectArray<btSolverBody>& bodies)
+{
+	for (int i : m_moving)
+	{
+		const btSolverBody& body = bodies[m_bodies[i]];
+		m_solver.pushVelocities()[i].linear = btHybridQuad(body.m_pushVelocity);
+		m_solver.pushVelocities()[i].angular = btHybridQuad(body.m_turnVelocity);
+	}
+}
+
+void btHybridContactProblem::addVelocities(const btAlignedObjectArray<btSolverBody>& bodies)
+{
+	for (int i : m_moving)
+	{
+		const btSolverBody& body = bodies[m_bodies[i]];
+		BodyVelocity& velocity = m_solver.velocities()[i];
+		velocity.linear = btHybridQuad(btHybridVectorOf(velocity.linear) + body.m_deltaLinearVelocity);
+		velocity.angular = btHybridQuad(btHybridVectorOf(velocity.angular) + body.m_deltaAngularVelocity);
+	}
+}
+
 void btHybridContactProblem::finish(const btContactSolverInfo& info)
 {
 	const bool warm = (info.m_solverMode & SOLVER_USE_WARMSTARTING) != 0;
@@ -252,8 +259,9 @@ void btHybridContactProblem::finish(const btContactSolverInfo& info)
 	m_solver.forEachImpulse(m_problem,
 	                        [&](int index, const ContactSolver::Impulse& impulse)
 	                        {
-		                        btManifoldPoint& point = *m_sources[index].m_point;
-		                        const btScalar sign = m_sources[index].m_isSwapped ? btScalar(-1) : btScalar(1);
+		                        const btHybridContactPoints::Source& source = m_points->sources()[index];
+		                        btManifoldPoint& point = *source.m_point;
+		                        const btScalar sign = source.m_isSwapped ? btScalar(-1) : btScalar(1);
 		                        point.m_lateralFrictionDir1 = sign * btHybridVectorOf(impulse.directions[0]);
 		                        if (two)
 			                        point.m_lateralFrictionDir2 = sign * btHybridVectorOf(impulse.directions[1]);

@@ -5,17 +5,25 @@
 #include <BulletDynamics/ConstraintSolver/btContactSolverInfo.h>
 #include <BulletDynamics/ConstraintSolver/btSolverBody.h>
 #include <BulletHybrid/btHybridContactReduction.h>
+#include <LinearMath/btAlignedObjectArray.h>
 
 #include <vector>
 
+#include "btHybridContactPoints.h"
 #include "solver/contact_problem.h"
 #include "solver/contact_reduction.h"
 #include "solver/contact_solver.h"
 
-/// Bullet's manifolds and solver bodies as the contacts that a scatter::solver::ContactSolver solves, and back.
+/// Contacts of Bullet's manifolds, with the solver bodies that they are between, as a scatter::solver::ContactSolver solves them, and
+/// back. Problems whose moving bodies are others may be at work on several threads at once.
 class btHybridContactProblem
 {
 public:
+	btHybridContactProblem()
+	    : m_points(0)
+	{
+	}
+
 	void clear();
 
 	/// A body of a manifold.
@@ -25,16 +33,27 @@ public:
 		bool m_moves;
 	};
 
-	/// Takes the contacts of a manifold, one of whose bodies moves. False, and nothing taken, if some contact needs
-	/// rows of Bullet's.
-	bool add(btPersistentManifold* manifold, Side side0, Side side1, const btContactSolverInfo& info);
+	/// Takes contacts of two bodies, of which a moves. `places`: of each solver body, room for its number here.
+	void add(const btHybridContactPoints::Range& range, Side a, Side b, std::vector<int>& places);
 
-	/// After all manifolds: takes the bodies, and begins to solve. `reduction`: what is left out; 0: nothing.
-	void begin(const btAlignedObjectArray<btSolverBody>& bodies, const btContactSolverInfo& info,
-	           bool clampsFriction, const btHybridContactReductionInfo* reduction);
+	/// After all contacts, of these points: takes the bodies, and begins to solve. `reduction`: what is left out; 0: nothing.
+	void begin(btHybridContactPoints& points, const btAlignedObjectArray<btSolverBody>& bodies,
+	           const btContactSolverInfo& info, bool clampsFriction, const btHybridContactReductionInfo* reduction);
+
+	/// All iterations, where nothing but these contacts moves the bodies.
+	void solve(const btContactSolverInfo& info);
 
 	/// Writes impulses and friction directions into the manifolds' points.
 	void finish(const btContactSolverInfo& info);
+
+	/// What has been added to the velocities of the solver bodies; give() to them, take() from them, with what others have added.
+	void giveVelocities(btAlignedObjectArray<btSolverBody>& bodies);
+	void takeVelocities(const btAlignedObjectArray<btSolverBody>& bodies);
+	void givePushes(btAlignedObjectArray<btSolverBody>& bodies);
+	void takePushes(const btAlignedObjectArray<btSolverBody>& bodies);
+
+	/// The same, after begin(), of what others begin with.
+	void addVelocities(const btAlignedObjectArray<btSolverBody>& bodies);
 
 	bool empty() const
 	{
@@ -53,18 +72,9 @@ public:
 		return m_solver;
 	}
 
-	int m_bulletManifolds;
 	btHybridContactReductionCount m_reduced;
 
 private:
-	/// Where a point comes from.
-	struct Source
-	{
-		btManifoldPoint* m_point;
-		bool m_isSwapped;  ///< body 0 of the manifold is the contact's b
-		bool m_isReducible;
-	};
-
 	/// Where the contacts of a manifold are.
 	struct Taken
 	{
@@ -73,19 +83,22 @@ private:
 		int m_count;
 	};
 
+	int placeOf(Side side, std::vector<int>& places);
 	int pairOf(int a, int b);
-	bool takePoints(btPersistentManifold* manifold, bool swaps, const btContactSolverInfo& info);
 	void takeBody(const btSolverBody& body);
 	void order();
 	void reduce(scatter::solver::ContactPair& pair, int mostAlike);
 	void leaveOut(int index, int kept);
 
+	std::vector<int> m_bodies;  ///< the solver body of each of the problem's
+	std::vector<int> m_moving;  ///< of those, the problem's that move
+	std::vector<int> m_fixed;   ///< and those that do not
+	btHybridContactPoints* m_points;
 	scatter::solver::ContactProblem m_problem;
 	scatter::solver::ContactSolver m_solver;
 	scatter::solver::ContactReduction m_reduction;
 	std::vector<scatter::solver::ReducibleContact> m_reducible;
 	std::vector<int> m_reducibleIndex;  ///< of the problem's points
-	std::vector<Source> m_sources;      ///< of the problem's points
 	std::vector<Taken> m_taken;
 	std::vector<int> m_lastPair;  ///< of a body that is a pair's a, the pair that was found last
 	std::vector<int> m_nextPair;  ///< of a pair, another one with the same a

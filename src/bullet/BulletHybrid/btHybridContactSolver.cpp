@@ -2,12 +2,9 @@
 
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
-#include "btHybridContactProblem.h"
+#include "btHybridContactGroups.h"
 #include "btHybridManifolds.h"
-#include "btHybridQuad.h"
-
-using scatter::solver::BodyVelocity;
-using scatter::solver::PairBatch;
+#include "btHybridSettings.h"
 
 namespace
 {
@@ -33,109 +30,74 @@ bool moves(const btSolverBody& body)
 }  // namespace
 
 btHybridContactSolver::btHybridContactSolver()
-    : m_problem(new btHybridContactProblem()), m_clampsFriction(true), m_reduces(false)
+    : m_groups(new btHybridContactGroups()), m_clampsFriction(true), m_reduces(false)
 {
-	m_problem->clear();
 }
 
 btHybridContactSolver::~btHybridContactSolver()
 {
-	delete m_problem;
+	delete m_groups;
+}
+
+// Before the contacts are.
+void btHybridContactSolver::convertJoints(btTypedConstraint** constraints, int numConstraints,
+                                          const btContactSolverInfo& info)
+{
+	m_groups->clear();
+	btSequentialImpulseConstraintSolver::convertJoints(constraints, numConstraints, info);
+	for (int i = 0; i < numConstraints; ++i)
+	{
+		setJoined(constraints[i]->getRigidBodyA().getCompanionId());
+		setJoined(constraints[i]->getRigidBodyB().getCompanionId());
+	}
+}
+
+void btHybridContactSolver::setJoined(int body)
+{
+	if (body >= 0 && body < m_tmpSolverBodyPool.size() && moves(m_tmpSolverBodyPool[body]))
+		m_groups->setJoined(body);
 }
 
 void btHybridContactSolver::convertContacts(btPersistentManifold** manifolds, int numManifolds,
                                             const btContactSolverInfo& info)
 {
-	m_problem->clear();
 	const bool leavesAll = ordersRows(info);
 	for (int i = 0; i < numManifolds; ++i)
 	{
 		if (i + c_manifoldsAhead < numManifolds)
 			btHybridContacts::prefetch(manifolds[i + c_manifoldsAhead]);
-		btPersistentManifold* manifold = manifolds[i];
-		btCollisionObject& object0 = *const_cast<btCollisionObject*>(manifold->getBody0());
-		btCollisionObject& object1 = *const_cast<btCollisionObject*>(manifold->getBody1());
-		const int id0 = getOrInitSolverBody(object0, info.m_timeStep);
-		const int id1 = getOrInitSolverBody(object1, info.m_timeStep);
-		const btSolverBody& body0 = m_tmpSolverBodyPool[id0];
-		const btSolverBody& body1 = m_tmpSolverBodyPool[id1];
-		// As in Bullet, bodies that cannot be moved do not respond to each other.
-		if (body0.m_invMass.fuzzyZero() && body1.m_invMass.fuzzyZero())
-			continue;
-		const bool isOurs = !leavesAll && !isAnisotropic(object0) && !isAnisotropic(object1);
-		if (isOurs && m_problem->add(manifold, {id0, moves(body0)}, {id1, moves(body1)}, info))
-			continue;
-		convertContact(manifold, info);
-		++m_problem->m_bulletManifolds;
+		convertManifold(manifolds[i], leavesAll, info);
 	}
-	if (m_problem->empty())
-		return;
-	m_problem->begin(m_tmpSolverBodyPool, info, m_clampsFriction, m_reduces ? &m_reduction : 0);
-	addWarmStart();
+	m_groups->group(m_tmpSolverBodyPool);
+	m_groups->beginJoined(m_tmpSolverBodyPool, info, {m_clampsFriction, m_reduces ? &m_reduction : 0});
+	// What Bullet's own rows begin with is in its bodies.
+	if (!m_groups->joined().empty() && m_groups->m_bulletManifolds > 0)
+		m_groups->joined().addVelocities(m_tmpSolverBodyPool);
 }
 
-// What Bullet's own rows begin with is in its bodies.
-void btHybridContactSolver::addWarmStart()
+void btHybridContactSolver::convertManifold(btPersistentManifold* manifold, bool leavesAll, const btContactSolverInfo& info)
 {
-	for (int i = 0; m_problem->m_bulletManifolds > 0 && i < m_tmpSolverBodyPool.size(); ++i)
-	{
-		BodyVelocity& velocity = m_problem->solver().velocities()[i];
-		velocity.linear =
-		    btHybridQuad(btHybridVectorOf(velocity.linear) + m_tmpSolverBodyPool[i].m_deltaLinearVelocity);
-		velocity.angular =
-		    btHybridQuad(btHybridVectorOf(velocity.angular) + m_tmpSolverBodyPool[i].m_deltaAngularVelocity);
-	}
+	btCollisionObject& object0 = *const_cast<btCollisionObject*>(manifold->getBody0());
+	btCollisionObject& object1 = *const_cast<btCollisionObject*>(manifold->getBody1());
+	const int id0 = getOrInitSolverBody(object0, info.m_timeStep);
+	const int id1 = getOrInitSolverBody(object1, info.m_timeStep);
+	const btSolverBody& body0 = m_tmpSolverBodyPool[id0];
+	const btSolverBody& body1 = m_tmpSolverBodyPool[id1];
+	// As in Bullet, bodies that cannot be moved do not respond to each other.
+	if (body0.m_invMass.fuzzyZero() && body1.m_invMass.fuzzyZero())
+		return;
+	const bool isOurs = !leavesAll && !isAnisotropic(object0) && !isAnisotropic(object1);
+	if (isOurs && m_groups->add(manifold, {id0, moves(body0)}, {id1, moves(body1)}, info))
+		return;
+	setJoined(id0);
+	setJoined(id1);
+	convertContact(manifold, info);
+	++m_groups->m_bulletManifolds;
 }
 
 bool btHybridContactSolver::hasBulletRows() const
 {
-	return m_tmpSolverNonContactConstraintPool.size() > 0 || m_problem->m_bulletManifolds > 0;
-}
-
-// Joints without rows may add bodies to Bullet's later on. Without contacts of ours there are none.
-int btHybridContactSolver::countBodies() const
-{
-	return int(m_problem->problem().bodies.size());
-}
-
-void btHybridContactSolver::giveVelocities()
-{
-	for (int i = 0; i < countBodies(); ++i)
-	{
-		const BodyVelocity& velocity = m_problem->solver().velocities()[i];
-		m_tmpSolverBodyPool[i].m_deltaLinearVelocity = btHybridVectorOf(velocity.linear);
-		m_tmpSolverBodyPool[i].m_deltaAngularVelocity = btHybridVectorOf(velocity.angular);
-	}
-}
-
-void btHybridContactSolver::takeVelocities()
-{
-	for (int i = 0; i < countBodies(); ++i)
-	{
-		BodyVelocity& velocity = m_problem->solver().velocities()[i];
-		velocity.linear = btHybridQuad(m_tmpSolverBodyPool[i].m_deltaLinearVelocity);
-		velocity.angular = btHybridQuad(m_tmpSolverBodyPool[i].m_deltaAngularVelocity);
-	}
-}
-
-void btHybridContactSolver::givePushes()
-{
-	for (int i = 0; i < countBodies(); ++i)
-	{
-		const BodyVelocity& push = m_problem->solver().pushVelocities()[i];
-		m_tmpSolverBodyPool[i].m_pushVelocity = btHybridVectorOf(push.linear);
-		m_tmpSolverBodyPool[i].m_turnVelocity = btHybridVectorOf(push.angular);
-	}
-}
-
-void btHybridContactSolver::takePushes()
-{
-	for (int i = 0; i < countBodies(); ++i)
-	{
-		BodyVelocity& push = m_problem->solver().pushVelocities()[i];
-		push.linear = btHybridQuad(m_tmpSolverBodyPool[i].m_pushVelocity);
-		push.angular = btHybridQuad(m_tmpSolverBodyPool[i].m_turnVelocity);
-	}
+	return m_tmpSolverNonContactConstraintPool.size() > 0 || m_groups->m_bulletManifolds > 0;
 }
 
 btScalar btHybridContactSolver::solveBulletPushes()
@@ -159,17 +121,20 @@ void btHybridContactSolver::solveGroupCacheFriendlySplitImpulseIterations(btColl
 {
 	if (!info.m_splitImpulse)
 		return;
+	btHybridContactProblem& joined = m_groups->joined();
 	for (int i = 0; i < info.m_numIterations; ++i)
 	{
 		btScalar residual = 0;
-		if (m_problem->m_bulletManifolds > 0)
+		if (m_groups->m_bulletManifolds > 0)
 		{
-			givePushes();
+			if (!joined.empty())
+				joined.givePushes(m_tmpSolverBodyPool);
 			residual = solveBulletPushes();
-			takePushes();
+			if (!joined.empty())
+				joined.takePushes(m_tmpSolverBodyPool);
 		}
-		if (!m_problem->empty() && m_problem->solver().pushes())
-			residual = btMax(residual, btScalar(m_problem->solver().solvePushes()));
+		if (!joined.empty() && joined.solver().pushes())
+			residual = btMax(residual, btScalar(joined.solver().solvePushes()));
 		if (residual <= info.m_leastSquaresResidualThreshold)
 			break;
 	}
@@ -187,42 +152,47 @@ btScalar btHybridContactSolver::solveSingleIteration(int iteration, btCollisionO
                                                      int numConstraints, const btContactSolverInfo& info,
                                                      btIDebugDraw*)
 {
-	btScalar residual = 0;
-	if (numConstraints > 0 || hasBulletRows())
-	{
-		giveVelocities();
-		residual = solveBulletRows(iteration, constraints, numConstraints, info);
-		takeVelocities();
-	}
-	if (!m_problem->empty() && iteration < info.m_numIterations)
-		residual = btMax(residual, btScalar(m_problem->solver().solveVelocities()));
+	btHybridContactProblem& joined = m_groups->joined();
+	if (!joined.empty())
+		joined.giveVelocities(m_tmpSolverBodyPool);
+	btScalar residual = solveBulletRows(iteration, constraints, numConstraints, info);
+	if (joined.empty())
+		return residual;
+	joined.takeVelocities(m_tmpSolverBodyPool);
+	if (iteration < info.m_numIterations)
+		residual = btMax(residual, btScalar(joined.solver().solveVelocities()));
 	return residual;
+}
+
+btScalar btHybridContactSolver::solveGroupCacheFriendlyIterations(btCollisionObject** bodies, int numBodies,
+                                                                  btPersistentManifold** manifolds, int numManifolds,
+                                                                  btTypedConstraint** constraints, int numConstraints,
+                                                                  const btContactSolverInfo& info, btIDebugDraw* drawer)
+{
+	m_groups->solve(m_tmpSolverBodyPool, info, {m_clampsFriction, m_reduces ? &m_reduction : 0});
+	if (numConstraints == 0 && !hasBulletRows())
+		return 0;
+	return btSequentialImpulseConstraintSolver::solveGroupCacheFriendlyIterations(bodies, numBodies, manifolds, numManifolds, constraints, numConstraints, info, drawer);
 }
 
 btScalar btHybridContactSolver::solveGroupCacheFriendlyFinish(btCollisionObject** bodies, int numBodies,
                                                               const btContactSolverInfo& info)
 {
-	if (m_problem->empty())
-		return btSequentialImpulseConstraintSolver::solveGroupCacheFriendlyFinish(bodies, numBodies, info);
-	m_problem->finish(info);
-	giveVelocities();
-	if (info.m_splitImpulse)
-		givePushes();
+	btHybridContactProblem& joined = m_groups->joined();
+	if (!joined.empty())
+	{
+		joined.finish(info);
+		joined.giveVelocities(m_tmpSolverBodyPool);
+		if (info.m_splitImpulse)
+			joined.givePushes(m_tmpSolverBodyPool);
+	}
 	return btSequentialImpulseConstraintSolver::solveGroupCacheFriendlyFinish(bodies, numBodies, info);
 }
 
 btHybridContactSolverInfo btHybridContactSolver::getContactSolverInfo() const
 {
 	btHybridContactSolverInfo info;
-	info.m_pairs = int(m_problem->problem().pairs.size());
-	info.m_points = int(m_problem->problem().points.size());
-	info.m_bulletManifolds = m_problem->m_bulletManifolds;
-	if (m_problem->empty())
-		return info;
-	info.m_colours = m_problem->solver().colouring().colours();
-	for (const PairBatch& batch : m_problem->solver().colouring().batches())
-		info.m_rows += batch.rows;
-	info.m_reduced = m_problem->m_reduced;
+	m_groups->addTo(info);
 	return info;
 }
 
@@ -230,4 +200,22 @@ void btHybridContactSolver::setContactReduction(const btHybridContactReductionIn
 {
 	m_reduces = true;
 	m_reduction = info;
+}
+
+const char* btHybridContactSolver::setNumThreads(int threads)
+{
+	const char* mistake = btHybridCheckThreads(threads);
+	if (!mistake)
+		m_groups->m_threads->setNumThreads(threads);
+	return mistake;
+}
+
+int btHybridContactSolver::getNumThreads() const
+{
+	return m_groups->m_threads->getNumThreads();
+}
+
+void btHybridContactSolver::setTaskScheduler(btITaskScheduler* scheduler)
+{
+	m_groups->m_threads->setScheduler(scheduler);
 }

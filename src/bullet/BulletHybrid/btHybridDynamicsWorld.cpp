@@ -5,7 +5,12 @@
 #include <LinearMath/btIDebugDraw.h>
 #include <LinearMath/btQuickprof.h>
 
+#include <limits>
+
+#include "btHybridAheadEngine.h"
+#include "btHybridAwakePairs.h"
 #include "btHybridBodySwitching.h"
+#include "btHybridContactGroups.h"
 #include "btHybridContactVerifier.h"
 #include "btHybridNarrowphase.h"
 #include "btHybridNeighbourhood.h"
@@ -405,18 +410,17 @@ const btHybridContactReport& btHybridDynamicsWorld::getContactReport() const
 
 const char* btHybridDynamicsWorld::setNumThreads(int threads)
 {
-	const int c_most = 64;
 	if (m_detects)
 		return "the number of threads cannot change inside a step: change it between two";
-	if (threads < 1 || threads > c_most)
-		return "a world works on 1 to 64 threads";
-	m_narrowphase->getForesight().setNumThreads(threads);
-	return 0;
+	const char* mistake = btHybridCheckThreads(threads);
+	if (!mistake)
+		m_narrowphase->getForesight().getThreads()->setNumThreads(threads);
+	return mistake;
 }
 
 int btHybridDynamicsWorld::getNumThreads() const
 {
-	return m_narrowphase->getForesight().getNumThreads();
+	return m_narrowphase->getForesight().getThreads()->getNumThreads();
 }
 
 void btHybridDynamicsWorld::setPromises(int promises)
@@ -433,7 +437,7 @@ const char* btHybridDynamicsWorld::setTaskScheduler(btITaskScheduler* scheduler)
 {
 	if (m_detects)
 		return "the task scheduler cannot change inside a step: change it between two";
-	m_narrowphase->getForesight().setScheduler(scheduler);
+	m_narrowphase->getForesight().getThreads()->setScheduler(scheduler);
 	return 0;
 }
 
@@ -449,6 +453,7 @@ void btHybridDynamicsWorld::performDiscreteCollisionDetection()
 		return;
 	}
 	BT_PROFILE("performDiscreteCollisionDetection");
+	m_narrowphase->getForesight().expect();
 	updateAabbs();
 	computeOverlappingPairs();
 	if (m_planner)
@@ -461,8 +466,8 @@ void btHybridDynamicsWorld::performDiscreteCollisionDetection()
 		BT_PROFILE("dispatchAllCollisionPairs");
 		m_narrowphase->getObjects().setDispatching(true);
 		m_narrowphase->getForesight().begin(*m_narrowphase, static_cast<btCollisionDispatcher*>(getDispatcher()), getDispatchInfo());
-		getDispatcher()->dispatchAllCollisionPairs(m_broadphasePairCache->getOverlappingPairCache(), getDispatchInfo(), m_dispatcher1);
-		m_narrowphase->getForesight().end();
+		dispatchPairs();
+		m_narrowphase->getForesight().end(*m_narrowphase);
 		m_narrowphase->getObjects().setDispatching(false);
 	}
 	if (m_planner)
@@ -472,6 +477,15 @@ void btHybridDynamicsWorld::performDiscreteCollisionDetection()
 	}
 	if (m_verifyEvery > 0)
 		m_verifier->finish(this, m_requests->getStep() % m_verifyEvery == 0);
+}
+
+// Where threads have been at work little is left to do. A near callback of the program's own is shown all pairs.
+void btHybridDynamicsWorld::dispatchPairs()
+{
+	btOverlappingPairCache* pairs = m_broadphasePairCache->getOverlappingPairCache();
+	btHybridAwakePairs awake(pairs);
+	const bool isUsual = btHybridAheadRules::isDispatchSure(static_cast<btCollisionDispatcher*>(m_dispatcher1), getDispatchInfo(), 0);
+	m_dispatcher1->dispatchAllCollisionPairs(isUsual && m_narrowphase->getForesight().isAtWork() ? &awake : pairs, getDispatchInfo(), m_dispatcher1);
 }
 
 // The steps that Bullet is going to make of the time that it is given.
@@ -493,6 +507,21 @@ void btHybridDynamicsWorld::internalSingleStepSimulation(btScalar timeStep)
 	const double before = btHybridStepClock::getThreadMilliseconds();
 	btDiscreteDynamicsWorld::internalSingleStepSimulation(timeStep);
 	m_planner->takeTime(btHybridStepClock::getThreadMilliseconds() - before);
+}
+
+// All islands at once, so that a solver of ours can share them out.
+void btHybridDynamicsWorld::solveConstraints(btContactSolverInfo& info)
+{
+	btHybridContactSolver* solver = dynamic_cast<btHybridContactSolver*>(m_constraintSolver);
+	if (!solver)
+	{
+		btDiscreteDynamicsWorld::solveConstraints(info);
+		return;
+	}
+	solver->m_groups->m_threads = m_narrowphase->getForesight().getThreads();
+	btContactSolverInfo whole = info;
+	whole.m_minimumSolverBatchSize = std::numeric_limits<int>::max();
+	btDiscreteDynamicsWorld::solveConstraints(whole);
 }
 
 void btHybridDynamicsWorld::planBodies()

@@ -1,9 +1,9 @@
 #include "btHybridForesight.h"
 
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
-#include <LinearMath/btThreads.h>
 
 #include <algorithm>
+#include <chrono>
 
 #include "btHybridAheadEngine.h"
 #include "btHybridAlgorithm.h"
@@ -11,52 +11,27 @@
 
 namespace
 {
-/// Pairs that one thread takes at a time. Most are quiet and take 50 ns, so that a block is worth taking; the
-/// number of threads must not matter to it.
-const int c_block = 32;
+/// Pairs that one thread takes at a time. Most are quiet and take 50 ns, so that a block is worth taking; of few pairs, blocks
+/// are so small that no thread waits long for the last one. The number of threads must not matter to it.
+const int c_largestBlock = 32;
+const int c_fewestBlocks = 16;
 
-/// Fewer pairs are done before another thread has woken up; and where fewer have to be looked at, which takes some
-/// microseconds each, to ask all of them takes longer than it saves. That seldom changes from step to step. Of 48 and
-/// 128, this is the number with which `engine_bullet --lean --threads 2` (bench/engines) loses least on a wall and on
-/// wheels on a plane, and nothing elsewhere.
-const int c_fewest = 128;
+/// Fewer pairs are done before another thread has woken up, and so is work that takes no longer than this on all threads together: to
+/// hand it over, and to ask all pairs, takes longer than it saves. How long it takes seldom changes from step to step.
+const int c_fewestPairs = 32;
+const double c_leastMilliseconds = 0.15;
 const int c_pause = 16;
 
-template <class Work>
-struct BlockBody : public btIParallelForBody
-{
-	const Work& m_work;
-
-	explicit BlockBody(const Work& work)
-	    : m_work(work)
-	{
-	}
-	virtual void forLoop(int begin, int end) const
-	{
-		for (int i = begin; i < end; ++i)
-			m_work(i);
-	}
-};
 }  // namespace
-
-// On one core threads only take turns, with all that it costs to hand work over.
-void btHybridForesight::setNumThreads(int threads)
-{
-	m_numThreads = threads;
-	m_threads.reset(threads > 1 && scatter::parallel::countCores() > 1 ? new scatter::parallel::ThreadPool(threads) : 0);
-}
 
 // Calls work(first, last) for blocks of indices.
 template <class Work>
-void btHybridForesight::forEachBlock(int count, const Work& work)
+void btHybridForesight::forEachBlock(int count, const Work& work) const
 {
+	const int size = std::clamp(count / c_fewestBlocks, 1, c_largestBlock);
 	const auto block = [&](int i)
-	{ work(i * c_block, std::min(count, (i + 1) * c_block)); };
-	const int blocks = (count + c_block - 1) / c_block;
-	if (m_scheduler)
-		m_scheduler->parallelFor(0, blocks, 1, BlockBody<decltype(block)>(block));
-	else
-		m_threads->run(blocks, block);
+	{ work(i * size, std::min(count, (i + 1) * size)); };
+	m_threads->run((count + size - 1) / size, block);
 }
 
 btHybridStepMemory* btHybridForesight::borrow()
@@ -94,11 +69,11 @@ void btHybridForesight::lookAhead(int index, int first, int last) const
 void btHybridForesight::begin(btHybridNarrowphase& narrowphase, btCollisionDispatcher* dispatcher, const btDispatcherInfo& info)
 {
 	m_pairs.clear();
-	if ((!m_threads && !m_scheduler) || m_pause-- > 0 || !btHybridAheadRules::isDispatchSure(dispatcher, info, m_promises))
+	if (!m_threads->areMany() || m_pause-- > 0 || !btHybridAheadRules::isDispatchSure(dispatcher, info, m_promises))
 		return;
 	m_pause = 0;
 	narrowphase.collectOwners(m_pairs);
-	if (int(m_pairs.size()) < c_fewest)
+	if (int(m_pairs.size()) < c_fewestPairs)
 	{
 		m_pairs.clear();
 		return;
@@ -121,29 +96,32 @@ void btHybridForesight::begin(btHybridNarrowphase& narrowphase, btCollisionDispa
 	             [this](int first, int last)
 	             {
 		             btHybridStepMemory* memory = borrow();
+		             const auto begin = std::chrono::steady_clock::now();
 		             for (int i = first; i < last; ++i)
 		             {
 			             lookAhead(i, first, last);
 			             if (m_chosen[i])
 				             m_pairs[i]->foresee(m_ahead, *memory);
 		             }
+		             memory->m_milliseconds += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 		             giveBack(memory);
 	             });
 }
 
 // Pairs that are left out all the same have not made use of what was found out.
-void btHybridForesight::end()
+void btHybridForesight::end(btHybridNarrowphase& narrowphase)
 {
 	for (size_t i = 0; i < m_pairs.size(); ++i)
 		if (m_pairs[i] && m_chosen[i])
 			m_pairs[i]->endForesight();
-	int awake = 0;
+	double milliseconds = 0;
 	for (const auto& memory : m_memories)
 	{
-		awake += memory->m_looked;
+		milliseconds += memory->m_milliseconds;
+		narrowphase.takeQuiet(memory->m_quiet);
 		memory->reset();
 	}
-	if (!m_pairs.empty() && awake < c_fewest)
+	if (!m_pairs.empty() && milliseconds < c_leastMilliseconds)
 		m_pause = c_pause;
 	m_pairs.clear();
 }

@@ -6,22 +6,19 @@
 #include <vector>
 
 #include "btHybridStepMemory.h"
-#include "parallel/thread_pool.h"
+#include "btHybridThreads.h"
 
 class btCollisionDispatcher;
 struct btDispatcherInfo;
 class btHybridNarrowphase;
 class btHybridAlgorithm;
-class btITaskScheduler;
 
 /// Makes on several threads, before the pairs of a step are dispatched, the steps of those that need nothing of Bullet
 /// but manifolds; of others, it finds out the neighbours and distances of their parts. What Bullet is asked or told
 /// stays on the caller's thread, in today's order, and results are the same bits for any number of threads.
 class btHybridForesight
 {
-	int m_numThreads;
-	std::unique_ptr<scatter::parallel::ThreadPool> m_threads;
-	btITaskScheduler* m_scheduler;
+	std::shared_ptr<btHybridThreads> m_threads;
 	std::vector<btHybridAlgorithm*> m_pairs;  ///< of the step
 	std::vector<char> m_chosen;
 	btHybridAhead m_ahead;
@@ -35,32 +32,21 @@ class btHybridForesight
 	btHybridForesight& operator=(const btHybridForesight&);
 
 	template <class Work>
-	void forEachBlock(int count, const Work& work);
+	void forEachBlock(int count, const Work& work) const;
 	void lookAhead(int index, int first, int last) const;
 	btHybridStepMemory* borrow();
 	void giveBack(btHybridStepMemory* memory);
 
 public:
 	btHybridForesight()
-	    : m_numThreads(1), m_scheduler(0), m_promises(0), m_pause(0)
+	    : m_threads(new btHybridThreads), m_promises(0), m_pause(0)
 	{
 	}
 
-	/// 1: none of its own; nor are there any on a machine of one core.
-	void setNumThreads(int threads);
-	int getNumThreads() const
+	/// Which a solver may use as well.
+	const std::shared_ptr<btHybridThreads>& getThreads() const
 	{
-		return m_numThreads;
-	}
-
-	/// Threads of a program's own, in the place of ours; 0: none.
-	void setScheduler(btITaskScheduler* scheduler)
-	{
-		m_scheduler = scheduler;
-	}
-	btITaskScheduler* getScheduler() const
-	{
-		return m_scheduler;
+		return m_threads;
 	}
 
 	void setPromises(int promises)
@@ -72,9 +58,22 @@ public:
 		return m_promises;
 	}
 
+	/// Early in a step, before anything that takes a while.
+	void expect() const
+	{
+		if (m_pause <= 0)
+			m_threads->expectWork();
+	}
+
 	/// Around the dispatch of a step's pairs.
 	void begin(btHybridNarrowphase& narrowphase, btCollisionDispatcher* dispatcher, const btDispatcherInfo& info);
-	void end();
+	void end(btHybridNarrowphase& narrowphase);
+
+	/// Whether something has been found out about the pairs of the step under way.
+	bool isAtWork() const
+	{
+		return !m_pairs.empty();
+	}
 
 	/// Of a pair that is gone.
 	void forget(const btHybridAlgorithm* pair);

@@ -2,6 +2,9 @@
 
 #include <BulletCollision/CollisionDispatch/btCompoundCompoundCollisionAlgorithm.h>
 
+#include <mutex>
+#include <utility>
+
 #include "btHybridAheadEngine.h"
 #include "btHybridNarrowphase.h"
 #include "btHybridPlanner.h"
@@ -101,6 +104,49 @@ scatter::pairs::PlacedBody btHybridGroundAlgorithm::getPlaced() const
 	return placed;
 }
 
+namespace
+{
+/// What processCollision() would be called with.
+struct CallAhead
+{
+	btCollisionObjectWrapper m_body;
+	btCollisionObjectWrapper m_ground;
+	btManifoldResult m_result;
+	btHybridGroundCall m_call;
+
+	CallAhead(const btHybridGroundBodies& bodies, const btDispatcherInfo& info)
+	    : m_body(wrapOf(bodies.m_object->getObject())),
+	      m_ground(wrapOf(bodies.m_groundObject)),
+	      m_result(bodies.m_side == 0 ? &m_body : &m_ground, bodies.m_side == 0 ? &m_ground : &m_body),
+	      m_call{&m_body, &m_ground, info, &m_result}
+	{
+	}
+
+	static btCollisionObjectWrapper wrapOf(const btCollisionObject* object)
+	{
+		return btCollisionObjectWrapper(0, object->getCollisionShape(), object, object->getWorldTransform(), -1, -1);
+	}
+};
+
+/// Bullet's meshes count their longest search, which is no work for two threads at once.
+class AheadEngine : public btHybridAheadEngine<btHybridGroundEngine>
+{
+	std::mutex& m_meshes;
+
+public:
+	template <class... Rest>
+	explicit AheadEngine(std::mutex& meshes, Rest&&... rest)
+	    : btHybridAheadEngine<btHybridGroundEngine>(std::forward<Rest>(rest)...), m_meshes(meshes)
+	{
+	}
+	virtual bool collect(const scatter::Vec3& low, const scatter::Vec3& high, scatter::pairs::GroundPieces& pieces)
+	{
+		const std::scoped_lock lock(m_meshes);
+		return btHybridGroundEngine::collect(low, high, pieces);
+	}
+};
+}  // namespace
+
 void btHybridGroundAlgorithm::foresee(btHybridAhead& ahead, btHybridStepMemory& memory)
 {
 	GroundPair& pair = getPair();
@@ -111,37 +157,28 @@ void btHybridGroundAlgorithm::foresee(btHybridAhead& ahead, btHybridStepMemory& 
 	const scatter::Vec3 way = steps.passages ? btHybridWayAhead(m_bodies->m_object->getObject(), m_bodies->m_groundObject, ahead.m_info->m_timeStep) : scatter::Vec3(0);
 	if (pair.quietUntil >= 0 && scatter::pairs::staysQuiet(pair, placed, ground, version, glm::length(way)))
 		return;
+	CallAhead call(*m_bodies, *ahead.m_info);
+	scatter::pairs::StepAhead& step = memory.m_foresight.takeStep();
+	AheadEngine engine(ahead.m_meshes, memory, step.notes, static_cast<btCollisionDispatcher*>(m_dispatcher), m_narrowphase->getObjects(), *m_bodies, call.m_call, m_fallback, memory.m_bounds);
 	const size_t used = memory.m_foresight.used;
 	bool isDecided = scatter::pairs::onlyCarries(pair, placed, m_bodies->m_level, ground, version, steps);
-	if (!isDecided && scatter::pairs::isForeseeable(pair, placed, m_bodies->m_level, ground, version, way, steps))
-	{
-		isDecided = scatter::pairs::foresee(pair, placed, ground, steps, memory.m_foresight);
-		memory.m_looked++;
-	}
+	if (!isDecided && scatter::pairs::isForeseeable(pair, placed, m_bodies->m_level, ground, version, steps))
+		isDecided = scatter::pairs::foresee(pair, placed, ground, steps, engine, memory.m_step.ground.region, memory.m_foresight);
 	if (!isDecided || !btHybridAheadRules::mayStep(ahead, m_bodies->m_object->getObject(), m_bodies->m_groundObject))
 		return;
-	stepAhead(ahead, memory);
+	stepAhead(step, engine, memory);
 	// The step has made use of it: the next pair may have its memory.
 	memory.m_foresight.used = used;
 }
 
 // As the dispatcher's near callback calls it, and processCollision() the pair.
-void btHybridGroundAlgorithm::stepAhead(const btHybridAhead& ahead, btHybridStepMemory& memory)
+void btHybridGroundAlgorithm::stepAhead(scatter::pairs::StepAhead& step, btHybridGroundEngine& engine, btHybridStepMemory& memory)
 {
-	btHybridNarrowphase& shared = *m_narrowphase;
-	const btCollisionObject* body = m_bodies->m_object->getObject();
-	const btCollisionObject* ground = m_bodies->m_groundObject;
-	const btCollisionObjectWrapper bodyWrap(0, body->getCollisionShape(), body, body->getWorldTransform(), -1, -1);
-	const btCollisionObjectWrapper groundWrap(0, ground->getCollisionShape(), ground, ground->getWorldTransform(), -1, -1);
-	const bool isFirst = m_bodies->m_side == 0;
-	btManifoldResult result(isFirst ? &bodyWrap : &groundWrap, isFirst ? &groundWrap : &bodyWrap);
-	const btHybridGroundCall call = {&bodyWrap, &groundWrap, *ahead.m_info, &result};
-	scatter::pairs::StepAhead& step = memory.m_foresight.takeStep();
-	btHybridAheadEngine<btHybridGroundEngine> engine(memory, step.notes, static_cast<btCollisionDispatcher*>(m_dispatcher), shared.getObjects(), *m_bodies, call, m_fallback, memory.m_bounds);
+	const scatter::PairSteps& steps = m_narrowphase->getSteps();
 	if (m_planIndex >= 0)
-		step.outcome = scatter::pairs::stepGround(getPair(), shared.getPlanner()->planPair(m_planIndex), shared.getSteps(), engine, memory.m_step, step.work);
+		step.outcome = scatter::pairs::stepGround(getPair(), m_narrowphase->getPlanner()->planPair(m_planIndex), steps, engine, memory.m_step, step.work);
 	else
-		scatter::pairs::collideGround(getPair(), m_bodies->m_level, shared.getSteps(), engine, memory.m_step, step.work);
+		scatter::pairs::collideGround(getPair(), m_bodies->m_level, steps, engine, memory.m_step, step.work);
 	getPair().ahead = &step;
 }
 

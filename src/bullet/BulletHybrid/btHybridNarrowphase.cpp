@@ -81,6 +81,15 @@ void btHybridNarrowphase::takeAhead(const scatter::pairs::StepAhead& step, int p
 		m_planner->take(planIndex, step.outcome);
 }
 
+void btHybridNarrowphase::takeQuiet(const scatter::pairs::QuietPairs& pairs)
+{
+	if (pairs.all == 0)
+		return;
+	m_work.pairs += pairs.all;
+	m_work.pairsSkipped += pairs.all;
+	m_planner->takeQuiet(pairs);
+}
+
 static void count(const scatter::pairs::PairTable& pairs, size_t plannedBytes, btHybridCollisionMemory& memory)
 {
 	// An algorithm's place in Bullet's pool.

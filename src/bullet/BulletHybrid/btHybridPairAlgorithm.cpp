@@ -21,7 +21,8 @@ btHybridPairAlgorithm::btHybridPairAlgorithm(const btCollisionAlgorithmConstruct
       m_bodies(narrowphase->getObjects().acquire(body0Wrap->getCollisionObject(), narrowphase->getPlanner()), narrowphase->getObjects().acquire(body1Wrap->getCollisionObject(), narrowphase->getPlanner())),
       m_index(-1),
       m_planIndex(-1),
-      m_switches(m_narrowphase->getPlanner() && btMax(m_bodies.m_objects[0]->getNumLevels(), m_bodies.m_objects[1]->getNumLevels()) > 0)
+      m_switches(m_narrowphase->getPlanner() && btMax(m_bodies.m_objects[0]->getNumLevels(), m_bodies.m_objects[1]->getNumLevels()) > 0),
+      m_foreseen(NOTHING)
 {
 	m_narrowphase->addUser();
 	m_narrowphase->addPair(this, m_switches, &m_index);
@@ -64,11 +65,51 @@ bool btHybridPairAlgorithm::hasRestarted() const
 }
 
 // Most pairs of a pile are apart and hardly move: they are left without a look at anything but what all pairs share.
-bool btHybridPairAlgorithm::staysQuiet(btHybridPairEngine& engine) const
+bool btHybridPairAlgorithm::staysQuiet(const scatter::pairs::PlacedBodies& bodies) const
 {
 	Pair& pair = getPair();
-	scatter::pairs::PlacedBodies bodies;
-	return pair.quietUntil >= 0 && m_narrowphase->getPlanner()->isSettled(m_planIndex) && engine.follow(bodies) && scatter::pairs::staysQuiet(pair, bodies);
+	return pair.quietUntil >= 0 && m_narrowphase->getPlanner()->isSettled(m_planIndex) && scatter::pairs::staysQuiet(pair, bodies);
+}
+
+void btHybridPairAlgorithm::takeQuiet()
+{
+	m_narrowphase->getPlanner()->takeQuiet(m_planIndex);
+	m_narrowphase->getWork().pairs++;
+	m_narrowphase->getWork().pairsSkipped++;
+}
+
+// Where nothing plans all pairs cost the same, so that their order is of no matter.
+void btHybridPairAlgorithm::foreseeQuiet(btHybridStepMemory& memory)
+{
+	const btHybridPlanner& planner = *m_narrowphase->getPlanner();
+	m_foreseen = planner.plans() ? QUIET : COUNTED;
+	if (planner.plans())
+		return;
+	memory.m_quiet.all++;
+	memory.m_quiet.atFinest += planner.isAtFinest(m_planIndex) ? 1 : 0;
+}
+
+// Whether the step is done.
+bool btHybridPairAlgorithm::passBy()
+{
+	const Foreseen foreseen = m_foreseen;
+	m_foreseen = NOTHING;
+	if (foreseen == MADE)
+		takeAhead();
+	else if (foreseen == QUIET)
+		takeQuiet();
+	return foreseen != NOTHING;
+}
+
+void btHybridPairAlgorithm::fetchNext() const
+{
+#if defined(__GNUC__)
+	if (m_foreseen == COUNTED)
+		return;
+	__builtin_prefetch(&getPair());
+	if (m_switches)
+		__builtin_prefetch(&m_narrowphase->getPlanner()->pair(m_planIndex));
+#endif
 }
 
 namespace
@@ -150,9 +191,9 @@ void btHybridPairAlgorithm::foresee(btHybridAhead& ahead, btHybridStepMemory& me
 {
 	Pair& pair = getPair();
 	const scatter::pairs::PlacedBodies bodies = getPlaced();
-	if (m_switches && pair.quietUntil >= 0 && m_narrowphase->getPlanner()->isSettled(m_planIndex) && scatter::pairs::staysQuiet(pair, bodies))
+	if (m_switches && staysQuiet(bodies))
 	{
-		pair.isForeseenQuiet = true;
+		foreseeQuiet(memory);
 		return;
 	}
 	if (!scatter::pairs::isForeseeable(pair, bodies))
@@ -160,7 +201,6 @@ void btHybridPairAlgorithm::foresee(btHybridAhead& ahead, btHybridStepMemory& me
 	const size_t used = memory.m_foresight.used;
 	const ManifoldPeek peek(m_bodies, ahead.m_mayStep);
 	const bool isDecided = scatter::pairs::foresee(pair, bodies, m_narrowphase->getSteps(), peek, ahead.m_locks, memory.m_foresight);
-	memory.m_looked += pair.foresight && !pair.foresight->isDone ? 1 : 0;
 	if (!isDecided || !btHybridAheadRules::mayStep(ahead, m_bodies.m_objects[0]->getObject(), m_bodies.m_objects[1]->getObject()))
 		return;
 	stepAhead(ahead, memory);
@@ -185,6 +225,7 @@ void btHybridPairAlgorithm::stepAhead(const btHybridAhead& ahead, btHybridStepMe
 	else
 		scatter::pairs::collidePair(pair, m_bodies.m_level, shared.getSteps(), engine, memory.m_step, step.work);
 	pair.ahead = &step;
+	m_foreseen = MADE;
 }
 
 void btHybridPairAlgorithm::takeAhead()
@@ -198,9 +239,9 @@ void btHybridPairAlgorithm::takeAhead()
 void btHybridPairAlgorithm::endForesight()
 {
 	Pair& pair = getPair();
-	pair.isForeseenQuiet = false;
-	if (pair.ahead)
+	if (m_foreseen == MADE)
 		takeAhead();
+	m_foreseen = NOTHING;
 	if (!pair.foresight)
 		return;
 	for (void* manifold : pair.foresight->dropped)
@@ -210,11 +251,11 @@ void btHybridPairAlgorithm::endForesight()
 
 void btHybridPairAlgorithm::processCollision(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut)
 {
+	if (passBy())
+		return;
 	btHybridNarrowphase& shared = *m_narrowphase;
 	btHybridPlanner* planner = m_switches ? shared.getPlanner() : 0;
 	shared.getLookahead().visit(this, m_index, shared.getPairs(m_switches), shared.countPairs(), planner ? &planner->pair(m_planIndex) : 0);
-	if (getPair().ahead)
-		return takeAhead();
 	const btHybridPairCall call = {{body0Wrap, body1Wrap}, dispatchInfo, resultOut};
 	btHybridPairEngine engine(static_cast<btCollisionDispatcher*>(m_dispatcher), shared.getObjects(), m_bodies, call, m_fallback, shared.getSteps().ownGjk, m_switches);
 	Pair& pair = getPair();
@@ -224,14 +265,9 @@ void btHybridPairAlgorithm::processCollision(const btCollisionObjectWrapper* bod
 		shared.endPair();
 		return;
 	}
-	if (pair.isForeseenQuiet || (!pair.foresight && staysQuiet(engine)))
-	{
-		pair.isForeseenQuiet = false;
-		planner->takeQuiet(m_planIndex);
-		shared.getWork().pairs++;
-		shared.getWork().pairsSkipped++;
-		return;
-	}
+	scatter::pairs::PlacedBodies bodies;
+	if (!pair.foresight && pair.quietUntil >= 0 && engine.follow(bodies) && staysQuiet(bodies))
+		return takeQuiet();
 	const scatter::pairs::PairPlan plan = planner->planPair(m_planIndex);
 	const scatter::pairs::PairOutcome outcome = scatter::pairs::stepPair(pair, plan, shared.getSteps(), engine, shared.beginPair(), shared.getWork());
 	shared.endPair();

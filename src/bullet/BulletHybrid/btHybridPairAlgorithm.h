@@ -17,11 +17,23 @@ class btHybridPairAlgorithm : public btHybridAlgorithm
 	int m_planIndex;
 	bool m_switches;
 
+	/// What is known of the step under way, until it comes.
+	enum Foreseen : unsigned char
+	{
+		NOTHING,
+		QUIET,    ///< it stays quiet
+		COUNTED,  ///< and has been counted as such
+		MADE      ///< it has been made
+	};
+	Foreseen m_foreseen;
+
 	scatter::pairs::Pair& getPair() const;
-	bool staysQuiet(btHybridPairEngine& engine) const;
+	bool staysQuiet(const scatter::pairs::PlacedBodies& bodies) const;
 	scatter::pairs::PlacedBodies getPlaced() const;
 	void stepAhead(const btHybridAhead& ahead, btHybridStepMemory& memory);
 	void takeAhead();
+	void takeQuiet();
+	void foreseeQuiet(btHybridStepMemory& memory);
 
 public:
 	btHybridPairAlgorithm(const btCollisionAlgorithmConstructionInfo& info, btHybridNarrowphase* narrowphase, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap);
@@ -33,6 +45,12 @@ public:
 	}
 	virtual bool hasOthers() const;
 	virtual bool hasRestarted() const;
+
+	/// Whether its step has been made already, or its bodies are known to stay apart in it: it is done then.
+	bool passBy();
+
+	/// Fetches memory that passBy() is going to need soon.
+	void fetchNext() const;
 
 	virtual void processCollision(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut);
 

@@ -45,6 +45,12 @@ btHybridCollisionInfo btHybridEffective(const btHybridCollisionInfo& info)
 	return effective;
 }
 
+const char* btHybridCheckThreads(int threads)
+{
+	const int c_most = 64;
+	return threads < 1 || threads > c_most ? "a world works on 1 to 64 threads" : 0;
+}
+
 const char* btHybridCheckBudget(double milliseconds)
 {
 	return std::isfinite(milliseconds) && milliseconds > 0 ? 0 : "a budget must be a finite number of milliseconds above 0; removeBudget() ends one";

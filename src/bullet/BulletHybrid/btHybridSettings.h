@@ -12,6 +12,7 @@ btHybridPairSwitchingInfo btHybridEffective(const btHybridPairSwitchingInfo& inf
 btHybridCollisionInfo btHybridEffective(const btHybridCollisionInfo& info);
 
 /// 0, or what is wrong with it and how to mend it.
+const char* btHybridCheckThreads(int threads);
 const char* btHybridCheckBudget(double milliseconds);
 const char* btHybridCheckBudgetUnits(double units);
 const char* btHybridCheckReplay(const double* units, int count);

@@ -4,10 +4,12 @@
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 
 #include <memory>
+#include <mutex>
 #include <vector>
 
 #include "btHybridPartBounds.h"
 #include "pairs/foresee.h"
+#include "pairs/pair_plan.h"
 #include "pairs/step_scratch.h"
 
 struct btDispatcherInfo;
@@ -16,6 +18,7 @@ struct btDispatcherInfo;
 struct btHybridAhead
 {
 	scatter::pairs::BoundsLocks m_locks;
+	std::mutex m_meshes;  ///< of who asks a ground for its pieces
 	const btDispatcherInfo* m_info;
 	bool m_mayStep;  ///< nobody listens to contacts
 	bool m_mayAdd;   ///< nor to new ones, of objects that ask for it
@@ -28,10 +31,11 @@ struct btHybridStepMemory
 	scatter::pairs::StepScratch m_step;
 	std::vector<btHybridPartBounds> m_bounds;
 
-	int m_looked;  ///< pairs whose contacts did not only move along
+	scatter::pairs::QuietPairs m_quiet;
+	double m_milliseconds;  ///< that it has been at work in this step
 
 	btHybridStepMemory()
-	    : m_looked(0), m_used(0)
+	    : m_milliseconds(0), m_used(0)
 	{
 	}
 
@@ -42,7 +46,8 @@ struct btHybridStepMemory
 	{
 		m_foresight.used = m_foresight.stepsUsed = 0;
 		m_used = 0;
-		m_looked = 0;
+		m_milliseconds = 0;
+		m_quiet = scatter::pairs::QuietPairs();
 	}
 
 private:

@@ -1,5 +1,7 @@
 #include "bullet/physics/dispatcher.h"
 
+#include <BulletCollision/BroadphaseCollision/btOverlappingPairCache.h>
+
 #include <atomic>
 
 #include "bullet/physics/body.h"
@@ -31,22 +33,21 @@ bool isFinest(const btCollisionObject& object) {
 
 }  // namespace
 
-BulletDispatcher::BulletDispatcher(btCollisionConfiguration* configuration)
-    : btCollisionDispatcher(configuration) {
-  setNearCallback(count);
+void BulletDispatcher::dispatchAllCollisionPairs(btOverlappingPairCache* pairs, const btDispatcherInfo& info,
+                                                 btDispatcher* dispatcher) {
+  const btBroadphasePair* const first = pairs->getOverlappingPairArrayPtr();
+  for (int i = 0; i < pairs->getNumOverlappingPairs(); ++i) count(first[i]);
+  btCollisionDispatcher::dispatchAllCollisionPairs(pairs, info, dispatcher);
 }
 
-void BulletDispatcher::count(btBroadphasePair& pair, btCollisionDispatcher& dispatcher,
-                             const btDispatcherInfo& info) {
+void BulletDispatcher::count(const btBroadphasePair& pair) {
   // Of the objects alone, which Bullet is going to look at: in a pile, all else would have to be fetched.
   const btCollisionObject& a = objectOf(pair.m_pProxy0);
   const btCollisionObject& b = objectOf(pair.m_pProxy1);
-  if (!dispatcher.needsCollision(&a, &b)) return;
-  PairCounts& counts = static_cast<BulletDispatcher&>(dispatcher).counts_;
-  ++counts.all;
-  if (BulletBody::isHybrid(a) || BulletBody::isHybrid(b)) ++counts.withHybrid;
-  if (isFinest(a) && isFinest(b)) ++counts.finest;
-  defaultNearCallback(pair, dispatcher, info);
+  if (!needsCollision(&a, &b)) return;
+  ++counts_.all;
+  if (BulletBody::isHybrid(a) || BulletBody::isHybrid(b)) ++counts_.withHybrid;
+  if (isFinest(a) && isFinest(b)) ++counts_.finest;
 }
 
 NewContactCounter::NewContactCounter() : before_(gContactAddedCallback) {

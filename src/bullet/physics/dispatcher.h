@@ -14,17 +14,21 @@ struct PairCounts {
   std::uint32_t finest = 0;  ///< Both bodies at their finest level.
 };
 
-/// Bullet's dispatcher with a near callback that counts (report, section 4.3.2). All objects of its world
-/// are BulletBodies.
+/// Bullet's dispatcher, which counts its pairs as the near callback of the report does (section 4.3.2), but
+/// before they are dispatched: so pairs that are apart need not be. All objects of its world are
+/// BulletBodies.
 class BulletDispatcher final : public btCollisionDispatcher {
  public:
-  explicit BulletDispatcher(btCollisionConfiguration* configuration);
+  using btCollisionDispatcher::btCollisionDispatcher;
+
+  void dispatchAllCollisionPairs(btOverlappingPairCache* pairs, const btDispatcherInfo& info,
+                                 btDispatcher* dispatcher) override;
 
   [[nodiscard]] const PairCounts& counts() const { return counts_; }
   void resetCounts() { counts_ = {}; }
 
  private:
-  static void count(btBroadphasePair& pair, btCollisionDispatcher& dispatcher, const btDispatcherInfo& info);
+  void count(const btBroadphasePair& pair);
 
   PairCounts counts_;
 };

@@ -107,7 +107,7 @@ BulletEngine::BulletEngine(const PhysicsDef& def)
     isDone(hybrid->setCollisionInfo(collisionInfo(def.collision)));
     hybrid->verifyContacts(def.collision.verifyEvery);
     isDone(hybrid->setNumThreads(def.threads));
-    hybrid->setPromises(BT_HYBRID_NEAR_CALLBACK_FORWARDS | BT_HYBRID_CONTACT_ADDED_ON_ANY_THREAD);
+    hybrid->setPromises(BT_HYBRID_CONTACT_ADDED_ON_ANY_THREAD);
     switching_ = hybrid.get();
     world_ = std::move(hybrid);
   } else {

@@ -232,6 +232,37 @@ TEST(ContactSolver, GivesTheSameBitsAgain) {
   EXPECT_EQ(heapBits<WideWorld>([](auto&) {}), heapBits<WideWorld>([](auto&) {}));
 }
 
+/// Stacks beside each other in a world of Bullet's own, and how many contacts and groups of islands there
+/// were.
+std::vector<std::uint32_t> stackBits(int threads, btHybridContactSolverInfo& info) {
+  WideWorld world;
+  EXPECT_STREQ(world.solver.setNumThreads(threads), nullptr);
+  world.world.getSolverInfo().m_minimumSolverBatchSize = 100000;
+  world.addGround();
+  for (int i = 0; i < 24; ++i)
+    world.add(5, brick(world, 4, btVector3(0.5F, 0.25F, 0.5F)),
+              btVector3(2 * static_cast<float>(i / 3), 0.3F + 0.6F * static_cast<float>(i % 3), 0));
+  world.template join<btPoint2PointConstraint>(*world.bodies[1], *world.bodies[4], btVector3(1, 0, 0),
+                                               btVector3(-1, 0, 0));
+  for (int i = 0; i < 120; ++i) world.step();
+  info = world.solver.getContactSolverInfo();
+  return world.bits();
+}
+
+TEST(ContactSolver, GivesTheSameBitsOnAnyNumberOfThreads) {
+  btHybridContactSolverInfo info;
+  const auto one = stackBits(1, info);
+  for (const int threads : {2, 3, 8}) EXPECT_EQ(stackBits(threads, info), one) << threads << " threads";
+  EXPECT_GT(info.m_points, 256) << "fewer are left to one thread";
+  EXPECT_GT(info.m_groups, 2);
+}
+
+TEST(ContactSolver, WorksOn1To64Threads) {
+  WideWorld world;
+  for (const int threads : {0, -1, 65}) EXPECT_STRNE(world.solver.setNumThreads(threads), nullptr);
+  EXPECT_EQ(world.solver.getNumThreads(), 1);
+}
+
 TEST(ContactSolver, KeepsAStackStandingAndLetsItSleep) {
   for (const bool reduces : {false, true}) {
     WideWorld world;

@@ -1,3 +1,4 @@
+#include <BulletHybrid/btHybridContactSolver.h>
 #include <LinearMath/btThreads.h>
 #include <gtest/gtest.h>
 
@@ -37,6 +38,7 @@ class Crowd : public PairTestWorld {
   }
 
   ~Crowd() {
+    world.setConstraintSolver(&solver);
     for (auto& body : bodies) {
       if (body->getWorldArrayIndex() >= 0) world.removeRigidBody(body.get());
     }
@@ -59,6 +61,16 @@ class Crowd : public PairTestWorld {
     btRigidBody* box = add(0, shape<btBoxShape>(btVector3(60, 1, 60)), btVector3(0, -2, 0));
     box->setWorldTransform(btTransform(btQuaternion(btVector3(0, 0, 1), 0.05F), btVector3(0, -1.6F, 0)));
   }
+
+  /// With joints, and with contacts that are Bullet's own business, besides.
+  void solveWide() {
+    world.setConstraintSolver(&wide_);
+    for (std::size_t i = 0; i + 9 < bodies.size(); i += 16)
+      join<btPoint2PointConstraint>(*bodies[i], *bodies[i + 1], btVector3(0, 1, 0), btVector3(0, -1, 0));
+    for (std::size_t i = 5; i < bodies.size(); i += 16) bodies[i]->setRollingFriction(0.1F);
+  }
+
+  [[nodiscard]] btHybridContactSolverInfo solved() const { return wide_.getContactSolverInfo(); }
 
   void pull() {
     for (auto& body : bodies)
@@ -94,6 +106,7 @@ class Crowd : public PairTestWorld {
   static constexpr int kBodies = 48;
   RandomShapes shapes_;
   btTriangleMesh hills_;
+  btHybridContactSolver wide_;
 };
 
 struct Way {
@@ -177,6 +190,11 @@ void throwAtGrounds(Crowd& crowd, int step) {
   for (auto& body : crowd.bodies) body->setLinearVelocity(btVector3(0, -70, 0));
 }
 
+void solveWideOnGrounds(Crowd& crowd, int step) {
+  if (step == 0) crowd.solveWide();
+  layGrounds(crowd, step);
+}
+
 void throwFarAway(Crowd& crowd, int step) {
   if (step % 30 != 20) return;
   btTransform pose = crowd.bodies[5]->getWorldTransform();
@@ -195,8 +213,55 @@ INSTANTIATE_TEST_SUITE_P(Ways, Threads,
                                          Way{.name = "OnGrounds", .act = layGrounds},
                                          Way{.name = "RecycledOnGrounds", .act = recycleOnGrounds},
                                          Way{.name = "ThrownAtGrounds", .act = throwAtGrounds},
+                                         Way{.name = "WideOnGrounds", .act = solveWideOnGrounds},
                                          Way{.name = "FarAway", .act = throwFarAway}),
                          [](const auto& way) { return way.param.name; });
+
+// There are islands to be solved beside each other, and some that joints and Bullet's own contacts move too.
+TEST(Threads, HaveIslandsToShare) {
+  Crowd crowd(11);
+  crowd.world.setNumThreads(3);
+  int most = 0;
+  int points = 0;
+  bool hasBullets = false;
+  for (int step = 0; step < 120; ++step) {
+    solveWideOnGrounds(crowd, step);
+    crowd.step();
+    const btHybridContactSolverInfo info = crowd.solved();
+    most = std::max(most, info.m_groups);
+    points = std::max(points, info.m_points);
+    hasBullets = hasBullets || info.m_bulletManifolds > 0;
+  }
+  EXPECT_GT(most, 1);
+  EXPECT_GT(points, 256);
+  EXPECT_TRUE(hasBullets);
+}
+
+void handOn(btBroadphasePair& pair, btCollisionDispatcher& dispatcher, const btDispatcherInfo& info) {
+  btCollisionDispatcher::defaultNearCallback(pair, dispatcher, info);
+}
+
+// Pairs that need nothing of Bullet are not shown to it, but to a program that wants to see them.
+TEST(Dispatch, GivesTheSameBitsWithANearCallbackOfTheProgram) {
+  for (const int threads : {1, 3}) {
+    Crowd one(13);
+    Crowd other(13);
+    other.dispatcher.setNearCallback(handOn);
+    for (Crowd* crowd : {&one, &other}) {
+      crowd->world.setPromises(BT_HYBRID_NEAR_CALLBACK_FORWARDS);
+      crowd->world.setNumThreads(threads);
+    }
+    int skipped = 0;
+    for (int step = 0; step < 120; ++step) {
+      one.pull();
+      other.pull();
+      ASSERT_EQ(other.all(), one.all()) << threads << " threads, step " << step;
+      ASSERT_EQ(one.pairInfo().pairs, other.pairInfo().pairs) << "step " << step;
+      skipped += one.world.getCollisionCounts().pairsSkipped;
+    }
+    EXPECT_GT(skipped, 1000);
+  }
+}
 
 /// A program's scheduler: does the work backwards.
 class BackwardScheduler : public btITaskScheduler {

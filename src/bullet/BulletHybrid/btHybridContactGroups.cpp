@@ -1,0 +1,142 @@
+#include "btHybridContactGroups.h"
+
+#include <algorithm>
+
+using scatter::solver::IslandGroups;
+using scatter::solver::PairBatch;
+
+namespace
+{
+// Contacts of a group, unless one island alone has more: fewer fill no four lanes, more leave threads without work.
+const int c_shareOfGroup = 256;
+
+// With fewer contacts all are solved before another thread has woken up.
+const size_t c_fewestContacts = 256;
+}  // namespace
+
+btHybridContactGroups::btHybridContactGroups()
+    : m_threads(new btHybridThreads), m_bulletManifolds(0)
+{
+	m_problems.push_back(std::make_unique<btHybridContactProblem>());
+	clear();
+}
+
+void btHybridContactGroups::clear()
+{
+	// Their number hardly changes from step to step.
+	if (m_points.sources().size() >= c_fewestContacts)
+		m_threads->expectWork();
+	m_points.clear();
+	m_members.clear();
+	m_links.clear();
+	m_joined.clear();
+	m_bulletManifolds = 0;
+	for (const auto& problem : m_problems)
+		problem->clear();
+}
+
+bool btHybridContactGroups::add(btPersistentManifold* manifold, Side side0, Side side1, const btContactSolverInfo& info)
+{
+	// A pair's manifolds may name its bodies in either order.
+	const bool swaps = !side0.m_moves || (side1.m_moves && side1.m_id < side0.m_id);
+	Member member = {{0, 0}, swaps ? side1 : side0, swaps ? side0 : side1};
+	const bool isOurs = m_points.add(manifold, swaps, info, member.m_range);
+	if (isOurs && member.m_range.m_count > 0)
+		add(member);
+	return isOurs;
+}
+
+// The manifolds of a pair mostly follow each other, and so do their points.
+void btHybridContactGroups::add(const Member& member)
+{
+	const int count = member.m_range.m_count;
+	if (!m_members.empty() && m_members.back().m_a.m_id == member.m_a.m_id && m_members.back().m_b.m_id == member.m_b.m_id)
+	{
+		m_members.back().m_range.m_count += count;
+		m_links.back().count += count;
+		return;
+	}
+	m_members.push_back(member);
+	m_links.push_back({member.m_a.m_id, member.m_b.m_moves ? member.m_b.m_id : IslandGroups::kNone, count});
+}
+
+void btHybridContactGroups::group(const btAlignedObjectArray<btSolverBody>& bodies)
+{
+	m_groups.group(bodies.size(), m_links, m_joined, c_shareOfGroup);
+	m_places.assign(bodies.size(), IslandGroups::kNone);
+	while (int(m_problems.size()) < m_groups.count())
+		m_problems.push_back(std::make_unique<btHybridContactProblem>());
+}
+
+void btHybridContactGroups::take(int group)
+{
+	for (int i : m_groups.linksOf(group))
+		m_problems[group]->add(m_members[i].m_range, m_members[i].m_a, m_members[i].m_b, m_places);
+}
+
+void btHybridContactGroups::beginJoined(const btAlignedObjectArray<btSolverBody>& bodies, const btContactSolverInfo& info, const Settings& settings)
+{
+	take(0);
+	if (!joined().empty())
+		joined().begin(m_points, bodies, info, settings.m_clampsFriction, settings.m_reduction);
+}
+
+void btHybridContactGroups::solveOne(int group, btAlignedObjectArray<btSolverBody>& bodies, const btContactSolverInfo& info, const Settings& settings)
+{
+	btHybridContactProblem& problem = *m_problems[group];
+	take(group);
+	problem.begin(m_points, bodies, info, settings.m_clampsFriction, settings.m_reduction);
+	problem.solve(info);
+	problem.finish(info);
+	problem.giveVelocities(bodies);
+	if (info.m_splitImpulse)
+		problem.givePushes(bodies);
+}
+
+int btHybridContactGroups::countContacts(int group) const
+{
+	int count = 0;
+	for (int i : m_groups.linksOf(group))
+		count += m_links[i].count;
+	return count;
+}
+
+// Others need not wait for a large one that has begun last.
+void btHybridContactGroups::sortGroups()
+{
+	m_order.clear();
+	for (int group = 1; group < m_groups.count(); ++group)
+		m_order.push_back(std::make_pair(-countContacts(group), group));
+	std::sort(m_order.begin(), m_order.end());
+}
+
+void btHybridContactGroups::solve(btAlignedObjectArray<btSolverBody>& bodies, const btContactSolverInfo& info, const Settings& settings)
+{
+	sortGroups();
+	const auto solve = [&](int i)
+	{ solveOne(m_order[i].second, bodies, info, settings); };
+	if (m_points.sources().size() >= c_fewestContacts)
+		m_threads->run(int(m_order.size()), solve);
+	else
+		for (size_t i = 0; i < m_order.size(); ++i)
+			solve(int(i));
+}
+
+void btHybridContactGroups::addTo(btHybridContactSolverInfo& info) const
+{
+	info.m_bulletManifolds = m_bulletManifolds;
+	info.m_points = int(m_points.sources().size());
+	for (const auto& problem : m_problems)
+	{
+		if (problem->empty())
+			continue;
+		info.m_groups++;
+		info.m_pairs += int(problem->problem().pairs.size());
+		info.m_colours = std::max(info.m_colours, problem->solver().colouring().colours());
+		for (const PairBatch& batch : problem->solver().colouring().batches())
+			info.m_rows += batch.rows;
+		info.m_reduced.m_pairs += problem->m_reduced.m_pairs;
+		info.m_reduced.m_contacts += problem->m_reduced.m_contacts;
+		info.m_reduced.m_left += problem->m_reduced.m_left;
+	}
+}
