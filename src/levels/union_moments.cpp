@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <glm/geometric.hpp>
@@ -9,7 +10,11 @@
 #include <glm/vec2.hpp>
 #include <glm/vector_relational.hpp>
 #include <limits>
+#include <map>
+#include <mutex>
 #include <optional>
+#include <string>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -259,9 +264,7 @@ class Columns {
   std::vector<Stretch> stretches_;
 };
 
-}  // namespace
-
-EstimatedMoments sharedMoments(std::span<const ConvexPart> parts, const glm::dvec3& origin) {
+EstimatedMoments workOut(std::span<const ConvexPart> parts, const glm::dvec3& origin) {
   std::vector<Solid> solids;
   solids.reserve(parts.size());
   for (const ConvexPart& part : parts) solids.emplace_back(part);
@@ -277,6 +280,76 @@ EstimatedMoments sharedMoments(std::span<const ConvexPart> parts, const glm::dve
     sum.error += shared.error;
   }
   return sum;
+}
+
+/// All numbers that parts are made of, by their bits.
+class PartsKey {
+ public:
+  PartsKey(std::span<const ConvexPart> parts, const glm::dvec3& origin) {
+    for (int axis = 0; axis < 3; ++axis) append(origin[axis]);
+    for (const ConvexPart& part : parts) {
+      append(part.shape.index());
+      std::visit([this](const auto& shape) { append(shape); }, part.shape);
+      append(part.pose.position);
+      append(part.pose.rotation);
+    }
+  }
+
+  [[nodiscard]] std::string take() { return std::move(bytes_); }
+
+ private:
+  template <class T>
+  void append(const T& value) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    const auto bytes = std::bit_cast<std::array<char, sizeof(T)>>(value);
+    bytes_.append(bytes.data(), bytes.size());
+  }
+  void append(const ConvexHull& hull) {
+    append(hull.vertices.size());
+    for (const Vec3& vertex : hull.vertices) append(vertex);
+  }
+
+  std::string bytes_;
+};
+
+/// What was worked out of late. Every world that a scene is played in reads its models anew, and most of the
+/// time that takes is here.
+class Memory {
+ public:
+  [[nodiscard]] std::optional<EstimatedMoments> find(const std::string& key) {
+    const std::scoped_lock lock(mutex_);
+    const auto known = known_.find(key);
+    return known == known_.end() ? std::nullopt : std::optional(known->second);
+  }
+
+  void keep(std::string key, const EstimatedMoments& moments) {
+    const std::scoped_lock lock(mutex_);
+    if (bytes_ + key.size() > kMostBytes) {
+      known_.clear();
+      bytes_ = 0;
+    }
+    if (key.size() > kMostBytes) return;
+    bytes_ += key.size();
+    known_.insert_or_assign(std::move(key), moments);
+  }
+
+ private:
+  static constexpr std::size_t kMostBytes = 1 << 20;
+
+  std::mutex mutex_;
+  std::map<std::string, EstimatedMoments> known_;
+  std::size_t bytes_ = 0;
+};
+
+}  // namespace
+
+EstimatedMoments sharedMoments(std::span<const ConvexPart> parts, const glm::dvec3& origin) {
+  static Memory memory;
+  std::string key = PartsKey(parts, origin).take();
+  if (const auto known = memory.find(key)) return *known;
+  const EstimatedMoments moments = workOut(parts, origin);
+  memory.keep(std::move(key), moments);
+  return moments;
 }
 
 }  // namespace scatter::levels

@@ -81,6 +81,18 @@ TEST(UnionMass, OfACylinderAndTwoBallsIsACapsule) {
   expectSame(mass.properties, *massProperties({capsule(0.5F, 1.0F)}), 0.003F);
 }
 
+// What was worked out is kept, by all that it depends on.
+TEST(UnionMass, IsThatOfTheseParts) {
+  const auto with = [](const ConvexPart& part) { return unionOf({box(Vec3(1.0F)), part}); };
+  const SolidMass first = with(capsule(0.5F, 1.0F));
+  EXPECT_EQ(with(capsule(0.5F, 1.0F)).properties.inertia, first.properties.inertia);
+  EXPECT_EQ(with(capsule(0.5F, 1.0F)).shared, first.shared);
+  EXPECT_NE(with(cylinder(0.5F, 1.0F)).shared, first.shared);
+  EXPECT_NE(with(capsule(0.5F, 0.9F)).shared, first.shared);
+  EXPECT_NE(with(capsule(0.5F, 1.0F, {0.0F, 0.1F, 0.0F})).shared, first.shared);
+  EXPECT_NE(with({Capsule{0.5F, 1.0F}, {{}, Quat(0.8F, 0.6F, 0.0F, 0.0F)}}).shared, first.shared);
+}
+
 // Boxes that together fill a box of random sides, turned and moved as one.
 TEST(UnionMass, OfOverlappingPiecesIsTheWhole) {
   Random random(5);
