@@ -1,6 +1,6 @@
 option(SCATTER_UNITY_BUILD
   "Compile sources in batches and with precompiled headers; OFF compiles each alone, as editors and checks of includes want it" ON)
-set(SCATTER_BATCH 14 CACHE STRING "How many sources a batch has at most")
+set(SCATTER_BATCH 30 CACHE STRING "How many sources a batch has at most")
 
 # Compile options that every target of this project shares.
 add_library(scatter_options INTERFACE)
@@ -122,23 +122,23 @@ function(scatter_library name)
   scatter_compile_in_batches(scatter_${name} HEADERS scatter_headers)
 endfunction()
 
-# scatter_test(NAME SOURCES... LINK deps... [ENVIRONMENT name=value...] [SHARDS number] [COST seconds] [APART]): a GoogleTest
+# scatter_test(NAME SOURCES... LINK deps... [ENVIRONMENT name=value...] [SHARDS number] [COST seconds] [MOST number]): a GoogleTest
 # program. CTest lists its cases one by one, with the label "case", and, in the configuration "shards", as so many processes that
 # run all of them. COST: about how long a shard takes in the optimised build, if that is long: CTest starts the longest first, so
-# that no core waits for them at the end. APART: its sources are compiled one by one.
+# that no core waits for them at the end. MOST: how many sources are compiled together, fewer where their names clash; 1: each alone.
 function(scatter_test name)
-  cmake_parse_arguments(ARG "APART" "SHARDS;COST" "SOURCES;LINK;ENVIRONMENT" ${ARGN})
+  cmake_parse_arguments(ARG "" "SHARDS;COST;MOST" "SOURCES;LINK;ENVIRONMENT" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(${name} PRIVATE SCATTER_TEST_MODEL_DIR="${PROJECT_SOURCE_DIR}/models")
   target_link_libraries(${name} PRIVATE ${ARG_LINK} GTest::gmock GTest::gtest_main scatter_options)
-  set(most 9)
-  if(ARG_APART)
-    set(most 1)
+  if(NOT ARG_MOST)
+    set(ARG_MOST 24)
   endif()
-  scatter_compile_in_batches(${name} MOST ${most} HEADERS scatter_test_headers)
-  # What tests call is compiled as it is everywhere; they themselves are compiled in less time.
-  target_compile_options(${name} PRIVATE -O0)
+  scatter_compile_in_batches(${name} MOST ${ARG_MOST} HEADERS scatter_test_headers)
+  # They themselves are compiled with what optimisation costs no time. Not with none: of an inline function that is called in a
+  # library, too, the linker takes what was compiled here.
+  target_compile_options(${name} PRIVATE -Og)
   scatter_sanitize_lightly(${name})
   gtest_discover_tests(${name} NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60
                        PROPERTIES TIMEOUT 600 LABELS case ENVIRONMENT "${ARG_ENVIRONMENT}")
