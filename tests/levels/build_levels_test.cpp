@@ -65,7 +65,7 @@ TEST_P(BuildLevelsTorture, EnclosesTheMeshAndNests) {
 INSTANTIATE_TEST_SUITE_P(
     Meshes, BuildLevelsTorture,
     ::testing::Values(
-        NamedMesh{"Sphere", [] { return sphereMesh(20); }},
+        NamedMesh{"Sphere", [] { return sphereMesh(test::kSanitized ? 14 : 20); }},
         NamedMesh{"Torus", [] { return torusMesh(24, 12); }},
         NamedMesh{"Knot", [] { return knotMesh(64, 10); }},
         NamedMesh{"Box", [] { return boxMesh(Vec3(1.0F)); }},
@@ -129,7 +129,7 @@ TEST(BuildLevels, BoxesBecomeBoxesAndBallsBalls) {
   EXPECT_NEAR(half.x * half.y * half.z, 1.0F, 1e-4F);
   EXPECT_NEAR(part.pose.position.x, 0.3F, 1e-5F);
 
-  const SurfaceMesh ballMesh = sphereMesh(test::kSanitized ? 24 : 32);
+  const SurfaceMesh ballMesh = sphereMesh(test::kSanitized ? 16 : 32);
   const auto ball = buildLevels(ballMesh, withCounts({1}));
   ASSERT_TRUE(ball.has_value()) << ball.error().message;
   const auto* sphere = std::get_if<Sphere>(&ball->levels->finest().parts.front().shape);
@@ -181,7 +181,7 @@ TEST(BuildLevels, AGapBelowTheMarginIsRefused) {
 }
 
 TEST(BuildLevels, TheMarginIsSmallBesideTheMeshAndTheGap) {
-  const SurfaceMesh mesh = torusMesh(32, 16);
+  const SurfaceMesh mesh = test::kSanitized ? torusMesh(24, 12) : torusMesh(32, 16);
   const auto built = buildLevels(mesh, withCounts({1, 6, 24}));
   ASSERT_TRUE(built.has_value()) << built.error().message;
   EXPECT_NEAR(static_cast<double>(built->levels->hullMargin()), 5e-4 * 3.72, 2e-5);

@@ -12,6 +12,8 @@ namespace {
 
 constexpr float kYard = 7.0F;
 constexpr float kHeight = 10.0F;
+/// Until all have fallen; under sanitizers until many have broken, as the gibs take most of the time.
+constexpr int kBreakingFrames = kSanitized ? 110 : 240;
 
 struct Census {
   std::size_t whole = 0;
@@ -39,16 +41,18 @@ TEST_P(Breakables, BreakIntoGibsThatWeighAsMuchAndStayInTheYard) {
   const Census start = count(scene.world);
   EXPECT_EQ(start.whole, 32U);
   EXPECT_EQ(start.primitives, 16U * 25U + 16U * 12U);
-  for (int i = 0; i < 240; ++i) {
+  for (int i = 0; i < kBreakingFrames; ++i) {
     scene.step();
     ASSERT_FALSE(scene.world.physics().findInvalidState()) << "frame " << i;
     ASSERT_EQ(objectsOutside(scene.world, kYard, kHeight, 0.6F), std::vector<std::string>{}) << "frame " << i;
   }
-  EXPECT_EQ(objectsOutside(scene.world, kYard, kHeight), std::vector<std::string>{});
+  if (!kSanitized) {
+    EXPECT_EQ(objectsOutside(scene.world, kYard, kHeight), std::vector<std::string>{});
+  }
   const Census end = count(scene.world);
-  EXPECT_LT(end.whole, 12U);
-  EXPECT_GT(end.gibs, 600U);
-  EXPECT_GT(end.primitives, 2 * start.primitives);
+  EXPECT_LT(end.whole, kSanitized ? 24U : 12U);
+  EXPECT_GT(end.gibs, kSanitized ? 200U : 600U);
+  EXPECT_GT(end.primitives, (kSanitized ? 1 : 2) * start.primitives);
   EXPECT_NEAR(end.mass, start.mass, 1e-4 * start.mass);
   EXPECT_EQ(scene.counters().hybrids, end.whole + end.gibs);
 }
