@@ -7,10 +7,12 @@ using scatter::solver::PairBatch;
 
 namespace
 {
-// Contacts of a group, unless one island alone has more: fewer fill no four lanes, more leave threads without work.
+// Contacts of a group, unless one island alone has more: fewer do not fill four lanes, more leave threads without work. Of groups of about
+// 200, 400, 800 and all contacts, those of 200 and 400 take two threads least time and one thread a tenth more than all in one
+// (`scatter run` of ships_mesh-12 in `lean`, contact_constraints_ms).
 const int c_shareOfGroup = 256;
 
-// With fewer contacts all are solved before another thread has woken up.
+// With fewer contacts, which take some 30 microseconds, all are solved before another thread has woken up.
 const size_t c_fewestContacts = 256;
 }  // namespace
 

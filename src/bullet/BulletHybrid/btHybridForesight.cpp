@@ -17,7 +17,8 @@ const int c_largestBlock = 32;
 const int c_fewestBlocks = 16;
 
 /// Fewer pairs are done before another thread has woken up, and so is work that takes no longer than this on all threads together: to
-/// hand it over, and to ask all pairs, takes longer than it saves. How long it takes seldom changes from step to step.
+/// hand it over, and to ask all pairs, takes longer than it saves. How long it takes seldom changes from step to step. A stack of 20 wheels, with 0.2 ms
+/// a step, saves a quarter of its detection on two threads (`scatter run` of wheel_stack-41 in `lean`, collision_detection_ms).
 const int c_fewestPairs = 32;
 const double c_leastMilliseconds = 0.15;
 const int c_pause = 16;
