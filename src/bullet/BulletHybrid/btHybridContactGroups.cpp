@@ -89,10 +89,7 @@ void btHybridContactGroups::solveOne(int group, btAlignedObjectArray<btSolverBod
 	take(group);
 	problem.begin(m_points, bodies, info, settings.m_clampsFriction, settings.m_reduction);
 	problem.solve(info);
-	problem.finish(info);
-	problem.giveVelocities(bodies);
-	if (info.m_splitImpulse)
-		problem.givePushes(bodies);
+	problem.finish(bodies, info);
 }
 
 int btHybridContactGroups::countContacts(int group) const

@@ -201,44 +201,44 @@ void btHybridContactProblem::solve(const btContactSolverInfo& info)
 	}
 }
 
-void btHybridContactProblem::giveVelocities(btAlignedObjectArray<btSolverBody>& bodies)
+void btHybridContactProblem::give(std::span<const BodyVelocity> velocities, btAlignedObjectArray<btSolverBody>& bodies,
+                                  btVector3 btSolverBody::*linear, btVector3 btSolverBody::*angular) const
 {
 	for (int i : m_moving)
 	{
-		btSolverBody& body = bodies[m_bodies[i]];
-		body.m_deltaLinearVelocity = btHybridVectorOf(m_solver.velocities()[i].linear);
-		body.m_deltaAngularVelocity = btHybridVectorOf(m_solver.velocities()[i].angular);
+		bodies[m_bodies[i]].*linear = btHybridVectorOf(velocities[i].linear);
+		bodies[m_bodies[i]].*angular = btHybridVectorOf(velocities[i].angular);
 	}
+}
+
+void btHybridContactProblem::take(std::span<BodyVelocity> velocities, const btAlignedObjectArray<btSolverBody>& bodies,
+                                  btVector3 btSolverBody::*linear, btVector3 btSolverBody::*angular) const
+{
+	for (int i : m_moving)
+	{
+		velocities[i].linear = btHybridQuad(bodies[m_bodies[i]].*linear);
+		velocities[i].angular = btHybridQuad(bodies[m_bodies[i]].*angular);
+	}
+}
+
+void btHybridContactProblem::giveVelocities(btAlignedObjectArray<btSolverBody>& bodies)
+{
+	give(m_solver.velocities(), bodies, &btSolverBody::m_deltaLinearVelocity, &btSolverBody::m_deltaAngularVelocity);
 }
 
 void btHybridContactProblem::takeVelocities(const btAlignedObjectArray<btSolverBody>& bodies)
 {
-	for (int i : m_moving)
-	{
-		const btSolverBody& body = bodies[m_bodies[i]];
-		m_solver.velocities()[i].linear = btHybridQuad(body.m_deltaLinearVelocity);
-		m_solver.velocities()[i].angular = btHybridQuad(body.m_deltaAngularVelocity);
-	}
+	take(m_solver.velocities(), bodies, &btSolverBody::m_deltaLinearVelocity, &btSolverBody::m_deltaAngularVelocity);
 }
 
 void btHybridContactProblem::givePushes(btAlignedObjectArray<btSolverBody>& bodies)
 {
-	for (int i : m_moving)
-	{
-		btSolverBody& body = bodies[m_bodies[i]];
-		body.m_pushVelocity = btHybridVectorOf(m_solver.pushVelocities()[i].linear);
-		body.m_turnVelocity = btHybridVectorOf(m_solver.pushVelocities()[i].angular);
-	}
+	give(m_solver.pushVelocities(), bodies, &btSolverBody::m_pushVelocity, &btSolverBody::m_turnVelocity);
 }
 
 void btHybridContactProblem::takePushes(const btAlignedObjectArray<btSolverBody>& bodies)
 {
-	for (int i : m_moving)
-	{
-		const btSolverBody& body = bodies[m_bodies[i]];
-		m_solver.pushVelocities()[i].linear = btHybridQuad(body.m_pushVelocity);
-		m_solver.pushVelocities()[i].angular = btHybridQuad(body.m_turnVelocity);
-	}
+	take(m_solver.pushVelocities(), bodies, &btSolverBody::m_pushVelocity, &btSolverBody::m_turnVelocity);
 }
 
 void btHybridContactProblem::addVelocities(const btAlignedObjectArray<btSolverBody>& bodies)
@@ -252,8 +252,11 @@ void btHybridContactProblem::addVelocities(const btAlignedObjectArray<btSolverBo
 	}
 }
 
-void btHybridContactProblem::finish(const btContactSolverInfo& info)
+void btHybridContactProblem::finish(btAlignedObjectArray<btSolverBody>& bodies, const btContactSolverInfo& info)
 {
+	giveVelocities(bodies);
+	if (info.m_splitImpulse)
+		givePushes(bodies);
 	const bool warm = (info.m_solverMode & SOLVER_USE_WARMSTARTING) != 0;
 	const bool two = (info.m_solverMode & SOLVER_USE_2_FRICTION_DIRECTIONS) != 0;
 	m_solver.forEachImpulse(m_problem,

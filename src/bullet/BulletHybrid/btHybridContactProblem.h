@@ -7,6 +7,7 @@
 #include <BulletHybrid/btHybridContactReduction.h>
 #include <LinearMath/btAlignedObjectArray.h>
 
+#include <span>
 #include <vector>
 
 #include "btHybridContactPoints.h"
@@ -43,8 +44,8 @@ public:
 	/// All iterations, where nothing but these contacts moves the bodies.
 	void solve(const btContactSolverInfo& info);
 
-	/// Writes impulses and friction directions into the manifolds' points.
-	void finish(const btContactSolverInfo& info);
+	/// Gives the bodies all that they have been moved by, and writes impulses and friction directions into the manifolds' points.
+	void finish(btAlignedObjectArray<btSolverBody>& bodies, const btContactSolverInfo& info);
 
 	/// What has been added to the velocities of the solver bodies; give() to them, take() from them, with what others have added.
 	void giveVelocities(btAlignedObjectArray<btSolverBody>& bodies);
@@ -83,6 +84,10 @@ private:
 		int m_count;
 	};
 
+	void give(std::span<const scatter::solver::BodyVelocity> velocities, btAlignedObjectArray<btSolverBody>& bodies,
+	          btVector3 btSolverBody::*linear, btVector3 btSolverBody::*angular) const;
+	void take(std::span<scatter::solver::BodyVelocity> velocities, const btAlignedObjectArray<btSolverBody>& bodies,
+	          btVector3 btSolverBody::*linear, btVector3 btSolverBody::*angular) const;
 	int placeOf(Side side, std::vector<int>& places);
 	int pairOf(int a, int b);
 	void takeBody(const btSolverBody& body);

@@ -178,14 +178,8 @@ btScalar btHybridContactSolver::solveGroupCacheFriendlyIterations(btCollisionObj
 btScalar btHybridContactSolver::solveGroupCacheFriendlyFinish(btCollisionObject** bodies, int numBodies,
                                                               const btContactSolverInfo& info)
 {
-	btHybridContactProblem& joined = m_groups->joined();
-	if (!joined.empty())
-	{
-		joined.finish(info);
-		joined.giveVelocities(m_tmpSolverBodyPool);
-		if (info.m_splitImpulse)
-			joined.givePushes(m_tmpSolverBodyPool);
-	}
+	if (!m_groups->joined().empty())
+		m_groups->joined().finish(m_tmpSolverBodyPool, info);
 	return btSequentialImpulseConstraintSolver::solveGroupCacheFriendlyFinish(bodies, numBodies, info);
 }
 
