@@ -61,6 +61,7 @@ class btHybridDynamicsWorld : public btDiscreteDynamicsWorld
 	void planBodies();
 	void planPairs();
 	void dispatchPairs();
+	void solveIslands(btContactSolverInfo& info);
 	void closeRequests();
 	void findAsked();
 	void updateHybridAabb(btHybridRigidBody* body);

@@ -34,15 +34,16 @@ std::string verdictOf(const BudgetState& state) {
   return {};
 }
 
-std::string count(int pairs, const char* what) {
-  return pairs == 0 ? std::string() : ", " + std::to_string(pairs) + what;
+std::string count(int number, const char* what) {
+  return number == 0 ? std::string() : ", " + std::to_string(number) + what;
 }
 
 }  // namespace
 
 std::string describe(const BudgetState& state) {
   if (state.verdict == BudgetVerdict::kNone) return verdictOf(state);
-  const std::string given = count(state.withheldPairs, " pairs coarser for it") +
+  const std::string given = count(state.hiddenContacts, " contacts are left to others of theirs") +
+                            count(state.withheldPairs, " pairs coarser for it") +
                             count(state.creditedPairs, " on credit") +
                             count(state.keptPairs, " keep their contacts for a step");
   return verdictOf(state) + (given.empty() ? ", nothing is given up" : given);

@@ -47,6 +47,7 @@ struct CostWeights {
   double gjkIteration = 0.06;
   double detectorRun = 0.6;
   double contact = 0.23;
+  double hiddenContact = 0.2;  ///< Of it: what is saved by a contact that the solver is not shown.
   double manifold = 0.15;
   double piece = 0.75;  ///< With all of its region.
   double separationQuery = 3.0;

@@ -5,16 +5,20 @@
 
 namespace scatter::lod {
 
-StepBudget::StepBudget() : costs_(CostWeights()), governor_(GovernorDef()) {}
+StepBudget::StepBudget()
+    : costs_(CostWeights()), governor_(GovernorDef()), contacts_(costs_.weights().hiddenContact) {}
 
 void StepBudget::set(const UnitBudget& budget) {
   budget_ = budget;
   governor_ = Governor(GovernorDef());
+  contacts_ = ContactLadder(costs_.weights().hiddenContact);
 }
 
 void StepBudget::begin(const StepLoad& load) {
   auditUnits_ = 0.0;
-  fixedUnits_ = costs_.units(load) + looseUnits_;
+  ownSpare_ = 0;
+  savedUnits_ = looseSaved_;
+  fixedUnits_ = costs_.units(load) + looseUnits_ - looseSaved_;
   units_ = fixedUnits_;
   budgetUnits_ = budget_.next();
 }
@@ -57,7 +61,11 @@ void StepBudget::countAudit(const PairWorkload& work) {
 }
 
 PairUnits StepBudget::takeWork(PlannedPair& pair, const PairWorkload& work) {
-  const double units = costs_.units(work);
+  const int spare = contacts_.concerns(work.contacts) ? work.contacts : 0;
+  const double saved = contacts_.expected(spare);
+  ownSpare_ += spare;
+  savedUnits_ += saved;
+  const double units = costs_.units(work) - saved;
   units_ += units;
   governor_.spend(pair, units, work.reuses ? std::max(static_cast<double>(pair.expected), units) : units);
   return {units, costs_.commonUnits(work)};
@@ -72,6 +80,14 @@ void StepBudget::takeLoose(const LooseContacts& contacts) {
   const double known = looseUnits_;
   looseUnits_ = costs_.units(contacts);
   spend(looseUnits_ - known);
+}
+
+void StepBudget::settleContacts(const ContactLadder::Find& find) {
+  if (!isLimited()) return;
+  const double saved = contacts_.settle(units_ + savedUnits_, budgetUnits_, find);
+  spend(savedUnits_ - saved);
+  savedUnits_ = saved;
+  looseSaved_ = std::max(saved - contacts_.expected(ownSpare_), 0.0);
 }
 
 void StepBudget::finish(bool isPlanned) {

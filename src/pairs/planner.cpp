@@ -121,6 +121,11 @@ bool Planner::isHeld(const PlannedBody& body) const {
   return !held_.empty() && std::ranges::find(held_, body.object()) != held_.end();
 }
 
+bool Planner::isImportant(int index) const {
+  const auto& bodies = known_[static_cast<std::size_t>(index)].bodies;
+  return pair(index).wish.importance > 1.0F || isHeld(*bodies[0]) || isHeld(*bodies[1]);
+}
+
 void Planner::applyAsked(std::size_t pair) {
   Wish& wish = planned_[pair].wish;
   for (const PlannedBody* body : known_[pair].bodies) {
@@ -361,6 +366,7 @@ void Planner::finish() {
   counts_.plannedUnits = plans_ ? budget_.plannedUnits() : 0.0;
   // Steps of a replayed run may have had none.
   counts_.budgetUnits = std::isfinite(budget_.budgetUnits()) ? budget_.budgetUnits() : 0.0;
+  counts_.hiddenContacts = hidesContacts() ? budget_.hiddenContacts() : 0;
   if (budget_.isExceeded()) counts_.floorUnits = budget_.floorUnits(planned_);
   settleState();
   lastCounts_ = counts_;
@@ -374,6 +380,7 @@ void Planner::settleState() {
   if (budgetState_.verdict == BudgetVerdict::kNone) return;
   budgetState_.creditedPairs = counts_.creditedPairs;
   budgetState_.keptPairs = counts_.reusedPairs;
+  budgetState_.hiddenContacts = counts_.hiddenContacts;
   budgetState_.withheldPairs = static_cast<int>(std::ranges::count_if(planned_, [](const PlannedPair& pair) {
     return pair.byBudget && pair.view.level < std::min(pair.wish.atMost, pair.view.finest);
   }));

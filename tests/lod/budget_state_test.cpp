@@ -73,10 +73,11 @@ TEST(BudgetState, SaysWhatWasGivenUp) {
   state.millisecondsPerUnit = 0.001;
   state.withheldPairs = 12;
   state.keptPairs = 3;
+  state.hiddenContacts = 40;
   EXPECT_EQ(
       describe(state),
-      "the budget of 4.00 ms cannot be kept as the bodies lie: what cannot be given up takes 5.00 ms, 12 "
-      "pairs coarser for it, 3 keep their contacts for a step");
+      "the budget of 4.00 ms cannot be kept as the bodies lie: what cannot be given up takes 5.00 ms, 40 "
+      "contacts are left to others of theirs, 12 pairs coarser for it, 3 keep their contacts for a step");
 }
 
 }  // namespace

@@ -84,6 +84,41 @@ TEST(StepBudget, CountsContactsOfNoPairOfItsOwn) {
   EXPECT_NEAR(budget.units(), before, 1e-9);
 }
 
+/// A step of one pair with so many contacts, of which the solver is shown a quarter where a rung says so.
+double stepUnits(StepBudget& budget, PlannedPair& pair, int contacts) {
+  budget.begin({});
+  budget.plan({&pair, 1}, 1);
+  PairWorkload load;
+  load.contacts = contacts;
+  budget.takeWork(pair, load);
+  budget.takeLoose({});
+  budget.settleContacts([contacts](const ContactRung&) {
+    return SpareContacts{contacts, contacts - contacts / 4};
+  });
+  budget.finish(true);
+  return budget.units();
+}
+
+TEST(StepBudget, LeavesContactsToOthersBeforeItIsExceeded) {
+  PlannedPair pair;
+  pair.view = {.level = 2, .finest = 2, .touching = true};
+  pair.target = 2;
+  constexpr int kContacts = 1000;
+  StepBudget roomy;
+  roomy.set(UnitBudget::ofUnits(1e6));
+  const double full = stepUnits(roomy, pair, kContacts);
+  EXPECT_EQ(roomy.hiddenContacts(), 0);
+  StepBudget tight;
+  tight.set(UnitBudget::ofUnits(full));
+  const double saved = full - stepUnits(tight, pair, kContacts);
+  EXPECT_EQ(tight.hiddenContacts(), 750);
+  EXPECT_NEAR(saved, 750 * CostWeights().hiddenContact, 1e-9);
+  // The next step expects it from the beginning, and costs the same.
+  EXPECT_NEAR(stepUnits(tight, pair, kContacts), full - saved, 1e-9);
+  // When they are gone nothing is left of it.
+  EXPECT_NEAR(stepUnits(tight, pair, 0), stepUnits(roomy, pair, 0), 1e-9);
+}
+
 TEST(StepBudget, OfMillisecondsNeedsTheClock) {
   StepBudget budget;
   EXPECT_FALSE(budget.needsTime());

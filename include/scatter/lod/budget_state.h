@@ -27,9 +27,10 @@ struct BudgetState {
   double reachable = 0.0;  ///< The same with every pair at its coarsest level: once it has got there.
   double millisecondsPerUnit = 0.0;  ///< As a budget of milliseconds has learned it; 0 for others.
 
-  int withheldPairs = 0;  ///< Pairs that the budget keeps below the level that they would have.
-  int creditedPairs = 0;  ///< Pairs in contact that hold penetration credit.
-  int keptPairs = 0;      ///< Pairs that kept their contacts of the step before.
+  int withheldPairs = 0;   ///< Pairs that the budget keeps below the level that they would have.
+  int creditedPairs = 0;   ///< Pairs in contact that hold penetration credit.
+  int keptPairs = 0;       ///< Pairs that kept their contacts of the step before.
+  int hiddenContacts = 0;  ///< Contacts that the solver was not shown, as others stand for them.
 };
 
 /// Of a state in one line: whether the budget is kept, what it would take, what was given up. Without a full

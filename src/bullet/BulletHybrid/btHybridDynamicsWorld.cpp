@@ -446,6 +446,8 @@ void btHybridDynamicsWorld::performDiscreteCollisionDetection()
 	const DetectionScope scope(m_detects);
 	m_requests->beginStep();
 	m_narrowphase->beginStep();
+	if (m_planner)
+		m_planner->forgetContacts();
 	if (m_hybrids.size() == 0 && !getCollisionInfo().m_plainBodies)
 	{
 		m_requests->endStep();
@@ -509,8 +511,17 @@ void btHybridDynamicsWorld::internalSingleStepSimulation(btScalar timeStep)
 	m_planner->takeTime(btHybridStepClock::getThreadMilliseconds() - before);
 }
 
-// All islands at once, so that a solver of ours can share them out.
 void btHybridDynamicsWorld::solveConstraints(btContactSolverInfo& info)
+{
+	if (m_planner)
+		m_planner->hideContacts();
+	solveIslands(info);
+	if (m_planner)
+		m_planner->showContacts();
+}
+
+// All at once, so that a solver of ours can share them out.
+void btHybridDynamicsWorld::solveIslands(btContactSolverInfo& info)
 {
 	btHybridContactSolver* solver = dynamic_cast<btHybridContactSolver*>(m_constraintSolver);
 	if (!solver)

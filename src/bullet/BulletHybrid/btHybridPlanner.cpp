@@ -150,7 +150,47 @@ void btHybridPlanner::finish(btDispatcher* dispatcher)
 		loose.points += manifold->getNumContacts();
 	}
 	takeLoose({btMax(loose.manifolds - own.manifolds, 0), btMax(loose.points - own.points, 0)});
+	settleContacts(dispatcher);
 	Planner::finish();
+}
+
+void btHybridPlanner::settleContacts(btDispatcher* dispatcher)
+{
+	m_solved.clear();
+	Planner::settleContacts([&](const scatter::lod::ContactRung& rung)
+	                        {
+		if (m_solved.empty())
+		{
+			findSolved(dispatcher);
+			findImportant();
+		}
+		btHybridContactReductionInfo info;
+		info.m_mostAlike = rung.mostAlike;
+		info.m_leastContacts = rung.leastContacts;
+		m_reduced.find(m_solved.data(), int(m_solved.size()), info, m_important);
+		const btHybridContactReductionCount& count = m_reduced.getCount();
+		return scatter::lod::SpareContacts{count.m_contacts, count.m_contacts - count.m_left}; });
+	if (!hidesContacts())
+		m_reduced.forget();
+}
+
+void btHybridPlanner::findSolved(btDispatcher* dispatcher)
+{
+	for (int i = 0; i < dispatcher->getNumManifolds(); i++)
+	{
+		btPersistentManifold* manifold = dispatcher->getManifoldByIndexInternal(i);
+		if (isAwake(manifold->getBody0()) || isAwake(manifold->getBody1()))
+			m_solved.push_back(manifold);
+	}
+}
+
+// What somebody looks at more closely than at others, or holds.
+void btHybridPlanner::findImportant()
+{
+	m_important.clear();
+	for (int i = 0; i < countPairs(); i++)
+		if (isImportant(i))
+			m_important.push_back({objectOf(body(i, 0)), objectOf(body(i, 1))});
 }
 
 btHybridPairView btHybridPlanner::viewPair(int index) const

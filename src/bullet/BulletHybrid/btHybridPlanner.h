@@ -9,6 +9,7 @@
 #include "BulletHybrid/btHybridObservation.h"
 #include "BulletHybrid/btHybridRequest.h"
 #include "BulletHybrid/btHybridSwitching.h"
+#include "btHybridReducedContacts.h"
 #include "pairs/planner.h"
 
 class btHybridLevelBodies;
@@ -19,7 +20,13 @@ class btHybridPlanner : public scatter::pairs::Planner, private scatter::pairs::
 	std::vector<scatter::lod::BodyView> m_bodies;
 	btHybridListener* m_listener;
 	std::string m_mistake;
+	std::vector<btPersistentManifold*> m_solved;  ///< those of bodies that are awake
+	std::vector<btHybridReducedContacts::Bodies> m_important;
+	btHybridReducedContacts m_reduced;
 
+	void settleContacts(btDispatcher* dispatcher);
+	void findSolved(btDispatcher* dispatcher);
+	void findImportant();
 	virtual void hear(const scatter::pairs::PairEvent& event);
 	const char* remember(const scatter::Result<void>& result);
 
@@ -44,6 +51,22 @@ public:
 
 	/// After the narrowphase.
 	void finish(btDispatcher* dispatcher);
+
+	/// Before contacts change.
+	void forgetContacts()
+	{
+		m_reduced.forget();
+	}
+
+	/// Contacts that the budget has no room for are hidden from here on to showContacts(), where they are solved.
+	void hideContacts()
+	{
+		m_reduced.hide();
+	}
+	void showContacts()
+	{
+		m_reduced.show();
+	}
 
 	btHybridPairView viewPair(int pair) const;
 

@@ -38,6 +38,7 @@ void addPairCounts(const btHybridPairStepInfo& info, StepCounters& counters) {
   counters.touchingPairs = count(info.touchingPairs);
   counters.touchingFinestPairs = count(info.touchingFinest);
   counters.reusedPairs = count(info.reusedPairs);
+  counters.hiddenContacts = count(info.hiddenContacts);
   counters.costUnits = whole(info.units);
   counters.plannedUnits = whole(info.plannedUnits);
   counters.floorUnits = whole(info.floorUnits);

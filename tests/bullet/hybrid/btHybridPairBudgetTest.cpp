@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <utility>
 #include <vector>
 
 #include "PairTestWorld.h"
@@ -156,6 +157,83 @@ TEST(Budget, ContactsAreReusedOnlyWhileItIsExceededAndNeverForAHeldBody) {
   EXPECT_GT(reused, 0);
   // Not twice running.
   EXPECT_LE(2 * reused, touching + 60);
+}
+
+/// Slabs of 64 bricks that lie on each other.
+class Slabs : public PairTestWorld {
+ public:
+  Slabs() {
+    auto* fine = shape<btCompoundShape>();
+    auto* brick = shape<btBoxShape>(btVector3(0.12F, 0.1F, 0.12F));
+    for (int i = 0; i < 64; ++i) {
+      const btVector3 at(0.25F * static_cast<float>(i % 8) - 0.875F, 0,
+                         0.25F * static_cast<float>(i / 8) - 0.875F);
+      fine->addChildShape(btTransform(btQuaternion::getIdentity(), at), brick);
+    }
+    slab.addLevel(shape<btBoxShape>(btVector3(1.1F, 0.15F, 1.1F)));
+    slab.addLevel(fine);
+    world.setGravity(btVector3(0, -10, 0));
+    addFloor();
+    for (int i = 0; i < 4; ++i) {
+      addBody(slab,
+              btTransform(btQuaternion::getIdentity(), btVector3(0, 0.1F + 0.2F * static_cast<float>(i), 0)));
+    }
+    for (int i = 0; i < 30; ++i) step();
+  }
+
+  /// Of contacts in manifolds: those that press, and those that a solver would not see.
+  [[nodiscard]] std::pair<int, int> countContacts() const {
+    std::pair<int, int> counts;
+    for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
+      for (int k = 0; k < manifoldAt(i).getNumContacts(); ++k) {
+        counts.first += manifoldAt(i).getContactPoint(k).getAppliedImpulse() > 0 ? 1 : 0;
+        counts.second += manifoldAt(i).getContactPoint(k).getDistance() > 1 ? 1 : 0;
+      }
+    }
+    return counts;
+  }
+
+  btHybridLevelSet slab;
+};
+
+TEST(Budget, LeavesContactsToOthersBeforeItTakesDetail) {
+  Slabs w;
+  const int pressing = w.countContacts().first;
+  w.world.setBudgetUnits(1e6);
+  w.step();
+  EXPECT_EQ(w.pairInfo().hiddenContacts, 0);
+  w.world.setBudgetUnits(w.pairInfo().units);
+  for (int i = 0; i < 120; ++i) {
+    w.step();
+    ASSERT_GT(w.pairInfo().hiddenContacts, 0);
+    ASSERT_EQ(w.countContacts().second, 0) << "they are hidden from the solver alone";
+  }
+  EXPECT_LT(w.countContacts().first, pressing / 2);
+  const btHybridBudgetState state = w.world.getBudgetState();
+  EXPECT_EQ(state.verdict, BudgetVerdict::kKept);
+  EXPECT_EQ(state.withheldPairs, 0);
+  EXPECT_GT(state.hiddenContacts, 0);
+  for (int i = 0; i < 4; ++i) {
+    const auto& slab = w.bodies[static_cast<std::size_t>(i) + 1];  // above the floor
+    EXPECT_NEAR(slab->getWorldTransform().getOrigin().y(), 0.1 + 0.2 * i, 0.005);
+  }
+  w.world.removeBudget();
+  w.step();
+  EXPECT_EQ(w.pairInfo().hiddenContacts, 0);
+  EXPECT_GT(w.countContacts().first, pressing / 2);
+}
+
+TEST(Budget, LeavesMoreOfTheContactsOfWhatIsHeld) {
+  int hidden[2];
+  for (const bool held : {false, true}) {
+    Slabs w;
+    for (auto& body : w.bodies) w.world.setHeld(body.get(), held);
+    w.world.setBudgetUnits(w.pairInfo().units * 0.5);
+    w.step();
+    hidden[held ? 1 : 0] = w.pairInfo().hiddenContacts;
+  }
+  EXPECT_GT(hidden[1], 0);
+  EXPECT_GT(hidden[0], hidden[1]);
 }
 
 TEST(Budget, IsThereAfterItIsSetAndGoneWhenItIsRemoved) {

@@ -1,0 +1,132 @@
+#include "btHybridReducedContacts.h"
+
+#include <BulletCollision/CollisionDispatch/btCollisionObject.h>
+
+#include <algorithm>
+
+#include "btHybridQuad.h"
+#include "btHybridReducible.h"
+
+namespace
+{
+const int kNoPair = -1;
+const int kNoManifold = -1;
+}  // namespace
+
+// In either order of the bodies.
+int btHybridReducedContacts::pairOf(const btCollisionObject* first, const btCollisionObject* second)
+{
+	if (second->getWorldArrayIndex() > first->getWorldArrayIndex())
+		std::swap(first, second);
+	const int index = first->getWorldArrayIndex();
+	if (index < 0)
+		return kNoPair;
+	if (size_t(index) >= m_firstPair.size())
+		m_firstPair.resize(size_t(index) + 1, kNoPair);
+	for (int pair = m_firstPair[index]; pair != kNoPair; pair = m_pairs[pair].m_next)
+	{
+		if (m_pairs[pair].m_other == second)
+			return pair;
+	}
+	m_pairs.push_back({second, m_firstPair[index], kNoManifold, 0, false});
+	m_firstPair[index] = int(m_pairs.size()) - 1;
+	return m_firstPair[index];
+}
+
+void btHybridReducedContacts::group(btPersistentManifold** manifolds, int numManifolds)
+{
+	m_pairs.clear();
+	m_firstPair.clear();
+	m_before.assign(size_t(numManifolds), kNoManifold);
+	for (int i = 0; i < numManifolds; ++i)
+	{
+		const int contacts = manifolds[i]->getNumContacts();
+		const int index = contacts > 0 ? pairOf(manifolds[i]->getBody0(), manifolds[i]->getBody1()) : kNoPair;
+		if (index == kNoPair)
+			continue;
+		m_before[i] = m_pairs[index].m_last;
+		m_pairs[index].m_last = i;
+		m_pairs[index].m_contacts += contacts;
+	}
+}
+
+void btHybridReducedContacts::collect(const Pair& pair, btPersistentManifold** manifolds)
+{
+	m_points.clear();
+	m_contacts.clear();
+	for (int i = pair.m_last; i != kNoManifold; i = m_before[i])
+	{
+		btPersistentManifold& manifold = *manifolds[i];
+		const btScalar sign = manifold.getBody1() == pair.m_other ? btScalar(1) : btScalar(-1);
+		for (int k = 0; k < manifold.getNumContacts(); ++k)
+		{
+			btManifoldPoint& point = manifold.getContactPoint(k);
+			if (!(point.getDistance() <= manifold.getContactProcessingThreshold()) || !btHybridIsReducible(point))
+				continue;
+			m_points.push_back(&point);
+			m_contacts.push_back({btHybridQuad(point.m_positionWorldOnB, point.getDistance()),
+			                      btHybridQuad(sign * point.m_normalWorldOnB, point.m_appliedImpulse), -1});
+		}
+	}
+}
+
+void btHybridReducedContacts::remember()
+{
+	for (size_t i = 0; i < m_contacts.size(); ++i)
+	{
+		const int kept = m_contacts[i].kept;
+		if (kept != int(i))
+			m_hidden.push_back({m_points[i], m_points[kept], 0});
+	}
+}
+
+void btHybridReducedContacts::find(btPersistentManifold** manifolds, int numManifolds,
+                                   const btHybridContactReductionInfo& info, std::span<const Bodies> important)
+{
+	const btHybridContactReductionInfo ofImportant;
+	forget();
+	group(manifolds, numManifolds);
+	for (const Bodies& bodies : important)
+	{
+		const int pair = pairOf(bodies.m_a, bodies.m_b);
+		if (pair != kNoPair)
+			m_pairs[pair].m_isImportant = true;
+	}
+	for (const Pair& pair : m_pairs)
+	{
+		const btHybridContactReductionInfo& rule = pair.m_isImportant ? ofImportant : info;
+		if (pair.m_contacts < btMax(rule.m_leastContacts, 1))
+			continue;
+		collect(pair, manifolds);
+		++m_count.m_pairs;
+		m_count.m_contacts += int(m_contacts.size());
+		m_count.m_left += m_reduction.reduce(m_contacts, btMax(rule.m_mostAlike, 1));
+		remember();
+	}
+}
+
+void btHybridReducedContacts::forget()
+{
+	m_count = btHybridContactReductionCount();
+	m_hidden.clear();
+}
+
+// What a contact bore is borne by the one that stands for it.
+void btHybridReducedContacts::hide()
+{
+	for (Hidden& hidden : m_hidden)
+	{
+		btManifoldPoint& point = *hidden.m_point;
+		hidden.m_kept->m_appliedImpulse += point.m_appliedImpulse;
+		point.m_appliedImpulse = point.m_appliedImpulseLateral1 = point.m_appliedImpulseLateral2 = 0;
+		hidden.m_distance = point.m_distance1;
+		point.m_distance1 = SIMD_INFINITY;
+	}
+}
+
+void btHybridReducedContacts::show()
+{
+	for (const Hidden& hidden : m_hidden)
+		hidden.m_point->m_distance1 = hidden.m_distance;
+	m_hidden.clear();
+}
