@@ -11,7 +11,7 @@ StepBudget::StepBudget()
 void StepBudget::set(const UnitBudget& budget) {
   budget_ = budget;
   governor_ = Governor(GovernorDef());
-  contacts_ = ContactLadder(costs_.weights().hiddenContact);
+  contacts_ = ContactThinning(costs_.weights().hiddenContact);
 }
 
 void StepBudget::begin(const StepLoad& load) {
@@ -82,7 +82,7 @@ void StepBudget::takeLoose(const LooseContacts& contacts) {
   spend(looseUnits_ - known);
 }
 
-void StepBudget::settleContacts(const ContactLadder::Find& find) {
+void StepBudget::settleContacts(const ContactThinning::Find& find) {
   if (!isLimited()) return;
   const double saved = contacts_.settle(units_ + savedUnits_, budgetUnits_, find);
   spend(savedUnits_ - saved);

@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "lod/contact_ladder.h"
+#include "lod/contact_thinning.h"
 #include "lod/cost_model.h"
 #include "lod/governor.h"
 #include "lod/planned_pair.h"
@@ -72,8 +72,7 @@ class StepBudget {
   void takeLoose(const LooseContacts& contacts);
 
   /// Then, in a step that was planned: which contacts the solver is to be shown.
-  void settleContacts(const ContactLadder::Find& find);
-  [[nodiscard]] int contactRung() const { return contacts_.rung(); }
+  void settleContacts(const ContactThinning::Find& find);
   [[nodiscard]] int hiddenContacts() const { return contacts_.hidden(); }
 
   /// Ends a step; `isPlanned`: plan() was called in it.
@@ -104,10 +103,10 @@ class StepBudget {
   CostModel costs_;
   Governor governor_;
   UnitBudget budget_;
-  ContactLadder contacts_;
+  ContactThinning contacts_;
   double savedUnits_ = 0.0;  ///< What contacts that are not shown are taken to save of units_.
   double looseSaved_ = 0.0;  ///< Of these, by contacts that belong to no pair.
-  int ownSpare_ = 0;         ///< Contacts of pairs that the rung concerns.
+  int ownSpare_ = 0;         ///< Contacts of pairs that may have some to spare.
   double fixedUnits_ = 0.0;
   double looseUnits_ = 0.0;  ///< Of these, as they are taken to be.
   double units_ = 0.0;

@@ -121,11 +121,6 @@ bool Planner::isHeld(const PlannedBody& body) const {
   return !held_.empty() && std::ranges::find(held_, body.object()) != held_.end();
 }
 
-bool Planner::isImportant(int index) const {
-  const auto& bodies = known_[static_cast<std::size_t>(index)].bodies;
-  return pair(index).wish.importance > 1.0F || isHeld(*bodies[0]) || isHeld(*bodies[1]);
-}
-
 void Planner::applyAsked(std::size_t pair) {
   Wish& wish = planned_[pair].wish;
   for (const PlannedBody* body : known_[pair].bodies) {

@@ -128,12 +128,10 @@ class Planner {
   void takeLoose(const lod::LooseContacts& contacts) { budget_.takeLoose(contacts); }
 
   /// Then: which contacts the solver is to be shown.
-  void settleContacts(const lod::ContactLadder::Find& find) {
+  void settleContacts(const lod::ContactThinning::Find& find) {
     if (plans_) budget_.settleContacts(find);
   }
-  /// Whether a pair is to lose less than others.
-  [[nodiscard]] bool isImportant(int index) const;
-  [[nodiscard]] bool hidesContacts() const { return plans_ && budget_.contactRung() > 0; }
+  [[nodiscard]] bool hidesContacts() const { return plans_ && budget_.hiddenContacts() > 0; }
 
   /// Ends the step.
   void finish();

@@ -92,7 +92,7 @@ double stepUnits(StepBudget& budget, PlannedPair& pair, int contacts) {
   load.contacts = contacts;
   budget.takeWork(pair, load);
   budget.takeLoose({});
-  budget.settleContacts([contacts](const ContactRung&) {
+  budget.settleContacts([contacts](const ThinningRule&) {
     return SpareContacts{contacts, contacts - contacts / 4};
   });
   budget.finish(true);

@@ -156,41 +156,26 @@ void btHybridPlanner::finish(btDispatcher* dispatcher)
 
 void btHybridPlanner::settleContacts(btDispatcher* dispatcher)
 {
-	m_solved.clear();
-	Planner::settleContacts([&](const scatter::lod::ContactRung& rung)
+	Planner::settleContacts([&](const scatter::lod::ThinningRule& rule)
 	                        {
-		if (m_solved.empty())
-		{
-			findSolved(dispatcher);
-			findImportant();
-		}
+		findSolved(dispatcher);
 		btHybridContactReductionInfo info;
-		info.m_mostAlike = rung.mostAlike;
-		info.m_leastContacts = rung.leastContacts;
-		m_reduced.find(m_solved.data(), int(m_solved.size()), info, m_important);
+		info.m_mostAlike = rule.mostAlike;
+		info.m_leastContacts = rule.leastContacts;
+		m_reduced.find(m_solved.data(), int(m_solved.size()), info);
 		const btHybridContactReductionCount& count = m_reduced.getCount();
 		return scatter::lod::SpareContacts{count.m_contacts, count.m_contacts - count.m_left}; });
-	if (!hidesContacts())
-		m_reduced.forget();
 }
 
 void btHybridPlanner::findSolved(btDispatcher* dispatcher)
 {
+	m_solved.clear();
 	for (int i = 0; i < dispatcher->getNumManifolds(); i++)
 	{
 		btPersistentManifold* manifold = dispatcher->getManifoldByIndexInternal(i);
 		if (isAwake(manifold->getBody0()) || isAwake(manifold->getBody1()))
 			m_solved.push_back(manifold);
 	}
-}
-
-// What somebody looks at more closely than at others, or holds.
-void btHybridPlanner::findImportant()
-{
-	m_important.clear();
-	for (int i = 0; i < countPairs(); i++)
-		if (isImportant(i))
-			m_important.push_back({objectOf(body(i, 0)), objectOf(body(i, 1))});
 }
 
 btHybridPairView btHybridPlanner::viewPair(int index) const

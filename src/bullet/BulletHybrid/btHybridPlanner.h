@@ -21,12 +21,10 @@ class btHybridPlanner : public scatter::pairs::Planner, private scatter::pairs::
 	btHybridListener* m_listener;
 	std::string m_mistake;
 	std::vector<btPersistentManifold*> m_solved;  ///< those of bodies that are awake
-	std::vector<btHybridReducedContacts::Bodies> m_important;
 	btHybridReducedContacts m_reduced;
 
 	void settleContacts(btDispatcher* dispatcher);
 	void findSolved(btDispatcher* dispatcher);
-	void findImportant();
 	virtual void hear(const scatter::pairs::PairEvent& event);
 	const char* remember(const scatter::Result<void>& result);
 

@@ -28,7 +28,7 @@ int btHybridReducedContacts::pairOf(const btCollisionObject* first, const btColl
 		if (m_pairs[pair].m_other == second)
 			return pair;
 	}
-	m_pairs.push_back({second, m_firstPair[index], kNoManifold, 0, false});
+	m_pairs.push_back({second, m_firstPair[index], kNoManifold, 0});
 	m_firstPair[index] = int(m_pairs.size()) - 1;
 	return m_firstPair[index];
 }
@@ -81,26 +81,18 @@ void btHybridReducedContacts::remember()
 }
 
 void btHybridReducedContacts::find(btPersistentManifold** manifolds, int numManifolds,
-                                   const btHybridContactReductionInfo& info, std::span<const Bodies> important)
+                                   const btHybridContactReductionInfo& info)
 {
-	const btHybridContactReductionInfo ofImportant;
 	forget();
 	group(manifolds, numManifolds);
-	for (const Bodies& bodies : important)
-	{
-		const int pair = pairOf(bodies.m_a, bodies.m_b);
-		if (pair != kNoPair)
-			m_pairs[pair].m_isImportant = true;
-	}
 	for (const Pair& pair : m_pairs)
 	{
-		const btHybridContactReductionInfo& rule = pair.m_isImportant ? ofImportant : info;
-		if (pair.m_contacts < btMax(rule.m_leastContacts, 1))
+		if (pair.m_contacts < btMax(info.m_leastContacts, 1))
 			continue;
 		collect(pair, manifolds);
 		++m_count.m_pairs;
 		m_count.m_contacts += int(m_contacts.size());
-		m_count.m_left += m_reduction.reduce(m_contacts, btMax(rule.m_mostAlike, 1));
+		m_count.m_left += m_reduction.reduce(m_contacts, btMax(info.m_mostAlike, 1));
 		remember();
 	}
 }

@@ -3,7 +3,6 @@
 
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 
-#include <span>
 #include <vector>
 
 #include "BulletHybrid/btHybridContactReduction.h"
@@ -19,7 +18,6 @@ class btHybridReducedContacts
 		int m_next;  ///< pair of the same first body
 		int m_last;  ///< of its manifolds
 		int m_contacts;
-		bool m_isImportant;
 	};
 
 	struct Hidden
@@ -44,15 +42,8 @@ class btHybridReducedContacts
 	void remember();
 
 public:
-	struct Bodies
-	{
-		const btCollisionObject* m_a;
-		const btCollisionObject* m_b;
-	};
-
-	/// Finds them anew: valid until contacts change. important: of these nothing is left out but what
-	/// btHybridContactReductionInfo leaves out by itself.
-	void find(btPersistentManifold** manifolds, int numManifolds, const btHybridContactReductionInfo& info, std::span<const Bodies> important = {});
+	/// Finds them anew: valid until contacts change.
+	void find(btPersistentManifold** manifolds, int numManifolds, const btHybridContactReductionInfo& info);
 	void forget();
 
 	void hide();

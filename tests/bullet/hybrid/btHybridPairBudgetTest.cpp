@@ -223,19 +223,6 @@ TEST(Budget, LeavesContactsToOthersBeforeItTakesDetail) {
   EXPECT_GT(w.countContacts().first, pressing / 2);
 }
 
-TEST(Budget, LeavesMoreOfTheContactsOfWhatIsHeld) {
-  int hidden[2];
-  for (const bool held : {false, true}) {
-    Slabs w;
-    for (auto& body : w.bodies) w.world.setHeld(body.get(), held);
-    w.world.setBudgetUnits(w.pairInfo().units * 0.5);
-    w.step();
-    hidden[held ? 1 : 0] = w.pairInfo().hiddenContacts;
-  }
-  EXPECT_GT(hidden[1], 0);
-  EXPECT_GT(hidden[0], hidden[1]);
-}
-
 TEST(Budget, IsThereAfterItIsSetAndGoneWhenItIsRemoved) {
   Gathering w;
   w.pull();

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <functional>
+
+namespace scatter::lod {
+
+/// How few contacts a solver is shown: of two bodies that have `leastContacts` or more, `mostAlike` of each
+/// direction. The others stay where they are, and those that are shown stand for them.
+struct ThinningRule {
+  int mostAlike = 0;
+  int leastContacts = 0;
+};
+
+/// Contacts of the bodies that the rule concerns, and those of them that are not shown.
+struct SpareContacts {
+  int contacts = 0;
+  int hidden = 0;
+};
+
+/// The first thing that a budget takes: contacts that others stand for. That is decided when the contacts of
+/// a step are known, before they are solved; so it also saves a step that turned out dearer than it was
+/// planned. Deterministic.
+class ContactThinning {
+ public:
+  using Find = std::function<SpareContacts(const ThinningRule&)>;
+
+  /// `each`: what a contact that is not shown saves, units.
+  explicit ContactThinning(double each) : each_(each) {}
+
+  /// Whether a pair with so many contacts may have some to spare.
+  [[nodiscard]] static bool concerns(int contacts);
+
+  /// What so many contacts of such pairs are taken to save: as much as in the step before.
+  [[nodiscard]] double expected(int contacts) const;
+
+  /// After the narrowphase of a step that would cost `full` units if all contacts were shown: what it saves.
+  /// `find` is called only if it is needed.
+  double settle(double full, double budget, const Find& find);
+
+  /// Of the last settle(): contacts that are not to be shown.
+  [[nodiscard]] int hidden() const { return spare_.hidden; }
+
+ private:
+  double each_;
+  int roomySteps_ = 0;  ///< For so many steps it would not have been needed.
+  int stepsToTry_ = 0;  ///< Until it is looked again whether there is anything to spare.
+  SpareContacts spare_{};
+};
+
+}  // namespace scatter::lod
