@@ -8,6 +8,7 @@
 
 #include "bench_arguments.h"
 #include "family_arguments.h"
+#include "run_arguments.h"
 
 namespace scatter::app {
 
@@ -19,6 +20,8 @@ struct BenchSpreadArguments {
   std::optional<std::string> family;
   double scale = 1.0;
   std::vector<std::string> worlds{"standard", "finest"};
+  std::vector<double> floors;
+  std::optional<int> fidelityEvery;
   int seeds = 10;
 };
 
@@ -37,6 +40,22 @@ Result<void> addFamily(const BenchSpreadArguments& arguments, const std::filesys
   return {};
 }
 
+Result<void> addBudgets(const BenchSpreadArguments& arguments, const std::string& scene,
+                        SpreadOptions& options) {
+  if (arguments.floors.empty()) {
+    return {};
+  }
+  auto governed = makeBenchRun(arguments.bench, scene, "hybrid");
+  auto coarsest = makeBenchRun(arguments.bench, scene, "coarsest");
+  if (!governed || !coarsest) {
+    return tl::unexpected((governed ? coarsest : governed).error());
+  }
+  governed->fidelityEvery = arguments.fidelityEvery.value_or(0);
+  options.budgets = {
+      .governed = std::move(*governed), .coarsest = std::move(*coarsest), .floors = arguments.floors};
+  return {};
+}
+
 Result<SpreadOptions> makeStudy(const BenchSpreadArguments& arguments, const std::filesystem::path& folder) {
   SpreadOptions options;
   options.seeds = seedsUpTo(arguments.seeds);
@@ -51,7 +70,11 @@ Result<SpreadOptions> makeStudy(const BenchSpreadArguments& arguments, const std
     if (!run) {
       return tl::unexpected(run.error());
     }
+    run->fidelityEvery = arguments.fidelityEvery.value_or(0);
     options.worlds.push_back(std::move(*run));
+  }
+  if (auto added = addBudgets(arguments, scene, options); !added) {
+    return tl::unexpected(added.error());
   }
   return options;
 }
@@ -109,6 +132,14 @@ Command addBenchSpreadCommand(CLI::App& bench) {
       ->type_name("NAME,NAME")
       ->delimiter(',')
       ->capture_default_str();
+  command
+      ->add_option("--floors", arguments->floors,
+                   "Then the hybrid world with budgets that are these multiples of what a scene's dearest "
+                   "frame takes with everything at level 1, in units")
+      ->check(CLI::Range(0.01, 1000.0))
+      ->type_name("X,X")
+      ->delimiter(',');
+  addFidelityArgument(*command, arguments->fidelityEvery);
   command->add_option("--seeds", arguments->seeds, "Seeds from 1 to this")
       ->check(CLI::Range(1, 1000))
       ->type_name("N")

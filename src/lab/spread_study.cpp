@@ -24,7 +24,14 @@ enum Quantity : std::size_t {
   kMedianDistance,
   kHeight,
   kAsleepFrom,
-  kQuantityCount
+  kUsualCount,
+  kImpactFinest = kUsualCount,
+  kImpactOverlaps,
+  kImpactGap,
+  kFinest,
+  kOverlaps,
+  kGap,
+  kAllCount
 };
 
 // Counted from 1, as frames are.
@@ -36,7 +43,7 @@ double asleepFrom(const std::vector<double>& awake) {
 std::vector<double> measure(const Run& run, const lab::PileSize& pile) {
   const auto& depths = run.table.values("max_penetration");
   const auto& energies = run.table.values("kinetic_energy");
-  std::vector<double> values(kQuantityCount);
+  std::vector<double> values(kAllCount);
   values[kDeepest] = nearestRank(depths, 1.0);
   values[kP99] = nearestRank(depths, 0.99);
   values[kEnergyPeak] = nearestRank(energies, 1.0);
@@ -46,22 +53,18 @@ std::vector<double> measure(const Run& run, const lab::PileSize& pile) {
   values[kMedianDistance] = pile.medianDistance;
   values[kHeight] = pile.meanHeight;
   values[kAsleepFrom] = asleepFrom(run.table.values("awake_bodies"));
+  const FidelityStatistics& fidelity = run.summary.fidelity;
+  values[kImpactFinest] = fidelity.impactFinestShare;
+  values[kImpactOverlaps] = fidelity.impactVisibleOverlapPer100;
+  values[kImpactGap] = fidelity.impactContactGapP95;
+  values[kFinest] = fidelity.finestShareMean;
+  values[kOverlaps] = fidelity.visibleOverlapPer100;
+  values[kGap] = fidelity.contactGapP95;
   return values;
 }
 
-Result<std::vector<double>> runOnce(RunOptions options, std::uint64_t seed, const Progress& progress) {
-  lab::PileSize pile;
-  options.seed = seed;
-  options.inspect = [&pile](const World& world) { pile = lab::pileSize(world); };
-  const auto run = runScene(options, progress);
-  if (!run) {
-    return tl::unexpected(run.error());
-  }
-  return measure(*run, pile);
-}
-
 void addSpreads(WorldSpread& world) {
-  for (std::size_t quantity = 0; quantity < kQuantityCount; ++quantity) {
+  for (std::size_t quantity = 0; quantity < world.values.front().size(); ++quantity) {
     std::vector<double> values;
     for (const auto& seed : world.values) {
       values.push_back(seed[quantity]);
@@ -73,20 +76,110 @@ void addSpreads(WorldSpread& world) {
   }
 }
 
+Result<void> addWorld(const RunOptions& world, const std::string& suffix, SpreadStudy& study) {
+  const auto resolved = resolveRun(world);
+  if (!resolved) {
+    return tl::unexpected(resolved.error());
+  }
+  study.worlds.push_back({.label = resolved->label + suffix, .values = {}, .spreads = {}});
+  return {};
+}
+
 Result<SpreadStudy> prepare(const SpreadOptions& options) {
   if (options.worlds.empty() || options.seeds.empty()) {
     return fail("a study of spreads needs at least one world and one seed; name some");
   }
-  SpreadStudy study{.seeds = options.seeds, .worlds = {}};
+  SpreadStudy study{.seeds = options.seeds,
+                    .quantities = spreadQuantities(options.worlds.front().fidelityEvery > 0),
+                    .worlds = {}};
   for (const RunOptions& world : options.worlds) {
-    const auto resolved = resolveRun(world);
-    if (!resolved) {
-      return tl::unexpected(resolved.error());
+    if (auto added = addWorld(world, "", study); !added) {
+      return tl::unexpected(added.error());
     }
-    study.worlds.push_back({.label = resolved->label, .values = {}, .spreads = {}});
+  }
+  for (const double floors : options.budgets ? options.budgets->floors : std::vector<double>()) {
+    const std::string suffix = "-" + lab::readableNumber(floors) + "floors";
+    if (auto added = addWorld(options.budgets->governed, suffix, study); !added) {
+      return tl::unexpected(added.error());
+    }
   }
   return study;
 }
+
+/// The runs of one study.
+class Runner {
+ public:
+  Runner(const SpreadOptions& options, const std::function<void(const CompareProgress&)>& progress)
+      : options_(options), progress_(progress) {
+    const std::size_t floors = options.budgets ? options.budgets->floors.size() + 1 : 0;
+    report_.runs = static_cast<int>((options.worlds.size() + floors) * options.seeds.size());
+  }
+
+  Result<void> addSeed(std::uint64_t seed, SpreadStudy& study) {
+    std::size_t world = 0;
+    for (const RunOptions& options : options_.worlds) {
+      if (auto added = addRun(options, seed, study, study.worlds[world++]); !added) {
+        return added;
+      }
+    }
+    return options_.budgets ? addBudgets(seed, study, world) : Result<void>();
+  }
+
+ private:
+  Result<void> addBudgets(std::uint64_t seed, SpreadStudy& study, std::size_t world) {
+    lab::PileSize pile;
+    const auto coarsest = run(options_.budgets->coarsest, seed, "coarsest", pile);
+    if (!coarsest) {
+      return tl::unexpected(coarsest.error());
+    }
+    const double floor = nearestRank(coarsest->table.values("cost_units"), 1.0);
+    if (!(floor > 0.0)) {
+      return fail("there is nothing to govern: the coarsest world costs nothing");
+    }
+    for (const double floors : options_.budgets->floors) {
+      RunOptions governed = options_.budgets->governed;
+      governed.physics.switching.budget.units = floors * floor;
+      if (auto added = addRun(governed, seed, study, study.worlds[world++]); !added) {
+        return added;
+      }
+    }
+    return {};
+  }
+
+  Result<void> addRun(const RunOptions& options, std::uint64_t seed, const SpreadStudy& study,
+                      WorldSpread& world) {
+    lab::PileSize pile;
+    const auto done = run(options, seed, world.label, pile);
+    if (!done) {
+      return tl::unexpected(done.error());
+    }
+    world.values.push_back(measure(*done, pile));
+    world.values.back().resize(study.quantities.size());
+    return {};
+  }
+
+  Result<Run> run(RunOptions options, std::uint64_t seed, std::string label, lab::PileSize& pile) {
+    options.seed = seed;
+    options.inspect = [&pile](const World& world) { pile = lab::pileSize(world); };
+    if (options_.sceneOf) {
+      options.scene = options_.sceneOf(seed);
+      options.makeScene = {};
+    }
+    report_.label = std::move(label);
+    auto done = runScene(options, [this](const RunProgress& inside) {
+      report_.inside = inside;
+      if (progress_) {
+        progress_(report_);
+      }
+    });
+    ++report_.run;
+    return done;
+  }
+
+  const SpreadOptions& options_;
+  const std::function<void(const CompareProgress&)>& progress_;
+  CompareProgress report_{};
+};
 
 std::string spreadText(const Spread& spread) {
   return lab::readableNumber(spread.median) + " (" + lab::readableNumber(spread.min) + "-" +
@@ -101,8 +194,8 @@ std::string withinText(const SpreadStudy& study, std::size_t world, std::size_t 
 
 }  // namespace
 
-const std::vector<SpreadQuantity>& spreadQuantities() {
-  static const std::vector<SpreadQuantity> quantities{
+std::vector<SpreadQuantity> spreadQuantities(bool withFidelity) {
+  std::vector<SpreadQuantity> quantities{
       {"deepest_penetration", "m", "deepest penetration"},
       {"p99_penetration", "m", "deepest of a frame, p99"},
       {"penetration_end", "m", "deepest of a frame, last 100"},
@@ -112,7 +205,14 @@ const std::vector<SpreadQuantity>& spreadQuantities() {
       {"pile_median_distance", "m", "pile radius (median)"},
       {"mean_height", "m", "height of the bodies, mean"},
       {"asleep_from", "frame", "all asleep from"},
+      {"impact_finest", "1", "at the finest level, impact"},
+      {"impact_overlaps", "1", "overlaps of 100 pairs, impact"},
+      {"impact_gap", "m", "contact gap p95, impact"},
+      {"finest", "1", "at the finest level"},
+      {"overlaps", "1", "overlaps of 100 pairs"},
+      {"gap", "m", "contact gap p95"},
   };
+  if (!withFidelity) quantities.resize(kUsualCount);
   return quantities;
 }
 
@@ -139,30 +239,10 @@ Result<SpreadStudy> studySpread(const SpreadOptions& options,
   if (!study) {
     return study;
   }
-  CompareProgress report{.label = {},
-                         .run = 0,
-                         .runs = static_cast<int>(options.worlds.size() * options.seeds.size()),
-                         .inside = {}};
+  Runner runner(options, progress);
   for (const std::uint64_t seed : options.seeds) {
-    for (std::size_t i = 0; i < options.worlds.size(); ++i) {
-      WorldSpread& world = study->worlds[i];
-      report.label = world.label;
-      RunOptions run = options.worlds[i];
-      if (options.sceneOf) {
-        run.scene = options.sceneOf(seed);
-        run.makeScene = {};
-      }
-      auto values = runOnce(run, seed, [&](const RunProgress& inside) {
-        report.inside = inside;
-        if (progress) {
-          progress(report);
-        }
-      });
-      if (!values) {
-        return tl::unexpected(values.error());
-      }
-      world.values.push_back(std::move(*values));
-      ++report.run;
+    if (auto added = runner.addSeed(seed, *study); !added) {
+      return tl::unexpected(added.error());
     }
   }
   for (WorldSpread& world : study->worlds) {
@@ -180,8 +260,8 @@ std::string formatSpread(const SpreadStudy& study) {
     }
   }
   std::vector<Cells> lines{std::move(header)};
-  for (std::size_t quantity = 0; quantity < kQuantityCount; ++quantity) {
-    const SpreadQuantity& about = spreadQuantities()[quantity];
+  for (std::size_t quantity = 0; quantity < study.quantities.size(); ++quantity) {
+    const SpreadQuantity& about = study.quantities[quantity];
     Cells cells{about.what + ", " + about.unit};
     for (std::size_t i = 0; i < study.worlds.size(); ++i) {
       cells.push_back(spreadText(study.worlds[i].spreads[quantity]));
@@ -199,7 +279,7 @@ std::string formatSpread(const SpreadStudy& study) {
 
 std::string spreadCsv(const SpreadStudy& study) {
   Cells header{"world", "seed"};
-  for (const SpreadQuantity& quantity : spreadQuantities()) {
+  for (const SpreadQuantity& quantity : study.quantities) {
     header.push_back(quantity.name);
   }
   std::vector<Cells> lines{std::move(header)};

@@ -110,6 +110,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"twoCollisions",
                 {"compare", "tower", "--worlds", "standard,finest-bullet", "--collision", "scatter"},
                 "has its own collision"},
+        Refusal{"noFloor", {"bench", "spread", "--floors", "0"}, "--floors"},
         Refusal{"unknownFamily",
                 {"families", "--out", "f", "--only", "quiet,wheel_box"},
                 "unknown family \"wheel_box\"; did you mean \"wheels_box\"?"},

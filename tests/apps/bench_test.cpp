@@ -86,6 +86,19 @@ TEST_F(BenchTest, SpreadGoesThroughAFamily) {
   EXPECT_NEAR(std::stod(heights[0]), std::stod(heights[3]), 0.02);
 }
 
+TEST_F(BenchTest, SpreadShowsWhatBudgetsCost) {
+  const std::string output =
+      bench({"spread", "--family", "wheel_stack", "--scale", "0.2", "--frames", "40", "--seeds", "2",
+             "--worlds", "standard,finest", "--floors", "1,50", "--fidelity", "4", "--csv", "budgets.csv"});
+  EXPECT_THAT(output, HasSubstr("overlaps of 100 pairs, impact"));
+  EXPECT_EQ(columnOf(folder / "budgets.csv", "world"),
+            (std::vector<std::string>{"standard", "standard", "finest", "finest", "hybrid-1floors",
+                                      "hybrid-1floors", "hybrid-50floors", "hybrid-50floors"}));
+  const auto finest = columnOf(folder / "budgets.csv", "finest");
+  for (const std::size_t all : {0U, 1U, 2U, 3U, 6U, 7U}) EXPECT_EQ(finest[all], "1");
+  for (const std::size_t some : {4U, 5U}) EXPECT_LT(std::stod(finest[some]), 1.0);
+}
+
 TEST_F(BenchTest, MemoryHasALineForEveryWorld) {
   const std::string output = bench({"memory", "--scene", "duel", "--frames", "20", "--every", "5", "--worlds",
                                     "standard,lean", "--csv", "memory.csv"});

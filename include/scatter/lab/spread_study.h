@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,12 +22,22 @@ struct SpreadQuantity {
 /// last hundred frames) and kinetic_energy_peak; pile_radius and pile_median_distance: the root mean square
 /// and the median distance of the hybrids' centres of mass from their mean after the last frame, zero without
 /// hybrids; mean_height of all dynamic bodies' centres of mass then; asleep_from: the first frame since which
-/// no body was awake, or one more than there are frames.
-[[nodiscard]] const std::vector<SpreadQuantity>& spreadQuantities();
+/// no body was awake, or one more than there are frames. With fidelity also, as FidelityStatistics has it:
+/// impact_finest, impact_overlaps (pairs per hundred that touch) and impact_gap of the hundred frames after
+/// the impact; finest, overlaps and gap of the whole run.
+[[nodiscard]] std::vector<SpreadQuantity> spreadQuantities(bool withFidelity = false);
+
+/// Worlds with budgets that are multiples of what a scene takes with everything at level 1.
+struct SpreadBudgets {
+  RunOptions governed{};  ///< The world that is given the budgets.
+  RunOptions coarsest{};  ///< The same with everything at level 1: its dearest frame, in units, is the floor.
+  std::vector<double> floors{};
+};
 
 struct SpreadOptions {
   std::vector<RunOptions> worlds{};  ///< The first is what the others are compared to. Their seed is ignored.
   std::vector<std::uint64_t> seeds{};
+  std::optional<SpreadBudgets> budgets{};  ///< Worlds that come after the others.
 
   /// The scene of a seed, as in RunOptions::scene, for seeds that have one each; without it all run the
   /// worlds' own.
@@ -41,6 +52,7 @@ struct WorldSpread {
 
 struct SpreadStudy {
   std::vector<std::uint64_t> seeds;
+  std::vector<SpreadQuantity> quantities;  ///< Those of fidelity only if the first world measures it.
   std::vector<WorldSpread> worlds;
 
   /// The world's median of a quantity lies within the first world's extremes.
