@@ -10,7 +10,7 @@ namespace scatter::app {
 
 namespace {
 
-ExitStatus execute(const std::vector<Command>& commands) {
+ExitStatus executeGiven(const std::vector<Command>& commands) {
   const auto given = std::find_if(commands.begin(), commands.end(),
                                   [](const Command& command) { return command.arguments->parsed(); });
   if (given == commands.end()) {
@@ -28,7 +28,7 @@ Command addLevelsCommand(CLI::App& program) {
       "Make nested levels from a mesh, prove them, measure them, and write them for other programs");
   const std::vector<Command> commands{addLevelsBuildCommand(*command), addLevelsCheckCommand(*command),
                                       addLevelsShowCommand(*command), addLevelsExportCommand(*command)};
-  return {command, [commands] { return execute(commands); }};
+  return {command, [commands] { return executeGiven(commands); }};
 }
 
 }  // namespace scatter::app

@@ -14,7 +14,7 @@ namespace {
 using test::Situation;
 using test::SwitchTally;
 
-struct Arguments {
+struct TrialArguments {
   long switches = 1'000'000;  ///< In all.
   std::uint64_t seed = 1;
   bool unsafe = false;
@@ -24,7 +24,7 @@ constexpr const char* kRow =
     "%-9s %-5s %8ld %9ld %9ld %9ld %7ld %7ld %6ld %9ld %7ld %8ld %8ld %8ld %7ld %10.3g\n";
 
 SwitchTally runAll(Situation situation, btHybridSwitchingMode mode, long switches,
-                   const Arguments& arguments) {
+                   const TrialArguments& arguments) {
   SwitchTally all;
   for (std::uint64_t i = 0; all.switches < switches; ++i) {
     all += test::runSwitchTrial({.situation = situation,
@@ -42,7 +42,7 @@ long share(Situation situation, bool byPairs, long switches) {
   return isFree ? switches * 47 / 1000 : switches / 500;
 }
 
-int run(const Arguments& arguments) {
+int runTrials(const TrialArguments& arguments) {
   std::printf("%-9s %-5s %8s %9s %9s %9s %7s %7s %6s %9s %7s %8s %8s %8s %7s %10s\n", "situation", "mode",
               "moments", "switches", "coarser", "on credit", "unsafe", "deeper", "moved", "velocity",
               "pushed", "restless", "released", "weighed", "gained", "most gain");
@@ -72,7 +72,7 @@ int run(const Arguments& arguments) {
 }  // namespace scatter::bench
 
 int main(int argc, char** argv) {
-  scatter::bench::Arguments arguments;
+  scatter::bench::TrialArguments arguments;
   CLI::App app(
       "Random switches of levels, each compared with an exact copy of the world that does not switch");
   app.add_option("--switches", arguments.switches, "how many, in all")->check(CLI::PositiveNumber);
@@ -80,5 +80,5 @@ int main(int argc, char** argv) {
   app.add_flag("--unsafe", arguments.unsafe,
                "without the safety conditions, to see that bad switches are noticed");
   CLI11_PARSE(app, argc, argv);
-  return scatter::bench::run(arguments);
+  return scatter::bench::runTrials(arguments);
 }

@@ -14,8 +14,8 @@ namespace scatter::viewer {
 namespace {
 
 constexpr std::size_t kRays = 40;
-constexpr float kReach = 0.4F;   // share of the diagonal
-constexpr float kLift = 0.002F;  // share of the diagonal by which rays start off the surface
+constexpr float kReachShare = 0.4F;  // share of the diagonal
+constexpr float kLift = 0.002F;      // share of the diagonal by which rays start off the surface
 
 /// Directions around +z, as dense as a matt surface receives light from them (cosine), on a golden spiral.
 std::array<Vec3, kRays> makeDirections() {
@@ -53,7 +53,7 @@ std::vector<float> bakeOcclusion(const MeshData& mesh) {
   const RayTree tree(mesh);
   const auto directions = makeDirections();
   const float diagonal = diagonalOf(mesh);
-  const float reach = kReach * diagonal;
+  const float reach = kReachShare * diagonal;
   std::vector<float> occlusion;
   occlusion.reserve(mesh.positions.size());
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {

@@ -112,7 +112,7 @@ TEST(MeasureLevels, TheInsideOfASolidMeshDoesNotCount) {
 }
 
 TEST(MeasureLevels, FinerLevelsAreNearer) {
-  const SurfaceMesh mesh = torusMesh(32, 16);
+  const SurfaceMesh mesh = torusMesh(24, 12);
   LevelBuildDef definition;
   definition.partCounts = {1, 6, 24};
   const auto built = buildLevels(mesh, definition);

@@ -196,7 +196,7 @@ TEST(MeshMass, TellsWhyThereIsNone) {
 TEST(MeshMass, IsThatOfLevelsBuiltFromAClosedMesh) {
   LevelBuildDef def;
   def.finestParts = 24;
-  const SurfaceMesh torus = test::kSanitized ? torusMesh(24, 12) : torusMesh();
+  const SurfaceMesh torus = test::kSanitized ? torusMesh(16, 8) : torusMesh(24, 12);
   const auto built = buildLevels(torus, def);
   ASSERT_TRUE(built.has_value());
   EXPECT_TRUE(built->hasMassOfMesh);

@@ -123,7 +123,7 @@ TEST_P(EveryFamily, HasMoreBodiesAtALargerScale) {
     EXPECT_TRUE(file);
     return readSceneFile(*file).value().bodies.size();
   };
-  EXPECT_GT(countOf(0.5), countOf(kSmall));
+  EXPECT_GT(countOf(10.0 * kSmall), countOf(kSmall));
 }
 
 INSTANTIATE_TEST_SUITE_P(Families, EveryFamily, testing::ValuesIn(familyNames()),

@@ -13,7 +13,7 @@
 namespace scatter::test {
 namespace {
 
-constexpr int kFrames = kSanitized ? 300 : 900;  ///< Under sanitizers until they have arrived.
+constexpr int kFrames = kSanitized ? 300 : 700;  ///< Under sanitizers until they have arrived.
 constexpr int kLift = 30;
 constexpr int kThrow = 150;
 constexpr float kRoom = 12.0F;

@@ -260,7 +260,7 @@ TEST_P(WindowTest, LevelsAreAskedForAndTakenBack) {
   ViewerDef def;
   def.worlds = {world("quiet_hybrids")};
   def.worlds.front().physics.switching.credit = false;  // what rests cannot go coarser, and the request waits
-  def.loops = 60;
+  def.loops = 40;
   const auto expectCounts = [&](const std::string& script, const auto& requested, const auto& retracted) {
     const auto report = play(def, script);
     ASSERT_TRUE(report.has_value()) << report.error().message;

@@ -17,7 +17,7 @@ namespace {
 #if defined(__SANITIZE_ADDRESS__)
 constexpr int kManySteps = 10000;
 #else
-constexpr int kManySteps = 100000;
+constexpr int kManySteps = 50000;
 #endif
 
 btTransform at(const btVector3& position, const btQuaternion& turn = btQuaternion::getIdentity()) {

@@ -15,7 +15,7 @@ namespace {
 #if defined(__SANITIZE_ADDRESS__) || !defined(NDEBUG)
 constexpr int kWorlds = 25;
 #else
-constexpr int kWorlds = 600;
+constexpr int kWorlds = 300;
 #endif
 constexpr int kRandomSteps = 90;
 constexpr float kTimeStep = 1.0F / 60;

@@ -13,6 +13,7 @@
 
 #include "io/documents.h"
 #include "io/temporary_folder.h"
+#include "trials.h"
 
 namespace scatter {
 namespace {
@@ -112,7 +113,7 @@ TEST(ColladaWriter, KeepsAnyRotationToTheLastBitOrTwo) {
   std::mt19937_64 random(7);
   const auto number = [&] { return static_cast<float>(random() % 2001) / 1000.0F - 1.0F; };
   std::vector<ConvexPart> parts;
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < test::trials(200); ++i) {
     const Quat rotation = glm::normalize(Quat(number(), number(), number(), number() + 1e-3F));
     parts.push_back({Box{}, {{number(), number(), number()}, rotation}});
   }
