@@ -1,5 +1,6 @@
 #pragma once
 
+#include <scatter/recording/recorded_frame.h>
 #include <scatter/world/world.h>
 
 #include <cstddef>
@@ -13,13 +14,6 @@
 #include <vector>
 
 namespace scatter {
-
-/// The level at which two bodies meet; at most 255.
-struct PairLevel {
-  BodyId a{};
-  BodyId b{};
-  std::uint8_t level = 0;
-};
 
 struct HistoryDef {
   /// Of memory that the frames may take. A frame takes 29 bytes for each body, 12 for each level event and 9
