@@ -17,6 +17,8 @@ std::vector<Command> addCommands(CLI::App& program, const std::string& commandLi
   return {addListCommand(program),
           addRunCommand(program),
           addCompareCommand(program, commandLine),
+          addReplayCommand(program),
+          addDiffCommand(program),
           addReportTestCommand(program),
           addLevelsCommand(program),
           addConvertCommand(program),

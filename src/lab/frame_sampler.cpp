@@ -5,6 +5,19 @@
 
 namespace scatter::lab {
 
+namespace {
+
+// A clock's digits behind the seventh are noise, which takes room.
+std::uint64_t bitsOf(const FrameData& data, ChannelId id) {
+  const Channel& channel = data.channel(id);
+  if (channel.kind == ChannelKind::kHash) return data.hash(id);
+  const double value = data.value(id);
+  return std::bit_cast<std::uint64_t>(channel.unit == "ms" ? static_cast<double>(static_cast<float>(value))
+                                                           : value);
+}
+
+}  // namespace
+
 void FrameSampler::sample(const World& world, const FrameData* data, FrameSample& out) {
   out.number = world.frame();
   const Physics& physics = world.physics();
@@ -25,12 +38,8 @@ void FrameSampler::sample(const World& world, const FrameData* data, FrameSample
   findAdded(world, out);
   if (contacts_) addContacts(world, out);
   if (data == nullptr) return;
-  const bool begun = data->framesBegun() > 0;
   for (std::size_t i = 0; i < data->channels().size(); ++i) {
-    const auto channel = static_cast<ChannelId>(i);
-    const bool isHash = data->channel(channel).kind == ChannelKind::kHash;
-    const auto real = [&] { return std::bit_cast<std::uint64_t>(data->value(channel)); };
-    out.values.push_back(!begun ? 0 : isHash ? data->hash(channel) : real());
+    out.values.push_back(data->framesBegun() > 0 ? bitsOf(*data, static_cast<ChannelId>(i)) : 0);
   }
 }
 
