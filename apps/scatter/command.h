@@ -32,6 +32,7 @@ Command addConvertCommand(CLI::App& program);
 Command addFamiliesCommand(CLI::App& program);
 Command addReplayCommand(CLI::App& program);
 Command addDiffCommand(CLI::App& program);
+Command addExportCommand(CLI::App& program);
 Command addReportTestCommand(CLI::App& program);
 
 /// The window, which is the program scatter-view beside this one. `words` are those after "view".

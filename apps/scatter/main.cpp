@@ -19,6 +19,7 @@ std::vector<Command> addCommands(CLI::App& program, const std::string& commandLi
           addCompareCommand(program, commandLine),
           addReplayCommand(program),
           addDiffCommand(program),
+          addExportCommand(program),
           addReportTestCommand(program),
           addLevelsCommand(program),
           addConvertCommand(program),

@@ -10,7 +10,7 @@
 
 namespace scatter::lab {
 
-RecordingInfo recordingInfo(const SceneRun& run) {
+RecordingInfo recordingInfo(const SceneRun& run, bool contacts) {
   const RunOptions& options = run.options();
   const BuildInfo build = buildInfo();
   const MachineInfo machine = machineInfo();
@@ -25,11 +25,12 @@ RecordingInfo recordingInfo(const SceneRun& run) {
   info.notes = {{"build", build.version + " " + build.commit + " " + build.buildType + ", " + build.compiler},
                 {"machine", machine.cpu},
                 {"world", nameOf(options.physics.world)}};
+  if (contacts) info.notes["contacts"] = "contact points and levels of pairs";
   return info;
 }
 
 Result<std::unique_ptr<RunRecorder>> RunRecorder::create(const RecordOptions& options, const SceneRun& run) {
-  auto writer = RecordingWriter::create(options.file, recordingInfo(run));
+  auto writer = RecordingWriter::create(options.file, recordingInfo(run, options.contacts));
   if (!writer) return tl::unexpected(writer.error());
   std::unique_ptr<RunRecorder> recorder(new RunRecorder(options, std::move(*writer)));
   recorder->add(run);

@@ -37,6 +37,6 @@ class RunRecorder {
 };
 
 /// What a recording says of its run.
-[[nodiscard]] RecordingInfo recordingInfo(const SceneRun& run);
+[[nodiscard]] RecordingInfo recordingInfo(const SceneRun& run, bool contacts);
 
 }  // namespace scatter::lab
