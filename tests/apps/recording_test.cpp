@@ -67,6 +67,25 @@ TEST_F(RecordingProgramTest, DiffSaysWhetherAndWhereTwoRunsPart) {
   EXPECT_THAT(refused.errors, HasSubstr("none.rec"));
 }
 
+TEST_F(RecordingProgramTest, IsExportedForOtherPrograms) {
+  record("duel.rec");
+  for (const char* out : {"duel.glb", "duel.gltf", "duel.mcap"}) {
+    const Outcome outcome = scatter({"export", "duel.rec", out, "--frames", "::2"});
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    EXPECT_THAT(outcome.output, StartsWith(std::string(out) + ": 61 frames, 2 bodies"));
+    EXPECT_TRUE(std::filesystem::exists(folder / out));
+  }
+  for (const auto& [out, frames, part] :
+       std::vector<std::array<std::string, 3>>{{"duel.usd", "0:9", "must end with .glb, .gltf or .mcap"},
+                                               {"x.glb", "9:0", "the other way around"},
+                                               {"none/x.glb", "0:9", "none/x.glb"}}) {
+    const Outcome outcome = scatter({"export", "duel.rec", out, "--frames", frames});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_THAT(outcome.errors, HasSubstr(part));
+    EXPECT_FALSE(std::filesystem::exists(folder / out));
+  }
+}
+
 TEST_F(RecordingProgramTest, CompareStoresAFileForEachWorld) {
   const Outcome outcome = scatter({"compare", "duel", "--frames", "20", "--worlds", "standard,finest",
                                    "--repeat", "2", "--record", "duel.rec", "--out", "out"});

@@ -5,8 +5,6 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "io/gltf/base64.h"
-#include "io/gltf/build.h"
 #include "recording/export/body_surface.h"
 
 namespace scatter::recording {
@@ -15,6 +13,7 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
+constexpr const char* kMap = "map";
 constexpr const char* kWorld = "world";
 constexpr float kContactLine = 0.25F;  // metres along the normal
 
@@ -49,12 +48,18 @@ OrderedJson timeOf(std::uint64_t nanoseconds) {
   return {{"sec", nanoseconds / kSecond}, {"nsec", nanoseconds % kSecond}};
 }
 
+// Tenths of millimetres are enough to be seen.
+double rounded(float number) {
+  return std::round(static_cast<double>(number) * 1e4) / 1e4;
+}
+
 OrderedJson vector(const Vec3& v) {
-  return {{"x", v.x}, {"y", v.y}, {"z", v.z}};
+  return {{"x", rounded(v.x)}, {"y", rounded(v.y)}, {"z", rounded(v.z)}};
 }
 
 OrderedJson quaternion(const Quat& q) {
-  return {{"x", q.x}, {"y", q.y}, {"z", q.z}, {"w", q.w}};
+  const auto part = [](float number) { return std::round(static_cast<double>(number) * 1e6) / 1e6; };
+  return {{"x", part(q.x)}, {"y", part(q.y)}, {"z", part(q.z)}, {"w", part(q.w)}};
 }
 
 OrderedJson noPose() {
@@ -67,12 +72,12 @@ OrderedJson colour(const Vec3& c) {
 
 OrderedJson entity(const std::string& id, const std::string& frame, std::uint64_t nanoseconds) {
   OrderedJson entity{{"timestamp", timeOf(nanoseconds)},
-              {"frame_id", frame},
-              {"id", id},
-              {"lifetime", timeOf(0)},
-              {"frame_locked", true}};
-  for (const char* none : {"metadata", "arrows", "cubes", "spheres", "cylinders", "lines", "triangles", "texts",
-                           "models"}) {
+                     {"frame_id", frame},
+                     {"id", id},
+                     {"lifetime", timeOf(0)},
+                     {"frame_locked", true}};
+  for (const char* none :
+       {"metadata", "arrows", "cubes", "spheres", "cylinders", "lines", "triangles", "texts", "models"}) {
     entity[none] = OrderedJson::array();
   }
   return entity;
@@ -101,36 +106,34 @@ std::string dump(const OrderedJson& json) {
 }  // namespace
 
 std::string sceneSchema() {
-  const OrderedJson model = object({{"pose", poseSchema()},
-                             {"scale", numbers({"x", "y", "z"})},
-                             {"color", numbers({"r", "g", "b", "a"})},
-                             {"override_color", typed("boolean")},
-                             {"url", typed("string")},
-                             {"media_type", typed("string")},
-                             {"data", {{"type", "string"}, {"contentEncoding", "base64"}}}});
+  const OrderedJson triangles = object({{"pose", poseSchema()},
+                                        {"points", list(numbers({"x", "y", "z"}))},
+                                        {"color", numbers({"r", "g", "b", "a"})},
+                                        {"colors", list(numbers({"r", "g", "b", "a"}))},
+                                        {"indices", list(typed("integer"))}});
   const OrderedJson line = object({{"type", typed("integer")},
-                            {"pose", poseSchema()},
-                            {"thickness", typed("number")},
-                            {"scale_invariant", typed("boolean")},
-                            {"points", list(numbers({"x", "y", "z"}))},
-                            {"color", numbers({"r", "g", "b", "a"})},
-                            {"colors", list(numbers({"r", "g", "b", "a"}))},
-                            {"indices", list(typed("integer"))}});
+                                   {"pose", poseSchema()},
+                                   {"thickness", typed("number")},
+                                   {"scale_invariant", typed("boolean")},
+                                   {"points", list(numbers({"x", "y", "z"}))},
+                                   {"color", numbers({"r", "g", "b", "a"})},
+                                   {"colors", list(numbers({"r", "g", "b", "a"}))},
+                                   {"indices", list(typed("integer"))}});
   const OrderedJson none = list(typed("object"));
   const OrderedJson entities = object({{"timestamp", timeSchema()},
-                                {"frame_id", typed("string")},
-                                {"id", typed("string")},
-                                {"lifetime", timeSchema()},
-                                {"frame_locked", typed("boolean")},
-                                {"metadata", none},
-                                {"arrows", none},
-                                {"cubes", none},
-                                {"spheres", none},
-                                {"cylinders", none},
-                                {"lines", list(line)},
-                                {"triangles", none},
-                                {"texts", none},
-                                {"models", list(model)}});
+                                       {"frame_id", typed("string")},
+                                       {"id", typed("string")},
+                                       {"lifetime", timeSchema()},
+                                       {"frame_locked", typed("boolean")},
+                                       {"metadata", none},
+                                       {"arrows", none},
+                                       {"cubes", none},
+                                       {"spheres", none},
+                                       {"cylinders", none},
+                                       {"lines", list(line)},
+                                       {"triangles", list(triangles)},
+                                       {"texts", none},
+                                       {"models", none}});
   const OrderedJson deletion =
       object({{"timestamp", timeSchema()}, {"type", typed("integer")}, {"id", typed("string")}});
   return dump(object({{"deletions", list(deletion)}, {"entities", list(entities)}}));
@@ -138,10 +141,10 @@ std::string sceneSchema() {
 
 std::string transformsSchema() {
   const OrderedJson transform = object({{"timestamp", timeSchema()},
-                                 {"parent_frame_id", typed("string")},
-                                 {"child_frame_id", typed("string")},
-                                 {"translation", numbers({"x", "y", "z"})},
-                                 {"rotation", numbers({"x", "y", "z", "w"})}});
+                                        {"parent_frame_id", typed("string")},
+                                        {"child_frame_id", typed("string")},
+                                        {"translation", numbers({"x", "y", "z"})},
+                                        {"rotation", numbers({"x", "y", "z", "w"})}});
   return dump(object({{"transforms", list(transform)}}));
 }
 
@@ -168,45 +171,53 @@ std::string FoxgloveMessages::frameOf(BodyId body) const {
   return recording_.nameOf(body) + "#" + std::to_string(static_cast<std::uint32_t>(body));
 }
 
-const std::string& FoxgloveMessages::modelFor(const BodyDef& def) {
+const std::string& FoxgloveMessages::trianglesOf(const BodyDef& def) {
   const void* shared = modelOf(def);
-  const auto key = std::pair(shared, shared == nullptr ? def.name : std::string());
-  const auto [model, isNew] = models_.try_emplace(key);
-  if (isNew) {
-    const SurfaceMesh surface = surfaceOf(def);
-    if (!surface.triangles.empty()) {
-      io::GltfBuild build(/*physics=*/false);
-      const std::size_t mesh = build.addMesh({surface.vertices, surface.triangles}, def.name);
-      build.setScene(def.name, {build.addNode({{"mesh", mesh}})}, nlohmann::json::object());
-      model->second = io::encodeBase64(build.binary());
-    }
+  // Of bodies that share their surface, some may have another colour.
+  const auto key = std::pair(shared, shared == nullptr ? def.name : dump(colour(colorOf(def))));
+  const auto [known, isNew] = triangles_.try_emplace(key);
+  if (!isNew) return known->second;
+  const SurfaceMesh surface = surfaceOf(def);
+  if (surface.triangles.empty()) return known->second;
+  OrderedJson points = OrderedJson::array();
+  for (const Vec3& vertex : surface.vertices) points.push_back(vector(vertex));
+  OrderedJson indices = OrderedJson::array();
+  for (const auto& triangle : surface.triangles) {
+    for (const std::uint32_t corner : triangle) indices.push_back(corner);
   }
-  return model->second;
+  known->second = dump({{"pose", noPose()},
+                        {"points", std::move(points)},
+                        {"color", colour(colorOf(def))},
+                        {"colors", OrderedJson::array()},
+                        {"indices", std::move(indices)}});
+  return known->second;
 }
 
 std::string FoxgloveMessages::scene(const RecordedFrame& frame, std::uint64_t nanoseconds) {
   constexpr int kAll = 1;
-  OrderedJson entities = OrderedJson::array();
+  constexpr std::string_view kPlace = "\"triangles\":[";
+  std::string entities;
   for (const BodyId body : *frame.roster) {
     const BodyDef* def = recording_.def(body);
-    if (def == nullptr || modelFor(*def).empty()) continue;
-    OrderedJson one = entity(frameOf(body), frameOf(body), nanoseconds);
-    one["metadata"].push_back({{"key", "name"}, {"value", recording_.nameOf(body)}});
-    one["models"].push_back({{"pose", noPose()},
-                             {"scale", vector(Vec3(1.0F))},
-                             {"color", colour(colorOf(*def))},
-                             {"override_color", true},
-                             {"url", ""},
-                             {"media_type", "model/gltf-binary"},
-                             {"data", modelFor(*def)}});
-    entities.push_back(std::move(one));
+    if (def == nullptr || trianglesOf(*def).empty()) continue;
+    std::string one = dump(entity(frameOf(body), frameOf(body), nanoseconds));
+    // As text: all ships of a fleet would be a hundred megabytes of objects.
+    one.insert(one.rfind(kPlace) + kPlace.size(), trianglesOf(*def));
+    entities += (entities.empty() ? "" : ",") + one;
   }
-  return dump({{"deletions", {{{"timestamp", timeOf(nanoseconds)}, {"type", kAll}, {"id", ""}}}},
-               {"entities", std::move(entities)}});
+  const OrderedJson deletion{{"timestamp", timeOf(nanoseconds)}, {"type", kAll}, {"id", ""}};
+  return "{\"deletions\":[" + dump(deletion) + "],\"entities\":[" + entities + "]}";
 }
 
 std::string FoxgloveMessages::transforms(const RecordedFrame& frame, std::uint64_t nanoseconds) const {
+  // Viewers have z up.
+  const Quat upright(std::sqrt(0.5F), std::sqrt(0.5F), 0.0F, 0.0F);
   OrderedJson transforms = OrderedJson::array();
+  transforms.push_back({{"timestamp", timeOf(nanoseconds)},
+                        {"parent_frame_id", kMap},
+                        {"child_frame_id", kWorld},
+                        {"translation", vector(Vec3(0.0F))},
+                        {"rotation", quaternion(upright)}});
   for (std::size_t i = 0; i < frame.bodies.size(); ++i) {
     const Transform& pose = frame.bodies[i].pose;
     transforms.push_back({{"timestamp", timeOf(nanoseconds)},

@@ -9,15 +9,16 @@
 
 namespace scatter::recording {
 
-/// Messages of the Foxglove schemas (https://docs.foxglove.dev/docs/sdk/schemas), as JSON, and JSON schemas of
-/// what of them is used.
+/// Messages of the Foxglove schemas (https://docs.foxglove.dev/docs/sdk/schemas), as JSON, and JSON schemas
+/// of what of them is used.
 /// @{
 [[nodiscard]] std::string sceneSchema();
 [[nodiscard]] std::string transformsSchema();
 [[nodiscard]] std::string logSchema();
 [[nodiscard]] std::string dataSchema(const RecordingInfo& info);
 
-/// Makes the messages of a recording. Frames are those of the world: "world" and, for each body, its name.
+/// Makes the messages of a recording. Frames of reference: "map", with z up, "world" in it, with y up, and in
+/// that one for each body, with its name and number.
 class FoxgloveMessages {
  public:
   explicit FoxgloveMessages(const Recording& recording) : recording_(recording) {}
@@ -30,11 +31,11 @@ class FoxgloveMessages {
   [[nodiscard]] std::string contacts(const RecordedFrame& frame, std::uint64_t nanoseconds) const;
 
  private:
-  [[nodiscard]] const std::string& modelFor(const BodyDef& def);
+  [[nodiscard]] const std::string& trianglesOf(const BodyDef& def);
   [[nodiscard]] std::string frameOf(BodyId body) const;
 
   const Recording& recording_;
-  std::map<std::pair<const void*, std::string>, std::string> models_;  ///< Binary glTF in base64.
+  std::map<std::pair<const void*, std::string>, std::string> triangles_;  ///< Of a surface.
 };
 /// @}
 
