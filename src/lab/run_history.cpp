@@ -1,7 +1,5 @@
 #include <scatter/lab/run_history.h>
 
-#include <scatter/recording/recording.h>
-
 #include <algorithm>
 #include <cassert>
 #include <deque>
@@ -86,6 +84,10 @@ Result<std::unique_ptr<RunHistory>> RunHistory::open(const std::filesystem::path
   auto history = std::make_unique<RunHistory>();
   history->parts_->replayed = std::move(*opened);
   return history;
+}
+
+const Recording* RunHistory::replayed() const {
+  return parts_->replayed.get();
 }
 
 void RunHistory::record(const World& world, std::span<const PairLevel> pairs, const FrameData* data) {

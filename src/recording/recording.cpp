@@ -20,6 +20,9 @@ namespace {
 using recording::BlockHeader;
 using recording::BlockKind;
 
+// Without the version.
+constexpr std::string_view kMark = recording::kFileStart.substr(0, 12);
+
 std::string counted(std::uint64_t bytes) {
   return std::to_string(bytes) + (bytes == 1 ? " byte" : " bytes");
 }
@@ -54,10 +57,8 @@ Result<void> Recording::Parts::checkStart() const {
   if (!file.isOpen()) {
     return fail("cannot read " + file.path().string() + ": " + std::generic_category().message(errno));
   }
-  constexpr std::size_t kVersion = 4;
   const std::string start = file.read(0, recording::kFileStart.size());
-  const auto known = recording::kFileStart.substr(0, recording::kFileStart.size() - kVersion);
-  if (start.substr(0, known.size()) != known) {
+  if (start.substr(0, kMark.size()) != kMark) {
     return fail(file.path().string() +
                 " is no recording of a run; `scatter run SCENE --record FILE` makes one");
   }
@@ -133,6 +134,11 @@ void Recording::Parts::dropTornFrames() {
     store.dropLast();
     bytes = std::min(bytes, place.where - recording::kHeaderBytes);
   }
+}
+
+bool Recording::isOne(const std::filesystem::path& file) {
+  const recording::ReadFile opened(file);
+  return opened.isOpen() && opened.read(0, kMark.size()) == kMark;
 }
 
 Recording::Recording(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}

@@ -1,8 +1,7 @@
 #pragma once
 
 #include <scatter/lab/frame_data.h>
-#include <scatter/recording/recorded_frame.h>
-#include <scatter/recording/recording_info.h>
+#include <scatter/recording/recording.h>
 #include <scatter/result.h>
 #include <scatter/world/world.h>
 
@@ -36,6 +35,9 @@ class RunHistory {
   /// A recording, to be looked at and nothing else: record() and clear() must not be called. Fails as
   /// Recording::open() does.
   [[nodiscard]] static Result<std::unique_ptr<RunHistory>> open(const std::filesystem::path& recording);
+
+  /// What was opened; null if nothing was.
+  [[nodiscard]] const Recording* replayed() const;
 
   RunHistory(const RunHistory&) = delete;
   RunHistory& operator=(const RunHistory&) = delete;

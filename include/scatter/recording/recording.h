@@ -21,6 +21,9 @@ class Recording {
   /// file cannot be read, is no recording, or has no whole frame.
   [[nodiscard]] static Result<std::unique_ptr<Recording>> open(const std::filesystem::path& file);
 
+  /// Whether a file begins as recordings do.
+  [[nodiscard]] static bool isOne(const std::filesystem::path& file);
+
   Recording(const Recording&) = delete;
   Recording& operator=(const Recording&) = delete;
   ~Recording();
