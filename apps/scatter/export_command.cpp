@@ -38,7 +38,8 @@ ExitStatus exportRecording(const ExportArguments& arguments) {
   const auto range = parseFrames(arguments.frames.value_or(":"), **recording);
   if (!range) return refuse(range.error());
   if (range->from > range->to) {
-    return refuse({.message = "--frames " + *arguments.frames + ": a file begins with its first frame; write FROM "
+    return refuse({.message = "--frames " + *arguments.frames +
+                              ": a file begins with its first frame; write FROM "
                               "and TO the other way around"});
   }
   const auto written = (*write)(**recording, {range->from, range->to, range->step}, arguments.out);
@@ -52,10 +53,13 @@ ExitStatus exportRecording(const ExportArguments& arguments) {
 
 Command addExportCommand(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
-      "export", "Write a recorded run for other programs: glTF (.glb, .gltf) for Blender, MCAP (.mcap) for Foxglove");
+      "export",
+      "Write a recorded run for other programs: glTF (.glb, .gltf) for Blender, MCAP (.mcap) for Foxglove");
   auto arguments = std::make_shared<ExportArguments>();
-  command->add_option("FILE", arguments->file, "What scatter run --record wrote, whole or cut short")->required();
-  command->add_option("OUT", arguments->out, "The file that is written; its name says the format")->required();
+  command->add_option("FILE", arguments->file, "What scatter run --record wrote, whole or cut short")
+      ->required();
+  command->add_option("OUT", arguments->out, "The file that is written; its name says the format")
+      ->required();
   command->add_option("--frames", arguments->frames, "These alone: FROM:TO or FROM:TO:STEP [all]")
       ->type_name("FRAMES");
   return {command, [arguments] { return exportRecording(*arguments); }};

@@ -173,7 +173,9 @@ std::size_t GltfBuild::addNumbers(const std::vector<float>& numbers, std::size_t
   return append((*root_)["accessors"],
                 {{"bufferView", addView(numbers.data(), numbers.size() * sizeof(float))},
                  {"componentType", kFloat},
-                 {"type", each == 1 ? "SCALAR" : each == 3 ? "VEC3" : "VEC4"},
+                 {"type", each == 1   ? "SCALAR"
+                          : each == 3 ? "VEC3"
+                                      : "VEC4"},
                  {"count", numbers.size() / each},
                  {"min", low},
                  {"max", high}});

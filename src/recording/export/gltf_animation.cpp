@@ -80,7 +80,8 @@ class Animation {
       animate(nodes.back(), track, channels, samplers);
     }
     if (!channels.empty()) {
-      build_.addAnimation({{"name", recording_.info().scene}, {"channels", channels}, {"samplers", samplers}});
+      build_.addAnimation(
+          {{"name", recording_.info().scene}, {"channels", channels}, {"samplers", samplers}});
     }
     build_.setScene(recording_.info().scene, nodes, {{"world", recording_.info().label}});
     return asText ? build_.text() : build_.binary();
@@ -111,7 +112,8 @@ class Animation {
     const void* model = recording::modelOf(def);
     const Vec3 color = recording::colorOf(def);
     const auto key = std::pair(model, std::array<float, 3>{color.x, color.y, color.z});
-    if (const auto known = meshes_.find(key); model != nullptr && known != meshes_.end()) return known->second;
+    if (const auto known = meshes_.find(key); model != nullptr && known != meshes_.end())
+      return known->second;
     const SurfaceMesh surface = recording::surfaceOf(def);
     if (surface.triangles.empty()) return std::nullopt;
     const std::size_t mesh = build_.addMesh({surface.vertices, surface.triangles}, def.name);
@@ -140,9 +142,8 @@ class Animation {
     const auto add = [&](const char* path, const char* interpolation, std::size_t times,
                          const std::vector<float>& numbers, std::size_t each) {
       channels.push_back({{"sampler", samplers.size()}, {"target", {{"node", node}, {"path", path}}}});
-      samplers.push_back({{"input", times},
-                          {"output", build_.addNumbers(numbers, each)},
-                          {"interpolation", interpolation}});
+      samplers.push_back(
+          {{"input", times}, {"output", build_.addNumbers(numbers, each)}, {"interpolation", interpolation}});
     };
     if (track.poses.size() > 1) {
       std::vector<float> positions;

@@ -17,12 +17,17 @@ class McapExport {
       : recording_(recording), messages_(recording), writer_(writer) {}
 
   Result<void> begin(bool contacts) {
-    const auto add = [this](const char* topic, const char* name, const std::string& schema, std::uint16_t& to) {
+    const auto add = [this](const char* topic, const char* name, const std::string& schema,
+                            std::uint16_t& to) {
       return writer_.addChannel(topic, name, schema).map([&to](std::uint16_t channel) { to = channel; });
     };
     return add("/scene", "foxglove.SceneUpdate", recording::sceneSchema(), scene_)
-        .and_then([&] { return add("/tf", "foxglove.FrameTransforms", recording::transformsSchema(), transforms_); })
-        .and_then([&] { return add("/data", "scatter.FrameData", recording::dataSchema(recording_.info()), data_); })
+        .and_then([&] {
+          return add("/tf", "foxglove.FrameTransforms", recording::transformsSchema(), transforms_);
+        })
+        .and_then([&] {
+          return add("/data", "scatter.FrameData", recording::dataSchema(recording_.info()), data_);
+        })
         .and_then([&] { return add("/events", "foxglove.Log", recording::logSchema(), events_); })
         .and_then([&] {
           return contacts ? add("/contacts", "foxglove.SceneUpdate", recording::sceneSchema(), contacts_)
