@@ -12,6 +12,8 @@ namespace {
 
 constexpr std::int64_t kFurthest = std::int64_t{1} << 50U;
 constexpr std::int32_t kOne = 32768;
+// Further than any orientation is from what is expected.
+constexpr std::int64_t kMostDifference = 4 * std::int64_t{kOne};
 constexpr std::int64_t kOneSquared = std::int64_t{kOne} * kOne;
 
 // What follows from the other three may differ by so much from what was measured.
@@ -22,7 +24,7 @@ using Rotation = std::array<std::int32_t, 4>;
 std::int64_t stored(float metres, std::int64_t before) {
   if (!std::isfinite(metres)) return before;
   const double units = static_cast<double>(metres) / static_cast<double>(kRecordedMetres);
-  const double most = static_cast<double>(kFurthest);
+  const auto most = static_cast<double>(kFurthest);
   return static_cast<std::int64_t>(std::nearbyint(std::clamp(units, -most, most)));
 }
 
@@ -125,7 +127,7 @@ void PoseTrack::read(ByteReader& positions, ByteReader& rotations) {
   for (std::size_t i = 0; i < 4; ++i) {
     if (i != missing) {
       now.rotation[i] =
-          bounded(now.rotation[i] + std::clamp<std::int64_t>(rotations.difference(), -4 * kOne, 4 * kOne));
+          bounded(now.rotation[i] + std::clamp(rotations.difference(), -kMostDifference, kMostDifference));
     }
   }
   const std::int32_t size = completed(now.rotation, missing);

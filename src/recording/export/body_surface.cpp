@@ -94,7 +94,7 @@ Vec3 colorOf(const BodyDef& def) {
                                                                 {0.36F, 0.52F, 0.24F},
                                                                 {0.60F, 0.45F, 0.17F},
                                                                 {0.45F, 0.27F, 0.47F}}};
-  if (def.motion == Motion::kStatic) return Vec3(0.20F, 0.22F, 0.25F);
+  if (def.motion == Motion::kStatic) return {0.20F, 0.22F, 0.25F};
   const auto& color = kColors[hashOf(stemOf(def.name)) % kColors.size()];
   return {color[0], color[1], color[2]};
 }
