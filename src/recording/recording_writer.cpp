@@ -1,10 +1,9 @@
 #include <scatter/recording/recording_writer.h>
 
-#include <time.h>
-
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <ctime>
 #include <deque>
 #include <iterator>
 #include <mutex>
