@@ -52,8 +52,8 @@ scatter_install_module(BulletHybridFiles
 # Scenes register themselves, so all of theirs is linked.
 scatter_install_module(scatter
   DESCRIPTION "${PROJECT_DESCRIPTION}"
-  LIBS "-Wl,--whole-archive,-lscatter_scenes_archive,--no-whole-archive -lscatter_lab -lscatter_bullet -lscatter_world -lscatter_io -lscatter_levels -lscatter_meshes"
-  REQUIRES "BulletHybrid = ${PROJECT_VERSION}, pugixml, qhull_r, assimp")
+  LIBS "-Wl,--whole-archive,-lscatter_scenes_archive,--no-whole-archive -lscatter_lab -lscatter_recording -lscatter_bullet -lscatter_world -lscatter_io -lscatter_levels -lscatter_meshes"
+  REQUIRES "BulletHybrid = ${PROJECT_VERSION}, pugixml, qhull_r, assimp, libzstd")
 scatter_install_module(scatter-meshes
   DESCRIPTION "Meshes of any format for scatter, read by Assimp"
   LIBS "-lscatter_meshes"

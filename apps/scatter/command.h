@@ -30,6 +30,9 @@ Command addListCommand(CLI::App& program);
 Command addRunCommand(CLI::App& program);
 Command addConvertCommand(CLI::App& program);
 Command addFamiliesCommand(CLI::App& program);
+Command addReplayCommand(CLI::App& program);
+Command addDiffCommand(CLI::App& program);
+Command addExportCommand(CLI::App& program);
 Command addReportTestCommand(CLI::App& program);
 
 /// The window, which is the program scatter-view beside this one. `words` are those after "view".

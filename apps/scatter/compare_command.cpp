@@ -11,6 +11,7 @@
 #include "interrupt.h"
 #include "messages.h"
 #include "progress_line.h"
+#include "record_arguments.h"
 #include "run_arguments.h"
 #include "run_report.h"
 
@@ -25,6 +26,7 @@ struct CompareArguments {
   std::optional<std::string> out;
   bool resume = false;
   bool anew = false;
+  RecordArguments record;
   std::string commandLine;
 };
 
@@ -58,10 +60,27 @@ ExitStatus reportContactChecks(const Comparison& comparison) {
   return status;
 }
 
+// Those of runs that were finished before, and are taken as they are, have been told of then.
+ExitStatus reportRecordings(const Comparison& comparison, ExitStatus status) {
+  for (const ComparedWorld& world : comparison.worlds) {
+    for (const Run& run : world.repeats) {
+      if (!run.recording) {
+        continue;
+      }
+      fmt::print("{}", formatRecording(run));
+      status = checkRecording(run, status);
+    }
+  }
+  return status;
+}
+
 ExitStatus compare(const CompareArguments& arguments) {
   auto runs = makeRuns(arguments.run, arguments.worlds);
   if (!runs) {
     return refuse(runs.error());
+  }
+  if (auto applied = applyRecordArguments(arguments.record, /*several=*/true, *runs); !applied) {
+    return refuse(applied.error());
   }
   for (RunOptions& run : *runs) {
     run.stop = [] { return interruptingSignal() != 0; };
@@ -89,7 +108,7 @@ ExitStatus compare(const CompareArguments& arguments) {
   for (const ComparedWorld& world : comparison->worlds) {
     fmt::print("every frame: {}/{}/frames.csv\n", out, world.label());
   }
-  return reportContactChecks(*comparison);
+  return reportRecordings(*comparison, reportContactChecks(*comparison));
 }
 
 }  // namespace
@@ -121,6 +140,7 @@ Command addCompareCommand(CLI::App& program, std::string commandLine) {
       ->add_flag("--anew", arguments->anew,
                  "Give up the runs of a comparison that was cut short in that folder")
       ->excludes(resume);
+  addRecordArguments(*command, arguments->record, /*several=*/true);
   return {command, [arguments] { return compare(*arguments); }};
 }
 

@@ -9,6 +9,7 @@
 #include "interrupt.h"
 #include "messages.h"
 #include "progress_line.h"
+#include "record_arguments.h"
 #include "run_arguments.h"
 #include "run_report.h"
 
@@ -20,12 +21,16 @@ struct RunCommandArguments {
   RunArguments run;
   std::string world = worldChoices().front().name;
   std::optional<std::string> out;
+  RecordArguments record;
 };
 
 ExitStatus run(const RunCommandArguments& arguments) {
   auto runs = makeRuns(arguments.run, {arguments.world});
   if (!runs) {
     return refuse(runs.error());
+  }
+  if (auto applied = applyRecordArguments(arguments.record, /*several=*/false, *runs); !applied) {
+    return refuse(applied.error());
   }
   RunOptions& options = runs->front();
   options.stop = [] { return interruptingSignal() != 0; };
@@ -59,11 +64,14 @@ ExitStatus run(const RunCommandArguments& arguments) {
     fmt::print("\nevery frame: {0}/frames.csv\nlevel events: {0}/events.csv\nthe summary: {0}/summary.json\n",
                *arguments.out);
   }
+  if (result->recording) {
+    fmt::print("\n{}", formatRecording(*result));
+  }
   if (!summary.stopped.empty()) {
     printError("this run is not whole: " + summary.stopped);
     return signalStatus();
   }
-  return summary.contactCheck.missed > 0 ? ExitStatus::kFailed : ExitStatus::kOk;
+  return checkRecording(*result, summary.contactCheck.missed > 0 ? ExitStatus::kFailed : ExitStatus::kOk);
 }
 
 }  // namespace
@@ -81,6 +89,7 @@ Command addRunCommand(CLI::App& program) {
       ->add_option("--out", arguments->out,
                    "Write frames.csv, events.csv and summary.json into this folder, frame by frame")
       ->type_name("DIR");
+  addRecordArguments(*command, arguments->record, /*several=*/false);
   return {command, [arguments] { return run(*arguments); }};
 }
 

@@ -1,3 +1,5 @@
+#include "view_launcher.h"
+
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -12,11 +14,8 @@
 
 namespace scatter::app {
 
-namespace {
-
 namespace fs = std::filesystem;
 
-// Becomes the window's program; comes back only if that cannot be started.
 ExitStatus becomeWindow(std::vector<std::string> words) {
   std::error_code error;
   const std::string window =
@@ -35,8 +34,6 @@ ExitStatus becomeWindow(std::vector<std::string> words) {
   }
   return ExitStatus::kBadInput;
 }
-
-}  // namespace
 
 Command addViewLauncher(CLI::App& program, std::vector<std::string> words) {
   CLI::App* command = program.add_subcommand(kViewName, kViewSummary);

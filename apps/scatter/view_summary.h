@@ -4,7 +4,8 @@ namespace scatter::app {
 
 /// What both programs say of the window.
 inline constexpr const char* kViewName = "view";
-inline constexpr const char* kViewSummary = "Open a scene in a window: watch it, pause it, poke it";
+inline constexpr const char* kViewSummary =
+    "Open a scene, or a recording, in a window: watch it, pause it, poke it";
 
 /// The window's program, in the folder of the other one.
 inline constexpr const char* kViewProgram = "scatter-view";

@@ -1,4 +1,5 @@
 #include <scatter/io/file.h>
+#include <scatter/recording/recording.h>
 #include <spdlog/fmt/fmt.h>
 
 #include <CLI/CLI.hpp>
@@ -11,7 +12,9 @@
 #include "command.h"
 #include "messages.h"
 #include "run_arguments.h"
+#include "view_summary.h"
 #include "viewer/renderers.h"
+#include "viewer/replay.h"
 #include "viewer/viewer.h"
 
 namespace scatter::app {
@@ -77,16 +80,41 @@ Result<viewer::ViewerDef> makeDef(const Arguments& arguments) {
   return def;
 }
 
-ExitStatus view(const Arguments& arguments) {
+Result<std::unique_ptr<viewer::Renderer>> openWindow(const Arguments& arguments, const std::string& title) {
   const auto size = parseSize(arguments.size);
-  if (!size) return refuse(size.error());
-  const auto def = makeDef(arguments);
-  if (!def) return refuse(def.error());
+  if (!size) return tl::unexpected(size.error());
   viewer::WindowDef window;
-  window.title = "Scatter: " + def->worlds.front().scene;
+  window.title = "Scatter: " + title;
   window.size = *size;
   window.samples = arguments.samples;
-  const auto renderer = viewer::makeRenderer(arguments.renderer, window);
+  return viewer::makeRenderer(arguments.renderer, window);
+}
+
+ExitStatus replay(const Arguments& arguments) {
+  auto script = readScript(arguments);
+  if (!script) return refuse(script.error());
+  const viewer::ReplayDef def{.recording = arguments.run.scene,
+                              .out = arguments.out,
+                              .loops = arguments.loops,
+                              .script = std::move(*script),
+                              .views = arguments.views,
+                              .panels = !arguments.noPanels};
+  // Before a window opens for nothing.
+  if (const auto readable = Recording::open(def.recording); !readable) return refuse(readable.error());
+  const auto renderer = openWindow(arguments, arguments.run.scene);
+  if (!renderer) return refuse(renderer.error());
+  const auto seen = viewer::runReplay(**renderer, def);
+  if (!seen) return failed(seen.error());
+  if (!seen->note.empty()) printNote(arguments.run.scene + ": " + seen->note);
+  fmt::print("{} loops; the last frame that was shown is {}\n", seen->loops, seen->frame);
+  return ExitStatus::kOk;
+}
+
+ExitStatus view(const Arguments& arguments) {
+  if (Recording::isOne(arguments.run.scene)) return replay(arguments);
+  const auto def = makeDef(arguments);
+  if (!def) return refuse(def.error());
+  const auto renderer = openWindow(arguments, def->worlds.front().scene);
   if (!renderer) return refuse(renderer.error());
   const auto seen = viewer::runViewer(**renderer, *def);
   if (!seen) {
@@ -98,7 +126,8 @@ ExitStatus view(const Arguments& arguments) {
                seen->stateHashes[i]);
   }
   fmt::print(
-      "{} loops, median {:.1f} ms, of which {:.1f} ms draw; the last {} frames are kept in {:.1f} MB\n",
+      "{} loops, median {:.1f} ms, of which {:.1f} ms draw; the last {} frames are kept in {:.1f} MB of "
+      "disk\n",
       seen->loops, seen->medianLoopMs, seen->medianDrawMs, seen->historyFrames,
       static_cast<double>(seen->historyBytes) / 1e6);
   return ExitStatus::kOk;
@@ -107,7 +136,7 @@ ExitStatus view(const Arguments& arguments) {
 }  // namespace
 
 Command addViewCommand(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("view", "Open a scene in a window: watch it, pause it, poke it");
+  CLI::App* command = program.add_subcommand(kViewName, kViewSummary);
   auto arguments = std::make_shared<Arguments>();
   addRunArguments(*command, arguments->run);
   command->add_option("--worlds", arguments->worlds, "One world, or two side by side; see `scatter list`")

@@ -177,6 +177,10 @@ class ComparisonRunner {
     if (folder_) {
       options.out = folder_->runFolder(world, repeat);
     }
+    // Repeats are the same run: one of them speaks for all.
+    if (repeat > 0) {
+      options.record.reset();
+    }
     report_.label = options.label;
     Result<void> begun;
     auto run = runScene(options, [&](const RunProgress& inside) {

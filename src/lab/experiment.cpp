@@ -5,6 +5,7 @@
 
 #include "lab/names.h"
 #include "lab/run_files.h"
+#include "lab/run_recorder.h"
 #include "lab/scene_run.h"
 
 #include <algorithm>
@@ -74,6 +75,8 @@ void Experiment::adopt(std::unique_ptr<lab::SceneRun> run, HandScript script) {
   played_ = std::move(script);
   nextAction_ = 0;
   scriptError_.clear();
+  // What fails is that a file is not whole, whose frames are there all the same.
+  [[maybe_unused]] const auto ended = history_.stopRecording("its scene was started again");
   history_.clear();
   keepHistory();
 }
@@ -132,7 +135,11 @@ void Experiment::keepHistory() {
       }
     }
   }
-  history_.record(world(), pairs_);
+  history_.record(world(), pairs_, &run_->data());
+}
+
+Result<void> Experiment::startRecording(const std::filesystem::path& file) {
+  return history_.startRecording(file, lab::recordingInfo(*run_, /*contacts=*/false));
 }
 
 bool Experiment::setBudget(const BudgetDef& budget) {

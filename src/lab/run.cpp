@@ -4,6 +4,7 @@
 
 #include "lab/names.h"
 #include "lab/run_folder.h"
+#include "lab/run_recorder.h"
 #include "lab/scene_run.h"
 
 #include <utility>
@@ -28,16 +29,27 @@ Result<std::optional<lab::RunFolder>> openFolder(const RunOptions& options, cons
   return std::optional(std::move(*folder));
 }
 
+Result<std::unique_ptr<lab::RunRecorder>> openRecorder(const RunOptions& options, const lab::SceneRun& run) {
+  if (!options.record) {
+    return nullptr;
+  }
+  return lab::RunRecorder::create(*options.record, run);
+}
+
 std::string afterFrame(int frame, int frames) {
   return "after frame " + std::to_string(frame) + " of " + std::to_string(frames);
 }
 
 // What there is can be kept whether or not this fails.
-Result<void> record(lab::SceneRun& run, std::optional<lab::RunFolder>& folder, const Progress& progress) {
+Result<void> record(lab::SceneRun& run, std::optional<lab::RunFolder>& folder, lab::RunRecorder* recorder,
+                    const Progress& progress) {
   const RunOptions& options = run.options();
   const double start = wallSeconds();
   for (int frame = 1; frame <= options.frames; ++frame) {
     run.step();
+    if (recorder != nullptr) {
+      recorder->add(run);
+    }
     if (folder) {
       if (auto written = folder->addFrame(run); !written) {
         run.stop("its files could not be written " + afterFrame(frame - 1, options.frames) + ": " +
@@ -122,8 +134,16 @@ Result<Run> runScene(const RunOptions& options, const Progress& progress) {
   if (!folder) {
     return tl::unexpected(folder.error());
   }
-  const auto recorded = record(**run, *folder, progress);
+  auto recorder = openRecorder(*resolved, **run);
+  if (!recorder) {
+    return tl::unexpected(recorder.error());
+  }
+  const auto recorded = record(**run, *folder, recorder->get(), progress);
   Run done = (*run)->takeRun();
+  if (*recorder) {
+    (*recorder)->finish(done.summary.stopped);
+    done.recording = (*recorder)->cost();
+  }
   if (resolved->inspect) {
     resolved->inspect((*run)->world());
   }

@@ -2,265 +2,257 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstring>
-#include <iterator>
-#include <type_traits>
+#include <deque>
+#include <map>
 #include <utility>
-#include <variant>
+
+#include "io/growing_file.h"
+#include "lab/frame_sampler.h"
+#include "recording/block_spill.h"
+#include "recording/frame_store.h"
+#include "recording/info_coder.h"
+#include "recording/recording_encoder.h"
 
 namespace scatter {
 
 namespace {
 
-constexpr std::uint8_t kAsleep = 0x80;  // beside the level, in one byte
-constexpr std::uint8_t kLargestLevel = 0x7F;
-constexpr std::size_t kPairBytes = 9;
+using recording::BlockKind;
+using recording::BlockPlace;
+using recording::EncodedBlock;
 
-std::uint8_t stateByte(int level, bool asleep) {
-  const int kept = std::clamp(level, 0, static_cast<int>(kLargestLevel));
-  return static_cast<std::uint8_t>(kept | (asleep ? kAsleep : 0));
-}
-
-std::uint8_t levelByte(int level) {
-  return static_cast<std::uint8_t>(std::clamp(level, 0, 255));
-}
-
-std::size_t bytesOf(const ConvexPart& part) {
-  const auto* hull = std::get_if<ConvexHull>(&part.shape);
-  return sizeof(part) + (hull != nullptr ? hull->vertices.size() * sizeof(Vec3) : 0);
-}
-
-// What is shared with the world counts for nothing.
-std::size_t bytesOf(const BodyDef& def) {
-  std::size_t bytes = sizeof(def) + def.name.size();
-  if (const auto* hull = std::get_if<ConvexHull>(&def.shape)) {
-    bytes += hull->vertices.size() * sizeof(Vec3);
+/// A sample as it will be read, but exact.
+std::shared_ptr<const RecordedFrame> frameOf(const FrameSample& sample, const RecordedFrame* before) {
+  auto frame = std::make_shared<RecordedFrame>();
+  frame->number = sample.number;
+  auto roster = std::make_shared<std::vector<BodyId>>();
+  for (const SampledBody& body : sample.bodies) {
+    roster->push_back(body.body);
+    frame->bodies.push_back({.pose = body.pose, .level = body.level, .asleep = body.asleep});
   }
-  if (const auto* compound = std::get_if<Compound>(&def.shape)) {
-    for (const ConvexPart& part : compound->parts) {
-      bytes += bytesOf(part);
-    }
-  }
-  return bytes;
-}
-
-// A pair without padding.
-void pack(const PairLevel& pair, unsigned char* to) {
-  std::memcpy(to, &pair.a, 4);
-  std::memcpy(to + 4, &pair.b, 4);
-  to[8] = pair.level;
-}
-
-PairLevel unpackPair(const unsigned char* from) {
-  PairLevel pair;
-  std::memcpy(&pair.a, from, 4);
-  std::memcpy(&pair.b, from + 4, 4);
-  pair.level = from[8];
-  return pair;
+  frame->roster = before != nullptr && *before->roster == *roster ? before->roster : std::move(roster);
+  frame->events = sample.events;
+  frame->pairs = sample.pairs;
+  frame->values = sample.values;
+  return frame;
 }
 
 }  // namespace
 
-std::size_t RunHistory::StoredFrame::bytes() const {
-  static_assert(sizeof(StoredPose) == 28 && sizeof(StoredEvent) == 12);
-  return sizeof(StoredFrame) + poses.capacity() * sizeof(StoredPose) + states.capacity() +
-         events.capacity() * sizeof(StoredEvent) + pairs.capacity();
-}
+struct RunHistory::Parts {
+  explicit Parts(const HistoryDef& historyDef)
+      : def(historyDef),
+        encoder(blocks()),
+        store([this](const BlockPlace& place) { return spill.read(place); }) {}
 
-RunHistory::RunHistory(const HistoryDef& def) : def_(def) {}
+  [[nodiscard]] RecordingDef blocks() const {
+    RecordingDef blocks;
+    blocks.blockFrames = def.blockFrames;
+    return blocks;
+  }
+
+  void endBlock();
+  void trim();
+  void writeToFile(const std::string& bytes);
+  void noteBodies(const FrameSample& sample);
+
+  HistoryDef def;
+  std::unique_ptr<Recording> replayed;
+
+  lab::FrameSampler sampler{/*contacts=*/false};
+  FrameSample sample;
+  recording::RecordingEncoder encoder;
+  std::deque<std::shared_ptr<const RecordedFrame>> recent;  // in no block yet, the newest always
+  recording::BlockSpill spill;
+  recording::FrameStore store;
+  std::vector<std::string> bodyBlocks;
+
+  std::map<BodyId, BodyDef> defs;
+  std::map<std::uint64_t, std::vector<BodyId>> gone;  // by the last frame that has them
+
+  std::unique_ptr<GrowingFile> file;
+  std::optional<Error> failed;
+};
+
+RunHistory::RunHistory(const HistoryDef& def) : parts_(std::make_unique<Parts>(def)) {}
 
 RunHistory::~RunHistory() = default;
 
-void RunHistory::record(const World& world, std::span<const PairLevel> pairs) {
-  assert(empty() || world.frame() == newest() + 1);
-  StoredFrame frame;
-  frame.number = world.frame();
-  frame.bodies = rosterOf(world);
-  addPoses(world.physics(), frame);
-  addEvents(world.physics(), frame);
-  if (def_.pairLevels) {
-    frame.pairs.resize(pairs.size() * kPairBytes);
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      pack(pairs[i], &frame.pairs[i * kPairBytes]);
+Result<std::unique_ptr<RunHistory>> RunHistory::open(const std::filesystem::path& recording) {
+  auto opened = Recording::open(recording);
+  if (!opened) return tl::unexpected(opened.error());
+  auto history = std::make_unique<RunHistory>();
+  history->parts_->replayed = std::move(*opened);
+  return history;
+}
+
+const Recording* RunHistory::replayed() const {
+  return parts_->replayed.get();
+}
+
+void RunHistory::record(const World& world, std::span<const PairLevel> pairs, const FrameData* data) {
+  Parts& parts = *parts_;
+  assert(!parts.replayed && (empty() || world.frame() == newest() + 1));
+  FrameSample& sample = parts.sample;
+  sample.clear();
+  parts.sampler.sample(world, data, sample);
+  if (parts.def.pairLevels) sample.pairs.assign(pairs.begin(), pairs.end());
+  parts.noteBodies(sample);
+  // The newest frame stays when its block is full, so that it is exact.
+  if (parts.encoder.isEmpty()) parts.recent.clear();
+  parts.recent.push_back(frameOf(sample, parts.recent.empty() ? nullptr : parts.recent.back().get()));
+  parts.encoder.add(sample);
+  if (parts.encoder.isFull()) parts.endBlock();
+  parts.trim();
+}
+
+void RunHistory::Parts::noteBodies(const FrameSample& added) {
+  for (const auto& [body, bodyDef] : added.added) defs.emplace(body, bodyDef);
+  if (recent.empty()) return;
+  std::vector<BodyId> left;
+  for (const BodyId body : *recent.back()->roster) {
+    const bool stays = std::any_of(added.bodies.begin(), added.bodies.end(),
+                                   [body](const SampledBody& one) { return one.body == body; });
+    if (!stays) left.push_back(body);
+  }
+  if (!left.empty()) gone.emplace(added.number - 1, std::move(left));
+}
+
+void RunHistory::Parts::endBlock() {
+  for (EncodedBlock& block : encoder.take()) {
+    writeToFile(block.bytes);
+    if (block.kind == BlockKind::kBodies) {
+      bodyBlocks.push_back(std::move(block.bytes));
+    } else {
+      store.add(spill.add(block));
     }
   }
-  bytes_ += frame.bytes();
-  frames_.push_back(std::move(frame));
-  trim();
 }
 
-void RunHistory::addPoses(const Physics& physics, StoredFrame& frame) {
-  frame.poses.reserve(frame.bodies->size());
-  frame.states.reserve(frame.bodies->size());
-  for (const BodyId body : *frame.bodies) {
-    const BodyState state = physics.state(body);
-    const Vec3& p = state.pose.position;
-    const Quat& q = state.pose.rotation;
-    frame.poses.push_back({p.x, p.y, p.z, q.w, q.x, q.y, q.z});
-    frame.states.push_back(stateByte(physics.switching().level(body), state.asleep));
-  }
-}
-
-void RunHistory::addEvents(const Physics& physics, StoredFrame& frame) {
-  const auto events = physics.switching().levelEvents();
-  frame.events.reserve(events.size());
-  for (const LevelEvent& event : events) {
-    frame.events.push_back({.body = static_cast<std::uint32_t>(event.body),
-                            .other = static_cast<std::uint32_t>(event.other),
-                            .from = levelByte(event.from),
-                            .to = levelByte(event.to),
-                            .policy = indexOf(event.policy),
-                            .kind = static_cast<std::uint8_t>(event.kind),
-                            .scope = static_cast<std::uint8_t>(event.scope),
-                            .onCredit = static_cast<std::uint8_t>(event.onCredit ? 1 : 0)});
+void RunHistory::Parts::trim() {
+  const auto& places = store.places();
+  while (!places.empty() && (spill.bytes() > def.bytes || spill.mustDrop())) {
+    const std::uint64_t end = places.front().end();
+    spill.drop(places.front());
+    store.dropFirst();
+    // A body that has left does not come back.
+    for (auto left = gone.begin(); left != gone.end() && left->first < end; left = gone.erase(left)) {
+      for (const BodyId body : left->second) defs.erase(body);
+    }
   }
 }
 
 void RunHistory::clear() {
-  frames_.clear();
-  defs_.clear();
-  bytes_ = 0;
+  const HistoryDef def = parts_->def;
+  parts_ = std::make_unique<Parts>(def);
+}
+
+bool RunHistory::empty() const {
+  return !parts_->replayed && parts_->recent.empty();
+}
+
+std::size_t RunHistory::size() const {
+  return empty() ? 0 : static_cast<std::size_t>(newest() - oldest() + 1);
 }
 
 std::uint64_t RunHistory::oldest() const {
   assert(!empty());
-  return frames_.front().number;
+  if (parts_->replayed) return parts_->replayed->first();
+  const auto& places = parts_->store.places();
+  return places.empty() ? parts_->recent.front()->number : places.front().first;
 }
 
 std::uint64_t RunHistory::newest() const {
   assert(!empty());
-  return frames_.back().number;
+  return parts_->replayed ? parts_->replayed->last() : parts_->recent.back()->number;
 }
 
 bool RunHistory::has(std::uint64_t frame) const {
   return !empty() && frame >= oldest() && frame <= newest();
 }
 
-void RunHistory::setBytes(std::size_t bytes) {
-  def_.bytes = bytes;
-  trim();
+std::uint64_t RunHistory::bytes() const {
+  return parts_->replayed ? parts_->replayed->bytes() : parts_->spill.bytes();
+}
+
+const HistoryDef& RunHistory::def() const {
+  return parts_->def;
+}
+
+void RunHistory::setBytes(std::uint64_t bytes) {
+  parts_->def.bytes = bytes;
+  parts_->trim();
 }
 
 RunHistory::Frame RunHistory::frame(std::uint64_t number) const {
   assert(has(number));
-  return {*this, frames_[static_cast<std::size_t>(number - oldest())]};
+  if (parts_->replayed) {
+    auto read = parts_->replayed->frame(number);
+    if (!read) read = parts_->replayed->frame(newest());
+    return Frame(read ? *read : frameOf({}, nullptr));
+  }
+  const auto& recent = parts_->recent;
+  if (number >= recent.front()->number) {
+    return Frame(recent[static_cast<std::size_t>(number - recent.front()->number)]);
+  }
+  auto read = parts_->store.frame(number);
+  return Frame(read ? *read : recent.back());
 }
 
 const BodyDef* RunHistory::def(BodyId body) const {
-  const auto known = defs_.find(body);
-  return known == defs_.end() ? nullptr : &known->second;
+  if (parts_->replayed) return parts_->replayed->def(body);
+  const auto known = parts_->defs.find(body);
+  return known == parts_->defs.end() ? nullptr : &known->second;
 }
 
-std::shared_ptr<const RunHistory::Roster> RunHistory::rosterOf(const World& world) {
-  const auto objects = world.objects();
-  const auto isBody = [](const std::unique_ptr<WorldObject>& object, BodyId body) {
-    return object->body() == body;
-  };
-  if (!empty() && std::equal(objects.begin(), objects.end(), frames_.back().bodies->begin(),
-                             frames_.back().bodies->end(), isBody)) {
-    return frames_.back().bodies;
+void RunHistory::Parts::writeToFile(const std::string& bytes) {
+  if (!file || failed) return;
+  if (auto written = file->add(bytes); !written) failed = written.error();
+}
+
+Result<void> RunHistory::startRecording(const std::filesystem::path& file, const RecordingInfo& info) {
+  Parts& parts = *parts_;
+  assert(!parts.file && !parts.replayed);
+  auto made = GrowingFile::create(file);
+  if (!made) return tl::unexpected(made.error());
+  parts.failed.reset();
+  parts.file = std::move(*made);
+  std::string start(recording::kFileStart);
+  start += recording::makeBlock(BlockKind::kInfo, 0, 0, recording::encodeInfo(info));
+  for (const std::string& bodies : parts.bodyBlocks) start += bodies;
+  parts.writeToFile(start);
+  for (const BlockPlace& place : parts.store.places()) {
+    const auto content = parts.spill.read(place);
+    if (!content) parts.failed = content.error();
+    if (content)
+      parts.writeToFile(recording::makeBlock(BlockKind::kFrames, place.first, place.frames, *content));
   }
-  Roster bodies;
-  bodies.reserve(objects.size());
-  for (const auto& object : objects) {
-    bodies.push_back(object->body());
-    if (const auto [known, isNew] = defs_.try_emplace(object->body(), object->def()); isNew) {
-      bytes_ += bytesOf(known->second);
-    }
-  }
-  bytes_ += bodies.capacity() * sizeof(BodyId);
-  return std::make_shared<const Roster>(std::move(bodies));
+  if (!parts.failed) return {};
+  const Error error = *parts.failed;
+  parts.file.reset();
+  return tl::unexpected(error);
 }
 
-std::uint8_t RunHistory::indexOf(std::string_view policy) {
-  const auto found = std::find(policies_.begin(), policies_.end(), policy);
-  const auto index = found - policies_.begin();
-  if (found == policies_.end()) {
-    assert(policies_.size() < 256);
-    policies_.push_back(policy);
-  }
-  return static_cast<std::uint8_t>(index);
+Result<void> RunHistory::stopRecording(const std::string& stopped) {
+  Parts& parts = *parts_;
+  if (!parts.file) return {};
+  parts.endBlock();
+  parts.writeToFile(recording::makeBlock(BlockKind::kEnd, 0, 0, stopped));
+  const auto finished = parts.file->finish();
+  parts.file.reset();
+  if (parts.failed) return tl::unexpected(*std::exchange(parts.failed, std::nullopt));
+  return finished;
 }
 
-void RunHistory::trim() {
-  while (bytes_ > def_.bytes && frames_.size() > 1) {
-    dropOldest();
-  }
-}
-
-void RunHistory::dropOldest() {
-  const StoredFrame& frame = frames_.front();
-  bytes_ -= frame.bytes();
-  const auto& next = frames_[1].bodies;
-  if (next != frame.bodies) {
-    bytes_ -= frame.bodies->capacity() * sizeof(BodyId);
-    forgetBodies(*frame.bodies, *next);
-  }
-  frames_.pop_front();
-}
-
-// A body that has left does not come back.
-void RunHistory::forgetBodies(const Roster& gone, const Roster& left) {
-  for (const BodyId body : gone) {
-    const auto known = defs_.find(body);
-    if (known != defs_.end() && std::find(left.begin(), left.end(), body) == left.end()) {
-      bytes_ -= bytesOf(known->second);
-      defs_.erase(known);
-    }
-  }
-}
-
-std::uint64_t RunHistory::Frame::number() const {
-  return stored_->number;
-}
-
-std::span<const BodyId> RunHistory::Frame::bodies() const {
-  return *stored_->bodies;
+bool RunHistory::isRecording() const {
+  return parts_->file != nullptr;
 }
 
 std::optional<std::size_t> RunHistory::Frame::find(BodyId body) const {
-  const auto found = std::find(stored_->bodies->begin(), stored_->bodies->end(), body);
-  if (found == stored_->bodies->end()) {
-    return std::nullopt;
-  }
-  return static_cast<std::size_t>(found - stored_->bodies->begin());
-}
-
-Transform RunHistory::Frame::pose(std::size_t index) const {
-  const StoredPose& pose = stored_->poses[index];
-  return {Vec3(pose.px, pose.py, pose.pz), Quat(pose.qw, pose.qx, pose.qy, pose.qz)};
-}
-
-int RunHistory::Frame::level(std::size_t index) const {
-  return stored_->states[index] & kLargestLevel;
-}
-
-bool RunHistory::Frame::asleep(std::size_t index) const {
-  return (stored_->states[index] & kAsleep) != 0;
-}
-
-std::size_t RunHistory::Frame::eventCount() const {
-  return stored_->events.size();
-}
-
-LevelEvent RunHistory::Frame::event(std::size_t index) const {
-  const StoredEvent& event = stored_->events[index];
-  return {.kind = static_cast<LevelEventKind>(event.kind),
-          .scope = static_cast<Scope>(event.scope),
-          .body = BodyId{event.body},
-          .from = event.from,
-          .to = event.to,
-          .other = BodyId{event.other},
-          .onCredit = event.onCredit != 0,
-          .policy = history_->policies_[event.policy]};
-}
-
-std::size_t RunHistory::Frame::pairCount() const {
-  return stored_->pairs.size() / kPairBytes;
-}
-
-PairLevel RunHistory::Frame::pair(std::size_t index) const {
-  return unpackPair(&stored_->pairs[index * kPairBytes]);
+  const auto& roster = *frame_->roster;
+  const auto found = std::find(roster.begin(), roster.end(), body);
+  if (found == roster.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - roster.begin());
 }
 
 }  // namespace scatter

@@ -46,8 +46,7 @@ std::map<BodyId, LevelMark> levelMarks(const RunHistory& history, std::uint64_t 
   const std::uint64_t first = std::max(history.oldest(), frame > kWindow ? frame - kWindow : 0);
   for (std::uint64_t number = first; number <= frame; ++number) {
     const RunHistory::Frame then = history.frame(number);
-    for (std::size_t i = 0; i < then.eventCount(); ++i) {
-      const LevelEvent event = then.event(i);
+    for (const LevelEvent& event : then.events()) {
       take(event, frame - number, bodies[event.body]);
       if (event.other != BodyId{}) take(event, frame - number, bodies[event.other]);
     }

@@ -13,12 +13,26 @@ void Outputs::askForScreenshot(std::filesystem::path file) {
   wanted_.push_back(std::move(file));
 }
 
-void Outputs::setRecording(bool on) {
-  if (on && !recording_) {
-    ++recordings_;
-    recorded_ = 0;
+void Outputs::setFilming(bool on) {
+  if (on && !filming_) {
+    ++films_;
+    filmed_ = 0;
   }
-  recording_ = on;
+  filming_ = on;
+}
+
+void Outputs::setRecording(std::vector<std::unique_ptr<Pane>>& panes, bool on) {
+  if (on) ++recordings_;
+  for (const auto& pane : panes) {
+    Experiment& experiment = pane->experiment();
+    if (experiment.history().isRecording() == on) continue;
+    const std::string label = panes.size() > 1 ? "." + pane->label() : "";
+    const std::filesystem::path file = folder_ / ("run-" + std::to_string(recordings_) + label + ".rec");
+    const auto done = on ? prepare(folder_).and_then([&] { return experiment.startRecording(file); })
+                         : experiment.history().stopRecording();
+    report(done, file);
+    if (on && done) message_ = file.string() + ": is being written";
+  }
 }
 
 Result<void> Outputs::prepare(const std::filesystem::path& folder) const {
@@ -37,13 +51,13 @@ void Outputs::take(const Image& picture) {
   for (const std::filesystem::path& file : std::exchange(wanted_, {})) {
     report(prepare(file.parent_path()).and_then([&] { return writePng(picture, file); }), file);
   }
-  if (!recording_) return;
+  if (!filming_) return;
   char name[32];
-  std::snprintf(name, sizeof name, "%06llu.png", static_cast<unsigned long long>(recorded_++));
-  const std::filesystem::path file = folder_ / ("frames-" + std::to_string(recordings_)) / name;
+  std::snprintf(name, sizeof name, "%06llu.png", static_cast<unsigned long long>(filmed_++));
+  const std::filesystem::path file = folder_ / ("frames-" + std::to_string(films_)) / name;
   const auto written = prepare(file.parent_path()).and_then([&] { return writePng(picture, file); });
   report(written, file);
-  recording_ = written.has_value();
+  filming_ = written.has_value();
 }
 
 void Outputs::writeRuns(std::vector<std::unique_ptr<Pane>>& panes) {

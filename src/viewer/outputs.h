@@ -25,11 +25,15 @@ class Outputs {
   void askForScreenshot(std::filesystem::path file = {});
 
   /// While it is on, every picture becomes frames-N/NNNNNN.png, for a video: `ffmpeg -i %06d.png`.
-  void setRecording(bool on);
-  [[nodiscard]] bool recording() const { return recording_; }
+  void setFilming(bool on);
+  [[nodiscard]] bool filming() const { return filming_; }
+
+  /// While it is on, the runs of all worlds are stored, from the oldest frame that is kept on: run-N.rec, or
+  /// run-N.LABEL.rec if there are several.
+  void setRecording(std::vector<std::unique_ptr<Pane>>& panes, bool on);
 
   /// Whether the next picture is wanted.
-  [[nodiscard]] bool wantsPicture() const { return recording_ || !wanted_.empty(); }
+  [[nodiscard]] bool wantsPicture() const { return filming_ || !wanted_.empty(); }
   void take(const Image& picture);
 
   /// frames.csv, events.csv, summary.json and figures of all worlds until now.
@@ -47,10 +51,11 @@ class Outputs {
 
   std::filesystem::path folder_;
   std::vector<std::filesystem::path> wanted_;
-  bool recording_ = false;
+  bool filming_ = false;
   std::uint64_t screenshots_ = 0;
+  std::uint64_t films_ = 0;
+  std::uint64_t filmed_ = 0;  ///< Pictures of the film.
   std::uint64_t recordings_ = 0;
-  std::uint64_t recorded_ = 0;  ///< Pictures of the recording.
   std::string message_;
   bool failed_ = false;
 };

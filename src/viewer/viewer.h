@@ -43,7 +43,7 @@ struct ViewerReport {
   std::vector<LevelEventCounts> levelEvents{};
   double medianDrawMs = 0.0;        ///< Of drawing, wall time.
   double medianLoopMs = 0.0;        ///< Of a whole loop without its wait, wall time.
-  std::size_t historyBytes = 0;     ///< Of the fullest history.
+  std::uint64_t historyBytes = 0;   ///< Of disk, of the fullest history.
   std::uint64_t historyFrames = 0;  ///< That it holds.
 };
 

@@ -195,9 +195,13 @@ void addOutput(ViewerState& state) {
                       Key::kF12,
                       [&state] { state.outputs.askForScreenshot(); },
                       {}});
-  state.commands.add({"record", "Window", "record", "Write every picture, for a video", Key::kF9,
-                      [&state] { state.outputs.setRecording(!state.outputs.recording()); },
-                      [&state] { return state.outputs.recording(); }});
+  const auto isRecording = [&state] { return state.panes.front()->experiment().history().isRecording(); };
+  state.commands.add(
+      {"record", "Window", "record", "Store the run, from its first frame on, for scatter replay", Key::kF9,
+       [&state, isRecording] { state.outputs.setRecording(state.panes, !isRecording()); }, isRecording});
+  state.commands.add({"film", "Window", "film", "Write every picture, for a video", Key::kF11,
+                      [&state] { state.outputs.setFilming(!state.outputs.filming()); },
+                      [&state] { return state.outputs.filming(); }});
   state.commands.add({"write",
                       "Window",
                       "write run",

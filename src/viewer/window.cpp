@@ -125,6 +125,7 @@ Result<ViewerReport> Window::run() {
     loop_.runOnce();
     loopMs_.push_back(watch.milliseconds());
   }
+  outputs_.setRecording(panes_, false);
   if (!error_.empty()) return fail(error_);
   if (outputs_.failed()) return fail(outputs_.message());
   return report();

@@ -1,5 +1,7 @@
 #include <scatter/world/physics.h>
 
+#include <bit>
+
 namespace scatter {
 
 namespace {
@@ -10,7 +12,24 @@ LevelSwitching& noSwitching() {
   return none;
 }
 
+std::array<std::uint32_t, 3> bitsOf(const Vec3& v) {
+  return {std::bit_cast<std::uint32_t>(v.x), std::bit_cast<std::uint32_t>(v.y),
+          std::bit_cast<std::uint32_t>(v.z)};
+}
+
 }  // namespace
+
+StateBits Physics::stateBits(BodyId body) const {
+  const BodyState state = this->state(body);
+  StateBits bits;
+  bits.position = bitsOf(state.pose.position);
+  for (int i = 0; i < 4; ++i) {
+    bits.orientation[static_cast<std::size_t>(i)] = std::bit_cast<std::uint32_t>(state.pose.rotation[i]);
+  }
+  bits.linearVelocity = bitsOf(state.linearVelocity);
+  bits.angularVelocity = bitsOf(state.angularVelocity);
+  return bits;
+}
 
 LevelSwitching& Physics::switching() {
   return noSwitching();

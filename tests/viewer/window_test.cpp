@@ -2,6 +2,7 @@
 #include <png.h>
 #include <scatter/bullet/bullet_physics.h>
 #include <scatter/lab/run.h>
+#include <scatter/recording/recording.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -15,6 +16,7 @@
 #include "trials.h"
 #include "viewer/debug_views.h"
 #include "viewer/renderers.h"
+#include "viewer/replay.h"
 #include "viewer/viewer.h"
 #include "viewer/xvfb.h"
 
@@ -314,11 +316,44 @@ TEST_P(WindowTest, PanelsFoldByClickAndByKey) {
 }
 
 TEST_P(WindowTest, RecordsPicturesAndWritesTheRun) {
-  (void)played("duel", 40, "10 key F9\n15 key F9\n20 do write\n");
+  (void)played("duel", 40, "10 key F11\n15 key F11\n20 do write\n");
   EXPECT_TRUE(fs::exists(folder_ / "out" / "frames-1" / "000000.png"));
   EXPECT_TRUE(fs::exists(folder_ / "out" / "frames-1" / "000004.png"));
   EXPECT_TRUE(fs::exists(folder_ / "out" / "frames.csv"));
   EXPECT_TRUE(fs::exists(folder_ / "out" / "summary.json"));
+}
+
+TEST_P(WindowTest, StoresTheRunFromItsFirstFrameOnAndReplaysItBothWays) {
+  (void)played("duel", 60, "20 key F9\n40 key F9\n50 key F9\n");
+  const auto first = Recording::open(folder_ / "out" / "run-1.rec");
+  ASSERT_TRUE(first) << first.error().message;
+  EXPECT_EQ((*first)->first(), 0U);
+  EXPECT_GE((*first)->last(), 39U);
+  EXPECT_LE((*first)->last(), 42U);
+  EXPECT_EQ((*first)->damage(), "");
+  // What still runs when the window closes is ended then.
+  const auto second = Recording::open(folder_ / "out" / "run-2.rec");
+  ASSERT_TRUE(second) << second.error().message;
+  EXPECT_GE((*second)->last(), 58U);
+  EXPECT_EQ((*second)->damage(), "");
+
+  const auto replay = [&](const std::string& script) {
+    ReplayDef def{.recording = folder_ / "out" / "run-2.rec", .out = folder_ / "out", .loops = 40};
+    def.script = ViewScript::parse(script, "script").value();
+    auto renderer = makeRenderer(GetParam(), {.size = {640, 400}});
+    EXPECT_TRUE(renderer) << renderer.error().message;
+    return runReplay(**renderer, def);
+  };
+  EXPECT_EQ(replay("0 do pause\n").error().message,
+            "a recording's window has no command or switch that is called \"pause\"");
+  const auto forwards = replay("20 key Space\n");
+  ASSERT_TRUE(forwards) << forwards.error().message;
+  EXPECT_GE(forwards->frame, 18U);
+  EXPECT_LE(forwards->frame, 22U);
+  const auto backwards = replay("0 key End\n1 key R\n2 key Space\n20 key Space\n25 key ,\n");
+  ASSERT_TRUE(backwards) << backwards.error().message;
+  EXPECT_LT(backwards->frame, (*second)->last() - 15);
+  EXPECT_GT(backwards->frame, (*second)->last() - 25);
 }
 
 TEST_P(WindowTest, RefusesWhatDoesNotExist) {

@@ -81,6 +81,10 @@ class Experiment {
   [[nodiscard]] RunHistory& history() { return history_; }
   [[nodiscard]] const RunHistory& history() const { return history_; }
 
+  /// Writes a recording of all frames that the history has, which goes on with those that come until
+  /// RunHistory::stopRecording() or restart(). Fails as RunHistory::startRecording() does.
+  [[nodiscard]] Result<void> startRecording(const std::filesystem::path& file);
+
   /// With defaults filled in; `physics` as it was changed to.
   [[nodiscard]] const RunOptions& options() const;
   [[nodiscard]] int restarts() const { return restarts_; }

@@ -19,6 +19,24 @@ namespace scatter {
 
 using EngineFactory = std::function<Result<std::unique_ptr<Physics>>(const PhysicsDef&)>;
 
+/// That a run is stored, so that it can be looked at again.
+struct RecordOptions {
+  std::filesystem::path file{};
+  bool contacts = false;  ///< Contact points and levels of pairs, too, which take a multiple of the room.
+};
+
+/// What a recording was and what it took.
+struct RecordingCost {
+  std::filesystem::path file{};
+  std::uint64_t frames = 0;
+  std::uint64_t bytes = 0;
+  std::uint64_t movingBodies = 0;  ///< Dynamic bodies that did not sleep, over all frames.
+  double runSeconds = 0.0;         ///< Processor time of the run's thread,
+  double wallSeconds = 0.0;        ///< and wall time in it, while it waits for the writer, too.
+  double writerSeconds = 0.0;      ///< Processor time of the writer's thread.
+  std::string failed{};            ///< Why it is not whole, in one line; empty if it is.
+};
+
 /// One scene in one world.
 struct RunOptions {
   /// What SceneRegistry::find() takes, or any name if `makeScene` is given.
@@ -46,6 +64,10 @@ struct RunOptions {
   /// Nothing is written without it.
   std::optional<std::filesystem::path> out{};
 
+  /// Stores the run; from the frame before the first step on, up to the last block of frames, however the
+  /// program ends. A disk that becomes full does not end the run: Run::recording says so.
+  std::optional<RecordOptions> record{};
+
   /// Asked after every frame but the last whether the run is to end there; may be empty.
   std::function<bool()> stop{};
 
@@ -67,7 +89,8 @@ struct Run {
   RunOptions options;  ///< With defaults filled in.
   FrameTable table;
   Summary summary;
-  std::vector<FrameEvent> events{};  ///< Empty unless the options ask for them.
+  std::vector<FrameEvent> events{};          ///< Empty unless the options ask for them.
+  std::optional<RecordingCost> recording{};  ///< If the options asked for one.
 };
 
 struct RunProgress {

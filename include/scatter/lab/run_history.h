@@ -1,134 +1,104 @@
 #pragma once
 
+#include <scatter/lab/frame_data.h>
+#include <scatter/recording/recording.h>
+#include <scatter/result.h>
 #include <scatter/world/world.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
-#include <map>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <span>
-#include <string_view>
-#include <vector>
+#include <string>
 
 namespace scatter {
 
-/// The level at which two bodies meet; at most 255.
-struct PairLevel {
-  BodyId a{};
-  BodyId b{};
-  std::uint8_t level = 0;
-};
-
 struct HistoryDef {
-  /// Of memory that the frames may take. A frame takes 29 bytes for each body, 12 for each level event and 9
-  /// for each pair, and about 200: of 300 bodies, 256 MiB hold 30 000 frames, which is 8 minutes, and half of
-  /// that if each body is in contact with 7 others and pairs are kept.
-  std::size_t bytes = std::size_t{256} << 20U;
-  bool pairLevels = false;  ///< Whether record() keeps the pairs that it is given.
+  /// Of disk that the frames may take, in a file without a name in $TMPDIR or /var/tmp; where that is full,
+  /// they take 64 MB of memory. A frame takes about 8 bytes for each body that moves, and 250: of 300 bodies,
+  /// 4 GiB hold 18 hours of overload.
+  std::uint64_t bytes = std::uint64_t{4} << 30U;
+  bool pairLevels = false;          ///< Whether record() keeps the pairs that it is given.
+  std::uint32_t blockFrames = 120;  ///< As RecordingDef has it.
 };
 
-/// What the loop keeps of a run, so that it can be looked at again: where every body was, its level, whether
-/// it slept, and what happened to levels, exactly, frame after frame. When it is full, the oldest frames go.
+/// What the loop keeps of a run, so that it can be looked at again, in the format of recordings: where every
+/// body was, to a tenth of a millimetre, its level, whether it slept, what happened to levels, and the frame
+/// data. It takes some dozen megabytes of memory, however long the run is. When it is full, the oldest frames
+/// go.
 class RunHistory {
  public:
   explicit RunHistory(const HistoryDef& def = {});
+
+  /// A recording, to be looked at and nothing else: record() and clear() must not be called. Fails as
+  /// Recording::open() does.
+  [[nodiscard]] static Result<std::unique_ptr<RunHistory>> open(const std::filesystem::path& recording);
+
+  /// What was opened; null if nothing was.
+  [[nodiscard]] const Recording* replayed() const;
+
   RunHistory(const RunHistory&) = delete;
   RunHistory& operator=(const RunHistory&) = delete;
   ~RunHistory();
 
   /// Keeps the world as it is after its last step. Each call follows one step after the call before it; the
-  /// first one after clear() may come at any frame. The newest frame is kept even if it alone is too large.
-  void record(const World& world, std::span<const PairLevel> pairs = {});
+  /// first one after clear() may come at any frame. Frames that are not in a whole block yet are always kept.
+  void record(const World& world, std::span<const PairLevel> pairs = {}, const FrameData* data = nullptr);
   void clear();
 
-  [[nodiscard]] bool empty() const { return frames_.empty(); }
-  [[nodiscard]] std::size_t size() const { return frames_.size(); }  ///< Frames.
-  [[nodiscard]] std::uint64_t oldest() const;                        ///< World::frame(); not if empty.
+  [[nodiscard]] bool empty() const;
+  [[nodiscard]] std::size_t size() const;      ///< Frames.
+  [[nodiscard]] std::uint64_t oldest() const;  ///< World::frame(); not if empty.
   [[nodiscard]] std::uint64_t newest() const;
   [[nodiscard]] bool has(std::uint64_t frame) const;
-  [[nodiscard]] std::size_t bytes() const { return bytes_; }
-  [[nodiscard]] const HistoryDef& def() const { return def_; }
+  [[nodiscard]] std::uint64_t bytes() const;  ///< Of disk, or of memory where the disk is full.
+  [[nodiscard]] const HistoryDef& def() const;
 
   /// Changes the bound; the oldest frames go if there are too many now.
-  void setBytes(std::size_t bytes);
+  void setBytes(std::uint64_t bytes);
 
   class Frame;
-  /// From oldest() to newest().
+  /// From oldest() to newest(). What cannot be read any more is shown as the newest frame.
   [[nodiscard]] Frame frame(std::uint64_t number) const;
 
   /// What a body that any of the frames names was made from, also if it has gone since; else null.
   [[nodiscard]] const BodyDef* def(BodyId body) const;
 
+  /// Writes a recording of the oldest frame to the newest one, which goes on with every frame that comes; up
+  /// to its last whole block it is there however the program ends. Fails if the file cannot be written. Not
+  /// while another one is written.
+  [[nodiscard]] Result<void> startRecording(const std::filesystem::path& file, const RecordingInfo& info);
+
+  /// Writes the rest and the end. Fails if any of it could not be written; what is in the file stays.
+  /// `stopped` as RecordingWriter::finish() has it.
+  [[nodiscard]] Result<void> stopRecording(const std::string& stopped = {});
+  [[nodiscard]] bool isRecording() const;
+
  private:
-  using Roster = std::vector<BodyId>;
-
-  struct StoredPose {
-    float px, py, pz;
-    float qw, qx, qy, qz;
-  };
-
-  struct StoredEvent {
-    std::uint32_t body;
-    std::uint32_t other;
-    std::uint8_t from;
-    std::uint8_t to;
-    std::uint8_t policy;  // an index
-    std::uint8_t kind : 4;
-    std::uint8_t scope : 3;
-    std::uint8_t onCredit : 1;
-  };
-
-  struct StoredFrame {
-    std::uint64_t number = 0;
-    std::shared_ptr<const Roster> bodies{};  // the frame before's while none comes or goes
-    std::vector<StoredPose> poses{};
-    std::vector<std::uint8_t> states{};
-    std::vector<StoredEvent> events{};
-    std::vector<unsigned char> pairs{};
-
-    [[nodiscard]] std::size_t bytes() const;  // without the roster
-  };
-
-  [[nodiscard]] std::shared_ptr<const Roster> rosterOf(const World& world);
-  static void addPoses(const Physics& physics, StoredFrame& frame);
-  void addEvents(const Physics& physics, StoredFrame& frame);
-  [[nodiscard]] std::uint8_t indexOf(std::string_view policy);
-  void trim();
-  void dropOldest();
-  void forgetBodies(const Roster& gone, const Roster& left);
-
-  HistoryDef def_;
-  std::deque<StoredFrame> frames_;
-  std::map<BodyId, BodyDef> defs_;
-  std::vector<std::string_view> policies_;
-  std::size_t bytes_ = 0;
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
 };
 
-/// One frame, to be read. Valid until the next record(), setBytes() or clear().
+/// One frame, to be read. Its events' names live as long as the history.
 class RunHistory::Frame {
  public:
-  Frame(const RunHistory& history, const StoredFrame& stored) : history_(&history), stored_(&stored) {}
+  explicit Frame(std::shared_ptr<const RecordedFrame> frame) : frame_(std::move(frame)) {}
 
-  [[nodiscard]] std::uint64_t number() const;
+  [[nodiscard]] std::uint64_t number() const { return frame_->number; }
 
   /// In the order in which they were added to the world; the index below counts in it.
-  [[nodiscard]] std::span<const BodyId> bodies() const;
+  [[nodiscard]] std::span<const BodyId> bodies() const { return *frame_->roster; }
   [[nodiscard]] std::optional<std::size_t> find(BodyId body) const;
-  [[nodiscard]] Transform pose(std::size_t index) const;
-  [[nodiscard]] int level(std::size_t index) const;  ///< As LevelSwitching::level(); at most 127.
-  [[nodiscard]] bool asleep(std::size_t index) const;
-
-  [[nodiscard]] std::size_t eventCount() const;
-  [[nodiscard]] LevelEvent event(std::size_t index) const;
-
-  [[nodiscard]] std::size_t pairCount() const;
-  [[nodiscard]] PairLevel pair(std::size_t index) const;
+  [[nodiscard]] const Transform& pose(std::size_t index) const { return frame_->bodies[index].pose; }
+  [[nodiscard]] int level(std::size_t index) const { return frame_->bodies[index].level; }  ///< At most 127.
+  [[nodiscard]] bool asleep(std::size_t index) const { return frame_->bodies[index].asleep; }
+  [[nodiscard]] std::span<const LevelEvent> events() const { return frame_->events; }
+  [[nodiscard]] std::span<const PairLevel> pairs() const { return frame_->pairs; }
 
  private:
-  const RunHistory* history_;
-  const StoredFrame* stored_;
+  std::shared_ptr<const RecordedFrame> frame_;
 };
 
 }  // namespace scatter

@@ -7,6 +7,7 @@
 #include <scatter/world/diagnostics.h>
 #include <scatter/world/joint.h>
 #include <scatter/world/level_switching.h>
+#include <scatter/world/state_bits.h>
 #include <scatter/world/step_report.h>
 
 #include <cstdint>
@@ -73,6 +74,10 @@ class Physics {
   virtual void destroyBody(BodyId body) = 0;  ///< Its joints and vehicles go with it.
 
   [[nodiscard]] virtual BodyState state(BodyId body) const = 0;
+
+  /// What stateHash() is made of, but for the level; as state() tells it, in an engine that overrides
+  /// nothing.
+  [[nodiscard]] virtual StateBits stateBits(BodyId body) const;
   /// Wakes the body. A kinematic body pushes with the velocity that takes it there in the next step.
   virtual void setPose(BodyId body, const Transform& pose) = 0;
   /// Wakes the body. Nothing happens if it is not dynamic.

@@ -68,6 +68,10 @@ BodyState BulletPhysics::state(BodyId body) const {
   return bodies_.at(body).state();
 }
 
+StateBits BulletPhysics::stateBits(BodyId body) const {
+  return stateBitsOf(bodies_.at(body));
+}
+
 void BulletPhysics::setPose(BodyId body, const Transform& pose) {
   assert(isFinite(pose));
   BulletBody& moved = bodies_.at(body);

@@ -25,6 +25,7 @@ class BulletPhysics final : public Physics {
   [[nodiscard]] Result<BodyId> createBody(const BodyDef& def) override;
   void destroyBody(BodyId body) override;
   [[nodiscard]] BodyState state(BodyId body) const override;
+  [[nodiscard]] StateBits stateBits(BodyId body) const override;
   void setPose(BodyId body, const Transform& pose) override;
   void setVelocity(BodyId body, const Vec3& linear, const Vec3& angular) override;
   void activate(BodyId body) override;

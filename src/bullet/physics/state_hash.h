@@ -1,5 +1,7 @@
 #pragma once
 
+#include <scatter/world/state_bits.h>
+
 #include <cstdint>
 
 #include "bullet/physics/body.h"
@@ -15,10 +17,11 @@ class StateHash {
 
  private:
   void add(std::uint32_t word);
-  void add(float value);
-  void add(const btVector3& v);
 
   std::uint64_t hash_ = 0xcbf29ce484222325U;
 };
+
+/// The same words, but for id and level.
+[[nodiscard]] StateBits stateBitsOf(const BulletBody& body);
 
 }  // namespace scatter

@@ -81,9 +81,11 @@ json toJson(const ConvexShape& shape) {
   return std::visit(ShapeJson{}, shape);
 }
 
-GltfBuild::GltfBuild() : root_(std::make_unique<json>(json::object())) {
+GltfBuild::GltfBuild(bool physics) : root_(std::make_unique<json>(json::object())) {
   (*root_)["asset"] = {{"version", "2.0"}, {"generator", "Scatter"}};
-  (*root_)["extensionsUsed"] = {kImplicitShapes, kRigidBodies};
+  if (physics) {
+    (*root_)["extensionsUsed"] = {kImplicitShapes, kRigidBodies};
+  }
 }
 
 GltfBuild::~GltfBuild() = default;
@@ -92,8 +94,11 @@ std::size_t GltfBuild::addView(const void* data, std::size_t size, int target) {
   data_.resize((data_.size() + 3) / 4 * 4, '\0');
   const std::size_t offset = data_.size();
   data_.append(static_cast<const char*>(data), size);
-  return append((*root_)["bufferViews"],
-                {{"buffer", 0}, {"byteOffset", offset}, {"byteLength", size}, {"target", target}});
+  json view = {{"buffer", 0}, {"byteOffset", offset}, {"byteLength", size}};
+  if (target != 0) {
+    view["target"] = target;
+  }
+  return append((*root_)["bufferViews"], std::move(view));
 }
 
 std::size_t GltfBuild::addPositions(const std::vector<Vec3>& positions) {
@@ -143,6 +148,41 @@ std::size_t GltfBuild::addMesh(const VisualMesh& mesh, const std::string& name) 
     primitive["indices"] = addIndices(mesh.triangles);
   }
   return append((*root_)["meshes"], {{"name", name}, {"primitives", json::array({std::move(primitive)})}});
+}
+
+void GltfBuild::setMeshMaterial(std::size_t mesh, std::size_t appearance) {
+  (*root_)["meshes"][mesh]["primitives"][0]["material"] = appearance;
+}
+
+std::size_t GltfBuild::addAppearance(const std::string& name, const Vec3& color) {
+  return append((*root_)["materials"], {{"name", name},
+                                        {"doubleSided", true},
+                                        {"pbrMetallicRoughness",
+                                         {{"baseColorFactor", {color.x, color.y, color.z, 1.0F}},
+                                          {"metallicFactor", 0.1},
+                                          {"roughnessFactor", 0.8}}}});
+}
+
+std::size_t GltfBuild::addNumbers(const std::vector<float>& numbers, std::size_t each) {
+  std::vector<float> low(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(each));
+  std::vector<float> high = low;
+  for (std::size_t i = each; i < numbers.size(); ++i) {
+    low[i % each] = std::min(low[i % each], numbers[i]);
+    high[i % each] = std::max(high[i % each], numbers[i]);
+  }
+  return append((*root_)["accessors"],
+                {{"bufferView", addView(numbers.data(), numbers.size() * sizeof(float))},
+                 {"componentType", kFloat},
+                 {"type", each == 1   ? "SCALAR"
+                          : each == 3 ? "VEC3"
+                                      : "VEC4"},
+                 {"count", numbers.size() / each},
+                 {"min", low},
+                 {"max", high}});
+}
+
+std::size_t GltfBuild::addAnimation(json animation) {
+  return append((*root_)["animations"], std::move(animation));
 }
 
 std::size_t GltfBuild::addNode(json node) {

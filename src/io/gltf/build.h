@@ -24,7 +24,8 @@ void setPose(nlohmann::json& object, const Transform& pose);
 /// A glTF file that grows.
 class GltfBuild {
  public:
-  GltfBuild();
+  /// Without `physics` it is of what every program shows: no shapes, joints and filters.
+  explicit GltfBuild(bool physics = true);
   GltfBuild(const GltfBuild&) = delete;
   GltfBuild& operator=(const GltfBuild&) = delete;
   ~GltfBuild();
@@ -36,9 +37,15 @@ class GltfBuild {
   std::size_t addJoint(nlohmann::json joint);
   std::size_t addMaterial(const DocumentMaterial& material);
   std::size_t addFilter(const DocumentFilter& filter);
+  std::size_t addAppearance(const std::string& name, const Vec3& color);
+
+  /// Numbers that an animation names, so many of them making a SCALAR, VEC3 or VEC4. At least one.
+  std::size_t addNumbers(const std::vector<float>& numbers, std::size_t each);
+  std::size_t addAnimation(nlohmann::json animation);
   /// @}
 
   [[nodiscard]] nlohmann::json& node(std::size_t index);
+  void setMeshMaterial(std::size_t mesh, std::size_t appearance);
   void addChild(std::size_t parent, std::size_t child);
 
   /// The scene, once; its nodes are those given.
@@ -53,7 +60,7 @@ class GltfBuild {
 
  private:
   [[nodiscard]] nlohmann::json finished() const;
-  std::size_t addView(const void* data, std::size_t size, int target);
+  std::size_t addView(const void* data, std::size_t size, int target = 0);
   std::size_t addPositions(const std::vector<Vec3>& positions);
   std::size_t addIndices(const std::vector<std::array<std::uint32_t, 3>>& triangles);
 

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <scatter/lab/frame_data.h>
+#include <scatter/recording/recorded_frame.h>
+#include <scatter/recording/recording_info.h>
+#include <scatter/world/world.h>
+
+#include <cstdint>
+#include <unordered_set>
+#include <vector>
+
+namespace scatter::lab {
+
+/// Fills samples for a recording from a world, frame after frame.
+class FrameSampler {
+ public:
+  explicit FrameSampler(bool contacts) : contacts_(contacts) {}
+
+  /// The world as it is after its last step. Without `data` the sample has no values.
+  void sample(const World& world, const FrameData* data, FrameSample& out);
+
+  /// Dynamic bodies that did not sleep, over all samples.
+  [[nodiscard]] std::uint64_t movingBodies() const { return movingBodies_; }
+
+ private:
+  void findAdded(const World& world, FrameSample& out);
+  void addContacts(const World& world, FrameSample& out);
+
+  bool contacts_;
+  std::uint64_t movingBodies_ = 0;
+  std::vector<BodyId> roster_;
+  std::unordered_set<BodyId> known_;
+  Observation observed_;
+};
+
+/// The channels of frame data, as a recording names them.
+[[nodiscard]] std::vector<RecordedChannel> recordedChannels(const FrameData& data);
+
+}  // namespace scatter::lab

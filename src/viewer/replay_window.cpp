@@ -1,0 +1,296 @@
+#include "viewer/replay_window.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "viewer/panels/panels.h"
+
+namespace scatter::viewer {
+namespace {
+
+constexpr float kTurn = 3.2F;  // radians for a drag over the window's height
+constexpr float kZoom = 1.15F;
+constexpr double kRate = 1.4142135;
+constexpr int kFar = 60;  // frames
+constexpr std::array kRecordedViews{DebugView::kLevels, DebugView::kShapes, DebugView::kSleeping,
+                                    DebugView::kMarks};
+
+std::unique_ptr<Clock> clockOf(const ReplayDef& def) {
+  if (def.script || def.loops > 0) return std::make_unique<ManualClock>();
+  return std::make_unique<SystemClock>();
+}
+
+}  // namespace
+
+ReplayWindow::ReplayWindow(Renderer& renderer, const ReplayDef& def, std::unique_ptr<RunHistory> history)
+    : renderer_(renderer),
+      def_(def),
+      history_(std::move(history)),
+      clock_(clockOf(def)),
+      loop_(*clock_),
+      looks_(renderer),
+      scene_(looks_),
+      time_(history_->oldest(), history_->newest()),
+      outputs_(def.out),
+      panelsShown_(def.panels) {
+  addCommands();
+  loop_.add(LoopTask::kInput, [this] {
+    if (auto done = doScript(); !done) {
+      error_ = done.error().message;
+      closing_ = true;
+    }
+    readInput();
+  });
+  loop_.add(LoopTask::kPhysics, [this] { time_.step(); });
+  loop_.add(LoopTask::kRenderer, [this] { draw(); });
+}
+
+Result<std::unique_ptr<ReplayWindow>> ReplayWindow::create(Renderer& renderer, const ReplayDef& def) {
+  auto history = RunHistory::open(def.recording);
+  if (!history) return tl::unexpected(history.error());
+  std::unique_ptr<ReplayWindow> window(new ReplayWindow(renderer, def, std::move(*history)));
+  for (const std::string& name : def.views) {
+    const Command* command = window->commands_.find(name);
+    if (command == nullptr || command->group != "Views") {
+      return fail("no view of a recording is called \"" + name +
+                  "\"; known: levels, shapes, sleeping, marks");
+    }
+    command->run();
+  }
+  return window->checkScript().map([&] { return std::move(window); });
+}
+
+void ReplayWindow::addCommands() {
+  addTime();
+  addViews();
+  addCamera();
+  addOutput();
+}
+
+void ReplayWindow::addTime() {
+  const auto add = [this](const char* name, const char* help, Key key, std::function<void()> run,
+                          std::function<bool()> isOn = {}) {
+    commands_.add({name, "Time", name, help, key, std::move(run), std::move(isOn)});
+  };
+  add(
+      "play", "Run, or stop", Key::kSpace, [this] { time_.setPlaying(!time_.isPlaying()); },
+      [this] { return time_.isPlaying(); });
+  add(
+      "backwards", "Run the other way", Key::kR, [this] { time_.turn(); },
+      [this] { return time_.isBackwards(); });
+  add("step", "Stop, and show the next frame", Key::kPeriod, [this] { time_.showNext(1); });
+  add("back", "Stop, and show the frame before", Key::kComma, [this] { time_.showNext(-1); });
+  add("forth-far", "A second further", Key::kRight, [this] { time_.showNext(kFar); });
+  add("back-far", "A second back", Key::kLeft, [this] { time_.showNext(-kFar); });
+  add("first", "The first frame", Key::kHome, [this] { time_.show(time_.first()); });
+  add("last", "The last frame", Key::kEnd, [this] { time_.show(time_.last()); });
+  add("slower", "Down to 0.05", Key::kMinus, [this] { loop_.setPhysicsRate(loop_.physicsRate() / kRate); });
+  add("faster", "Up to 4", Key::kPlus, [this] { loop_.setPhysicsRate(loop_.physicsRate() * kRate); });
+}
+
+void ReplayWindow::addViews() {
+  static constexpr std::array<Key, kDebugViewCount> kKeys{
+      Key::k1, Key::k2, Key::k3, Key::k4, Key::k5, Key::k6, Key::k7, Key::k8, Key::k9, Key::k0, Key::kM};
+  for (std::size_t i = 0; i < kDebugViewCount; ++i) {
+    const DebugViewInfo& info = debugViews()[i];
+    if (std::find(kRecordedViews.begin(), kRecordedViews.end(), info.view) == kRecordedViews.end()) continue;
+    commands_.add({std::string(info.name), "Views", std::string(info.name), std::string(info.shows), kKeys[i],
+                   [this, view = info.view] { views_.toggle(view); },
+                   [this, view = info.view] { return views_.has(view); }});
+  }
+}
+
+void ReplayWindow::addCamera() {
+  commands_.add({"action", "Camera", "action", "Go where bodies move and meet", Key::kV,
+                 [this] { camera_.setMode(CameraMode::kAction); },
+                 [this] { return camera_.mode() == CameraMode::kAction; }});
+  commands_.add({"orbit", "Camera", "orbit", "Right drag turns, middle drag moves, wheel zooms", Key::kO,
+                 [this] { camera_.setMode(CameraMode::kOrbit); },
+                 [this] { return camera_.mode() == CameraMode::kOrbit; }});
+  commands_.add(
+      {"frame",
+       "Camera",
+       "see all",
+       "Go where everything is in the picture",
+       Key::kB,
+       [this] { camera_.frame(extentOf(scene_.actors(moment())).value_or(Ball{}), layout().aspect()); },
+       {}});
+}
+
+void ReplayWindow::addOutput() {
+  commands_.add({"panels", "Window", "panels", "Show or hide the bar", Key::kTab,
+                 [this] { panelsShown_ = !panelsShown_; }, [this] { return panelsShown_; }});
+  commands_.add({"screenshot",
+                 "Window",
+                 "screenshot",
+                 "Write the window's picture as PNG",
+                 Key::kF12,
+                 [this] { outputs_.askForScreenshot(); },
+                 {}});
+  commands_.add({"film", "Window", "film", "Write every picture, for a video", Key::kF11,
+                 [this] { outputs_.setFilming(!outputs_.filming()); },
+                 [this] { return outputs_.filming(); }});
+  commands_.add(
+      {"close", "Window", "close", "Close the window", Key::kEscape, [this] { closing_ = true; }, {}});
+}
+
+Result<void> ReplayWindow::checkScript() const {
+  if (!def_.script) return {};
+  for (const ScriptLine& line : def_.script->lines()) {
+    const auto* run = std::get_if<DoCommand>(&line.action);
+    const auto* set = std::get_if<SetCommand>(&line.action);
+    const std::string name = run != nullptr ? run->name : set != nullptr ? set->name : "";
+    const Command* command = commands_.find(name);
+    if (!name.empty() && (command == nullptr || (set != nullptr && !command->isOn))) {
+      return fail("a recording's window has no command or switch that is called \"" + name + "\"");
+    }
+  }
+  return {};
+}
+
+Result<void> ReplayWindow::doScript() {
+  if (!def_.script) return {};
+  const auto& lines = def_.script->lines();
+  for (; nextLine_ < lines.size() && lines[nextLine_].loop <= loop_.report().loops; ++nextLine_) {
+    if (auto done = perform(lines[nextLine_].action); !done) return done;
+  }
+  return {};
+}
+
+Result<void> ReplayWindow::perform(const ScriptAction& action) {
+  if (const auto* run = std::get_if<DoCommand>(&action)) commands_.find(run->name)->run();
+  if (const auto* set = std::get_if<SetCommand>(&action)) {
+    const Command& command = *commands_.find(set->name);
+    if (command.isOn() != set->on) command.run();
+  }
+  if (const auto* input = std::get_if<DoInput>(&action)) renderer_.inject(input->event);
+  if (const auto* shot = std::get_if<TakeScreenshot>(&action)) outputs_.askForScreenshot(shot->file);
+  if (const auto* look = std::get_if<LookFrom>(&action)) {
+    camera_.look(look->at, look->right, look->up, look->distance);
+  }
+  if (std::holds_alternative<PointAt>(action)) return fail("nothing can be pointed at in a recording");
+  return {};
+}
+
+Result<ReplayReport> ReplayWindow::run() {
+  while (!closing_ && (def_.loops == 0 || loop_.report().loops < def_.loops)) loop_.runOnce();
+  if (!error_.empty()) return fail(error_);
+  if (outputs_.failed()) return fail(outputs_.message());
+  return ReplayReport{
+      .loops = loop_.report().loops, .frame = time_.frame(), .note = history_->replayed()->damage()};
+}
+
+void ReplayWindow::readInput() {
+  for (const InputEvent& event : renderer_.pollInput()) take(event);
+}
+
+void ReplayWindow::take(const InputEvent& event) {
+  if (event.kind == InputEvent::Kind::kClose) closing_ = true;
+  if (event.kind == InputEvent::Kind::kKeyDown && !event.takenByPanels && !event.control && !event.alt) {
+    if (const Command* command = commands_.find(event.key)) command->run();
+  }
+  takePointer(event);
+}
+
+void ReplayWindow::takePointer(const InputEvent& event) {
+  using Kind = InputEvent::Kind;
+  if (event.kind == Kind::kMouseUp) buttons_[static_cast<std::size_t>(event.button)] = false;
+  if (event.kind == Kind::kMouseDown && !event.takenByPanels) {
+    buttons_[static_cast<std::size_t>(event.button)] = true;
+  }
+  if (event.kind == Kind::kWheel && !event.takenByPanels) camera_.zoom(std::pow(kZoom, event.wheel));
+  if (event.kind != Kind::kMouseMove) return;
+  const glm::vec2 moved = (event.position - pointer_) / static_cast<float>(std::max(1, renderer_.size().y));
+  pointer_ = event.position;
+  // There is nothing to be held here, so that the left button turns, too.
+  if (buttons_[0] || buttons_[1]) camera_.turn(-kTurn * moved.x, -kTurn * moved.y);
+  if (buttons_[2]) camera_.pan(-moved.x, moved.y);
+}
+
+Layout ReplayWindow::layout() const {
+  return {renderer_.size(), 1, panelsShown_ ? &open_ : nullptr};
+}
+
+Moment ReplayWindow::moment() const {
+  Moment moment;
+  moment.history = history_.get();
+  moment.frame = time_.frame();
+  return moment;
+}
+
+View ReplayWindow::view() {
+  const Moment moment = this->moment();
+  const double now = clock_->now();
+  const auto seconds = static_cast<float>(now - std::exchange(aimed_, now));
+  const std::vector<Actor> actors = scene_.actors(moment);
+  if (!actors.empty()) camera_.watch(findAction(actors).value_or(Ball{}), layout().aspect(), seconds);
+  cutaway_.update(camera_.eye(), actors, scene_.obstacles(moment), seconds);
+  View view;
+  view.area = layout().area(0);
+  view.camera = camera_.camera();
+  scene_.add(moment, views_, cutaway_, view);
+  view.scenery.stars = !view.scenery.ground && std::none_of(view.items.begin(), view.items.end(),
+                                                            [](const Item& item) { return item.isFloor; });
+  view.scenery.fadeRadius = std::max(40.0F, 4.0F * camera_.distance());
+  return view;
+}
+
+void ReplayWindow::draw() {
+  if (closing_) return;
+  Picture picture;
+  picture.views.push_back(view());
+  Image image;
+  renderer_.draw(
+      picture, [this] { showPanels(); }, outputs_.wantsPicture() ? &image : nullptr);
+  if (outputs_.wantsPicture()) outputs_.take(image);
+}
+
+std::string ReplayWindow::label() const {
+  const RecordingInfo& info = history_->replayed()->info();
+  std::string text = info.scene + ", " + info.label;
+  const auto channel = info.channel("physics_cpu_ms");
+  const auto frame = history_->replayed()->frame(time_.frame());
+  if (!channel || !frame || *channel >= (*frame)->values.size()) return text;
+  char cost[32];
+  std::snprintf(cost, sizeof cost, ": %.1f ms", std::bit_cast<double>((*frame)->values[*channel]));
+  return text + cost;
+}
+
+void ReplayWindow::showPanels() {
+  const Layout place = layout();
+  const std::string text = label();
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  ImGui::GetBackgroundDrawList()->AddText({0.5F * (place.window().x - size.x), 8.0F * place.scale()},
+                                          IM_COL32(235, 240, 245, 255), text.c_str());
+  if (!panelsShown_) return;
+  if (beginPanel("Time", place.time(), false)) {
+    int frame = static_cast<int>(time_.frame());
+    char format[64];
+    std::snprintf(format, sizeof format, "frame %%d of %d, %.2f s", static_cast<int>(time_.last()),
+                  static_cast<double>(frame) * history_->replayed()->info().stepSeconds);
+    ImGui::SetNextItemWidth(-1.0F);
+    if (ImGui::SliderInt("##frame", &frame, static_cast<int>(time_.first()), static_cast<int>(time_.last()),
+                         format)) {
+      time_.show(static_cast<std::uint64_t>(std::max(frame, 0)));
+    }
+    commandButtons(commands_, "Time");
+    commandButtons(commands_, "Views");
+    const std::string& damage = history_->replayed()->damage();
+    const std::string& said = outputs_.message().empty() ? damage : outputs_.message();
+    if (!said.empty()) ImGui::TextUnformatted(said.c_str());
+  }
+  ImGui::End();
+}
+
+Result<ReplayReport> runReplay(Renderer& renderer, const ReplayDef& def) {
+  return ReplayWindow::create(renderer, def).and_then([](const std::unique_ptr<ReplayWindow>& window) {
+    return window->run();
+  });
+}
+
+}  // namespace scatter::viewer
