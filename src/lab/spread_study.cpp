@@ -98,7 +98,7 @@ Result<SpreadStudy> prepare(const SpreadOptions& options) {
     }
   }
   for (const double floors : options.budgets ? options.budgets->floors : std::vector<double>()) {
-    const std::string suffix = "-" + lab::readableNumber(floors) + "floors";
+    const std::string suffix = "-" + lab::shortestNumber(floors) + "floors";
     if (auto added = addWorld(options.budgets->governed, suffix, study); !added) {
       return tl::unexpected(added.error());
     }
