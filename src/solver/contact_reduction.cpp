@@ -33,22 +33,28 @@ bool bore(const ReducibleContact& contact) {
 int ContactReduction::reduce(std::span<ReducibleContact> contacts, int most) {
   cluster(contacts);
   int left = 0;
-  for (std::size_t i = 0; i < count_; ++i) left += choose(contacts, clusters_[i].members, most);
+  for (int i = 0; i < static_cast<int>(clusters_.size()); ++i) {
+    collect(i);
+    left += choose(contacts, own_, most);
+  }
   return left;
 }
 
 void ContactReduction::cluster(std::span<ReducibleContact> contacts) {
-  count_ = 0;
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
+  clusters_.clear();
+  homes_.clear();
+  for (const ReducibleContact& contact : contacts) {
     std::size_t k = 0;
-    while (k < count_ && dot3(clusters_[k].normal, contacts[i].normal) < kAlike) ++k;
-    if (k == count_) {
-      if (count_ == clusters_.size()) clusters_.emplace_back();
-      clusters_[k].normal = contacts[i].normal;
-      clusters_[k].members.clear();
-      ++count_;
-    }
-    clusters_[k].members.push_back(static_cast<int>(i));
+    while (k < clusters_.size() && dot3(clusters_[k], contact.normal) < kAlike) ++k;
+    if (k == clusters_.size()) clusters_.push_back(contact.normal);
+    homes_.push_back(static_cast<int>(k));
+  }
+}
+
+void ContactReduction::collect(int cluster) {
+  own_.clear();
+  for (std::size_t i = 0; i < homes_.size(); ++i) {
+    if (homes_[i] == cluster) own_.push_back(static_cast<int>(i));
   }
 }
 

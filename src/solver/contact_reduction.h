@@ -25,16 +25,15 @@ class ContactReduction {
   int reduce(std::span<ReducibleContact> contacts, int most);
 
  private:
-  struct Cluster {
-    Quad normal{};
-    std::vector<int> members{};
-  };
-
   void cluster(std::span<ReducibleContact> contacts);
   [[nodiscard]] int choose(std::span<ReducibleContact> contacts, const std::vector<int>& members, int most);
 
-  std::vector<Cluster> clusters_;  ///< In memory that is used again.
-  std::size_t count_ = 0;
+  void collect(int cluster);
+
+  // In memory that is used again.
+  std::vector<Quad> clusters_;  ///< Normals.
+  std::vector<int> homes_;      ///< Of each contact, its cluster.
+  std::vector<int> own_;        ///< Contacts of one cluster.
 
   /// Four members of a cluster.
   struct Members {

@@ -28,11 +28,13 @@ TEST_P(BadUsage, IsRefusedInOneLine) {
 INSTANTIATE_TEST_SUITE_P(
     Names, BadUsage,
     testing::Values(
-        Refusal{"noCommand", {}, "list, run, compare, report-test, levels, convert, families, bench"},
-        Refusal{
-            "unknownCommand",
-            {"rum"},
-            "did you mean \"run\"? Known: list, run, compare, report-test, levels, convert, families, bench"},
+        Refusal{"noCommand",
+                {},
+                "list, run, compare, replay, diff, export, report-test, levels, convert, families, bench"},
+        Refusal{"unknownCommand",
+                {"rum"},
+                "did you mean \"run\"? Known: list, run, compare, replay, diff, export, report-test, levels, "
+                "convert, families, bench"},
         Refusal{"unknownOption", {"run", "tower", "--frmes", "3"}, "did you mean \"--frames\"?"},
         Refusal{"extraArgument", {"run", "tower", "extra"}, "unexpected argument \"extra\""},
         Refusal{"noScene", {"run"}, "SCENE is required"},
