@@ -28,9 +28,9 @@ enum Quantity : std::size_t {
   kImpactFinest = kUsualCount,
   kImpactOverlaps,
   kImpactGap,
-  kFinest,
-  kOverlaps,
-  kGap,
+  kAllFinest,
+  kAllOverlaps,
+  kAllGaps,
   kAllCount
 };
 
@@ -57,9 +57,9 @@ std::vector<double> measure(const Run& run, const lab::PileSize& pile) {
   values[kImpactFinest] = fidelity.impactFinestShare;
   values[kImpactOverlaps] = fidelity.impactVisibleOverlapPer100;
   values[kImpactGap] = fidelity.impactContactGapP95;
-  values[kFinest] = fidelity.finestShareMean;
-  values[kOverlaps] = fidelity.visibleOverlapPer100;
-  values[kGap] = fidelity.contactGapP95;
+  values[kAllFinest] = fidelity.finestShareMean;
+  values[kAllOverlaps] = fidelity.visibleOverlapPer100;
+  values[kAllGaps] = fidelity.contactGapP95;
   return values;
 }
 
@@ -107,9 +107,9 @@ Result<SpreadStudy> prepare(const SpreadOptions& options) {
 }
 
 /// The runs of one study.
-class Runner {
+class SpreadRunner {
  public:
-  Runner(const SpreadOptions& options, const std::function<void(const CompareProgress&)>& progress)
+  SpreadRunner(const SpreadOptions& options, const std::function<void(const CompareProgress&)>& progress)
       : options_(options), progress_(progress) {
     const std::size_t floors = options.budgets ? options.budgets->floors.size() + 1 : 0;
     report_.runs = static_cast<int>((options.worlds.size() + floors) * options.seeds.size());
@@ -239,7 +239,7 @@ Result<SpreadStudy> studySpread(const SpreadOptions& options,
   if (!study) {
     return study;
   }
-  Runner runner(options, progress);
+  SpreadRunner runner(options, progress);
   for (const std::uint64_t seed : options.seeds) {
     if (auto added = runner.addSeed(seed, *study); !added) {
       return tl::unexpected(added.error());

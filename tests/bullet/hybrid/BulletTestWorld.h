@@ -77,7 +77,7 @@ class BulletTestWorld {
   void step() { world.stepSimulation(btScalar(1) / 60, 0); }
 
   /// The exact bits of every body's state.
-  std::vector<std::uint32_t> bits() const {
+  [[nodiscard]] std::vector<std::uint32_t> bits() const {
     std::vector<std::uint32_t> result;
     auto append = [&result](const btVector3& v) {
       for (int i = 0; i < 3; ++i) {
