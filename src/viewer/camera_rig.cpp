@@ -11,6 +11,8 @@ namespace {
 constexpr float kLargestPitch = 1.5F;
 constexpr float kNearest = 0.05F;
 constexpr float kFurthest = 5000.0F;
+constexpr float kTurnPerHeight = 3.2F;  // radians for a drag over the window's height
+constexpr float kZoomPerNotch = 1.15F;
 constexpr float kTurnSeconds = 0.5F;  // in which most of the way to the action is gone
 constexpr float kNearerSeconds = 0.6F;
 constexpr float kFurtherSeconds = 0.3F;
@@ -74,6 +76,14 @@ void CameraRig::turn(float right, float up) {
   yaw_ -= right;
   pitch_ = std::clamp(pitch_ + up, -kLargestPitch, kLargestPitch);
   if (mode_ == CameraMode::kFly) pivot_ = from + distance_ * forward();
+}
+
+void CameraRig::turnByDrag(const glm::vec2& moved) {
+  turn(-kTurnPerHeight * moved.x, -kTurnPerHeight * moved.y);
+}
+
+void CameraRig::zoomByNotches(float notches) {
+  zoom(std::pow(kZoomPerNotch, notches));
 }
 
 void CameraRig::pan(float right, float up) {

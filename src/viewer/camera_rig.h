@@ -3,6 +3,7 @@
 #include <scatter/math.h>
 
 #include <cstdint>
+#include <glm/vec2.hpp>
 
 #include "viewer/action.h"
 #include "viewer/renderer.h"
@@ -36,11 +37,17 @@ class CameraRig {
   /// Turns around the point, or, flying, the line of sight: radians to the right and up.
   void turn(float right, float up);
 
+  /// As a drag turns it that moves so far, in heights of the window, from the top left.
+  void turnByDrag(const glm::vec2& moved);
+
   /// Moves sideways: shares of the picture's height.
   void pan(float right, float up);
 
   /// Comes nearer by a factor: 2 halves the distance. Flying, moves forward by as much.
   void zoom(float factor);
+
+  /// As so many notches of a wheel do.
+  void zoomByNotches(float notches);
 
   /// Moves along its own axes, metres: right, up, forward.
   void move(const Vec3& along);

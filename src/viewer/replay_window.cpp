@@ -4,26 +4,19 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstdio>
 #include <utility>
 
 #include "viewer/panels/panels.h"
+#include "viewer/window_commands.h"
 
 namespace scatter::viewer {
 namespace {
 
-constexpr float kTurn = 3.2F;  // radians for a drag over the window's height
-constexpr float kZoom = 1.15F;
 constexpr double kRate = 1.4142135;
 constexpr int kFar = 60;  // frames
 constexpr std::array kRecordedViews{DebugView::kLevels, DebugView::kShapes, DebugView::kSleeping,
                                     DebugView::kMarks};
-
-std::unique_ptr<Clock> clockOf(const ReplayDef& def) {
-  if (def.script || def.loops > 0) return std::make_unique<ManualClock>();
-  return std::make_unique<SystemClock>();
-}
 
 }  // namespace
 
@@ -31,16 +24,18 @@ ReplayWindow::ReplayWindow(Renderer& renderer, const ReplayDef& def, std::unique
     : renderer_(renderer),
       def_(def),
       history_(std::move(history)),
-      clock_(clockOf(def)),
+      clock_(makeClock(def.script, def.loops)),
       loop_(*clock_),
       looks_(renderer),
       scene_(looks_),
       time_(history_->oldest(), history_->newest()),
       outputs_(def.out),
+      script_(def_.script, commands_, camera_, outputs_),
       panelsShown_(def.panels) {
   addCommands();
   loop_.add(LoopTask::kInput, [this] {
-    if (auto done = doScript(); !done) {
+    const auto perform = [this](const ScriptAction& action) { return this->perform(action); };
+    if (auto done = script_.play(loop_.report().loops, perform); !done) {
       error_ = done.error().message;
       closing_ = true;
     }
@@ -94,14 +89,10 @@ void ReplayWindow::addTime() {
 }
 
 void ReplayWindow::addViews() {
-  static constexpr std::array<Key, kDebugViewCount> kKeys{
-      Key::k1, Key::k2, Key::k3, Key::k4, Key::k5, Key::k6, Key::k7, Key::k8, Key::k9, Key::k0, Key::kM};
-  for (std::size_t i = 0; i < kDebugViewCount; ++i) {
-    const DebugViewInfo& info = debugViews()[i];
-    if (std::find(kRecordedViews.begin(), kRecordedViews.end(), info.view) == kRecordedViews.end()) continue;
-    commands_.add({std::string(info.name), "Views", std::string(info.name), std::string(info.shows), kKeys[i],
-                   [this, view = info.view] { views_.toggle(view); },
-                   [this, view = info.view] { return views_.has(view); }});
+  for (const DebugViewInfo& info : debugViews()) {
+    const bool isRecorded =
+        std::find(kRecordedViews.begin(), kRecordedViews.end(), info.view) != kRecordedViews.end();
+    if (isRecorded) addView(info, views_, commands_);
   }
 }
 
@@ -125,16 +116,8 @@ void ReplayWindow::addCamera() {
 void ReplayWindow::addOutput() {
   commands_.add({"panels", "Window", "panels", "Show or hide the bar", Key::kTab,
                  [this] { panelsShown_ = !panelsShown_; }, [this] { return panelsShown_; }});
-  commands_.add({"screenshot",
-                 "Window",
-                 "screenshot",
-                 "Write the window's picture as PNG",
-                 Key::kF12,
-                 [this] { outputs_.askForScreenshot(); },
-                 {}});
-  commands_.add({"film", "Window", "film", "Write every picture, for a video", Key::kF11,
-                 [this] { outputs_.setFilming(!outputs_.filming()); },
-                 [this] { return outputs_.filming(); }});
+  addScreenshot(outputs_, commands_);
+  addFilm(outputs_, commands_);
   commands_.add(
       {"close", "Window", "close", "Close the window", Key::kEscape, [this] { closing_ = true; }, {}});
 }
@@ -153,26 +136,8 @@ Result<void> ReplayWindow::checkScript() const {
   return {};
 }
 
-Result<void> ReplayWindow::doScript() {
-  if (!def_.script) return {};
-  const auto& lines = def_.script->lines();
-  for (; nextLine_ < lines.size() && lines[nextLine_].loop <= loop_.report().loops; ++nextLine_) {
-    if (auto done = perform(lines[nextLine_].action); !done) return done;
-  }
-  return {};
-}
-
 Result<void> ReplayWindow::perform(const ScriptAction& action) {
-  if (const auto* run = std::get_if<DoCommand>(&action)) commands_.find(run->name)->run();
-  if (const auto* set = std::get_if<SetCommand>(&action)) {
-    const Command& command = *commands_.find(set->name);
-    if (command.isOn() != set->on) command.run();
-  }
   if (const auto* input = std::get_if<DoInput>(&action)) renderer_.inject(input->event);
-  if (const auto* shot = std::get_if<TakeScreenshot>(&action)) outputs_.askForScreenshot(shot->file);
-  if (const auto* look = std::get_if<LookFrom>(&action)) {
-    camera_.look(look->at, look->right, look->up, look->distance);
-  }
   if (std::holds_alternative<PointAt>(action)) return fail("nothing can be pointed at in a recording");
   return {};
 }
@@ -203,12 +168,12 @@ void ReplayWindow::takePointer(const InputEvent& event) {
   if (event.kind == Kind::kMouseDown && !event.takenByPanels) {
     buttons_[static_cast<std::size_t>(event.button)] = true;
   }
-  if (event.kind == Kind::kWheel && !event.takenByPanels) camera_.zoom(std::pow(kZoom, event.wheel));
+  if (event.kind == Kind::kWheel && !event.takenByPanels) camera_.zoomByNotches(event.wheel);
   if (event.kind != Kind::kMouseMove) return;
   const glm::vec2 moved = (event.position - pointer_) / static_cast<float>(std::max(1, renderer_.size().y));
   pointer_ = event.position;
   // There is nothing to be held here, so that the left button turns, too.
-  if (buttons_[0] || buttons_[1]) camera_.turn(-kTurn * moved.x, -kTurn * moved.y);
+  if (buttons_[0] || buttons_[1]) camera_.turnByDrag(moved);
   if (buttons_[2]) camera_.pan(-moved.x, moved.y);
 }
 
@@ -234,9 +199,7 @@ View ReplayWindow::view() {
   view.area = layout().area(0);
   view.camera = camera_.camera();
   scene_.add(moment, views_, cutaway_, view);
-  view.scenery.stars = !view.scenery.ground && std::none_of(view.items.begin(), view.items.end(),
-                                                            [](const Item& item) { return item.isFloor; });
-  view.scenery.fadeRadius = std::max(40.0F, 4.0F * camera_.distance());
+  finishScenery(camera_.distance(), view);
   return view;
 }
 

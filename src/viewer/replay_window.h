@@ -20,6 +20,7 @@
 #include "viewer/replay.h"
 #include "viewer/replay_time.h"
 #include "viewer/scene_view.h"
+#include "viewer/script_player.h"
 
 namespace scatter::viewer {
 
@@ -39,7 +40,6 @@ class ReplayWindow {
   void addCamera();
   void addOutput();
   [[nodiscard]] Result<void> checkScript() const;
-  [[nodiscard]] Result<void> doScript();
   [[nodiscard]] Result<void> perform(const ScriptAction& action);
 
   void readInput();
@@ -65,11 +65,11 @@ class ReplayWindow {
   DebugViewSet views_;
   Commands commands_;
   Outputs outputs_;
+  ScriptPlayer script_;
   OpenPanels open_{.lab = false, .numbers = false};
   bool panelsShown_;
   bool closing_ = false;
 
-  std::size_t nextLine_ = 0;
   std::string error_;
   glm::vec2 pointer_{0.0F};
   std::array<bool, 3> buttons_{};

@@ -241,4 +241,10 @@ std::vector<Obstacle> SceneView::obstacles(const Moment& moment) {
   return obstacles;
 }
 
+void finishScenery(float distance, View& view) {
+  view.scenery.stars = !view.scenery.ground && std::none_of(view.items.begin(), view.items.end(),
+                                                            [](const Item& item) { return item.isFloor; });
+  view.scenery.fadeRadius = std::max(40.0F, 4.0F * distance);
+}
+
 }  // namespace scatter::viewer

@@ -61,4 +61,8 @@ class SceneView {
   std::map<std::string, std::size_t> kinds_;  ///< Names without their numbers, in order of appearance.
 };
 
+/// Completes the scenery of a view that has its items: stars where there is no ground, and how far is seen.
+/// `distance`: from the camera to what it looks at, metres.
+void finishScenery(float distance, View& view);
+
 }  // namespace scatter::viewer

@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "viewer/window_commands.h"
+
 namespace scatter::viewer {
 namespace {
 
@@ -78,14 +80,7 @@ void addTime(ViewerState& state) {
 }
 
 void addViews(ViewerState& state) {
-  static constexpr std::array<Key, kDebugViewCount> kKeys{
-      Key::k1, Key::k2, Key::k3, Key::k4, Key::k5, Key::k6, Key::k7, Key::k8, Key::k9, Key::k0, Key::kM};
-  for (std::size_t i = 0; i < kDebugViewCount; ++i) {
-    const DebugViewInfo& info = debugViews()[i];
-    state.commands.add({std::string(info.name), "Views", std::string(info.name), std::string(info.shows),
-                        kKeys[i], [&state, view = info.view] { state.views.toggle(view); },
-                        [&state, view = info.view] { return state.views.has(view); }});
-  }
+  for (const DebugViewInfo& info : debugViews()) addView(info, state.views, state.commands);
 }
 
 void addCamera(ViewerState& state) {
@@ -188,20 +183,12 @@ void addOutput(ViewerState& state) {
   addFold(state, "lab-panel", "fold lab", Key::kF2, state.open.lab);
   addFold(state, "numbers-panel", "fold numbers", Key::kF3, state.open.numbers);
   addFold(state, "time-panel", "fold time", Key::kF4, state.open.time);
-  state.commands.add({"screenshot",
-                      "Window",
-                      "screenshot",
-                      "Write the window's picture as PNG",
-                      Key::kF12,
-                      [&state] { state.outputs.askForScreenshot(); },
-                      {}});
+  addScreenshot(state.outputs, state.commands);
   const auto isRecording = [&state] { return state.panes.front()->experiment().history().isRecording(); };
   state.commands.add(
       {"record", "Window", "record", "Store the run, from its first frame on, for scatter replay", Key::kF9,
        [&state, isRecording] { state.outputs.setRecording(state.panes, !isRecording()); }, isRecording});
-  state.commands.add({"film", "Window", "film", "Write every picture, for a video", Key::kF11,
-                      [&state] { state.outputs.setFilming(!state.outputs.filming()); },
-                      [&state] { return state.outputs.filming(); }});
+  addFilm(state.outputs, state.commands);
   state.commands.add({"write",
                       "Window",
                       "write run",

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <utility>
 
 #include "viewer/panels/panels.h"
@@ -13,8 +12,6 @@
 namespace scatter::viewer {
 namespace {
 
-constexpr float kTurnPerHeight = 3.2F;  // radians for a drag over the window's height
-constexpr float kZoomPerNotch = 1.15F;
 constexpr float kCrowdReach = 1.15F;  // by the radius of the action
 constexpr float kCrowdShade = 0.35F;
 constexpr float kFlySpeed = 0.02F;  // of the distance to what is looked at, a loop
@@ -28,11 +25,6 @@ class Stopwatch {
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
-
-std::unique_ptr<Clock> clockFor(const ViewerDef& def) {
-  if (def.script || def.loops > 0) return std::make_unique<ManualClock>();
-  return std::make_unique<SystemClock>();
-}
 
 std::string viewNames() {
   std::string names;
@@ -52,12 +44,13 @@ std::string commandNames(const Commands& commands) {
 Window::Window(Renderer& renderer, const ViewerDef& def)
     : renderer_(renderer),
       def_(def),
-      clock_(clockFor(def)),
+      clock_(makeClock(def.script, def.loops)),
       loop_(*clock_),
       looks_(renderer),
       playback_(loop_, panes_),
       hands_(panes_),
-      outputs_(def.out) {}
+      outputs_(def.out),
+      script_(def_.script, commands_, camera_, outputs_) {}
 
 Result<std::unique_ptr<Window>> Window::create(Renderer& renderer, const ViewerDef& def) {
   std::unique_ptr<Window> window(new Window(renderer, def));
@@ -108,7 +101,8 @@ Result<void> Window::checkScript() const {
 
 void Window::addTasks() {
   loop_.add(LoopTask::kInput, [this] {
-    if (auto done = doScript(); !done) {
+    const auto perform = [this](const ScriptAction& action) { return this->perform(action); };
+    if (auto done = script_.play(loop_.report().loops, perform); !done) {
       error_ = done.error().message;
       state_->closing = true;
     }
@@ -131,15 +125,6 @@ Result<ViewerReport> Window::run() {
   return report();
 }
 
-Result<void> Window::doScript() {
-  if (!def_.script) return {};
-  const auto& lines = def_.script->lines();
-  for (; nextLine_ < lines.size() && lines[nextLine_].loop <= loop_.report().loops; ++nextLine_) {
-    if (auto done = perform(lines[nextLine_].action); !done) return done;
-  }
-  return {};
-}
-
 void Window::inject(InputEvent event) {
   const bool pointed = event.kind == InputEvent::Kind::kMouseDown ||
                        event.kind == InputEvent::Kind::kMouseUp || event.kind == InputEvent::Kind::kWheel;
@@ -152,15 +137,7 @@ void Window::inject(InputEvent event) {
 }
 
 Result<void> Window::perform(const ScriptAction& action) {
-  if (const auto* run = std::get_if<DoCommand>(&action)) commands_.find(run->name)->run();
-  if (const auto* set = std::get_if<SetCommand>(&action)) {
-    const Command& command = *commands_.find(set->name);
-    if (command.isOn() != set->on) command.run();
-  }
   if (const auto* input = std::get_if<DoInput>(&action)) inject(input->event);
-  if (const auto* shot = std::get_if<TakeScreenshot>(&action)) outputs_.askForScreenshot(shot->file);
-  if (const auto* look = std::get_if<LookFrom>(&action))
-    camera_.look(look->at, look->right, look->up, look->distance);
   if (const auto* point = std::get_if<PointAt>(&action)) {
     const auto position = positionOf(point->object);
     if (!position) return fail("\"" + point->object + "\" is no object of the scene, or behind the camera");
@@ -219,12 +196,12 @@ void Window::takePointer(const InputEvent& event) {
   }
   if (event.kind == InputEvent::Kind::kMouseMove) {
     if (buttons_[0]) hands_.move(pointedAt(event.position).ray);
-    if (buttons_[1]) camera_.turn(-kTurnPerHeight * moved.x, -kTurnPerHeight * moved.y);
+    if (buttons_[1]) camera_.turnByDrag(moved);
     if (buttons_[2]) camera_.pan(-moved.x, moved.y);
   }
   if (event.takenByPanels) return;
   if (event.kind == InputEvent::Kind::kMouseDown) press(event);
-  if (event.kind == InputEvent::Kind::kWheel) camera_.zoom(std::pow(kZoomPerNotch, event.wheel));
+  if (event.kind == InputEvent::Kind::kWheel) camera_.zoomByNotches(event.wheel);
 }
 
 void Window::fly() {
@@ -303,11 +280,8 @@ Picture Window::picture() {
   for (std::size_t i = 0; i < panes_.size(); ++i) {
     View view = emptyView(i);
     panes_[i]->fill(moments[i], views_, cutaway_, view);
-    const bool space = !view.scenery.ground && std::none_of(view.items.begin(), view.items.end(),
-                                                            [](const Item& item) { return item.isFloor; });
-    view.scenery.stars = space;
-    if (space) view.scenery.crowd = crowd_;
-    view.scenery.fadeRadius = std::max(40.0F, 4.0F * camera_.distance());
+    finishScenery(camera_.distance(), view);
+    if (view.scenery.stars) view.scenery.crowd = crowd_;
     picture.views.push_back(std::move(view));
   }
   return picture;

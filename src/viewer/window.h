@@ -12,6 +12,7 @@
 #include "viewer/body_looks.h"
 #include "viewer/cutaway.h"
 #include "viewer/layout.h"
+#include "viewer/script_player.h"
 #include "viewer/viewer.h"
 #include "viewer/viewer_state.h"
 
@@ -35,7 +36,6 @@ class Window {
   [[nodiscard]] Result<void> checkScript() const;
   void addTasks();
 
-  [[nodiscard]] Result<void> doScript();
   [[nodiscard]] Result<void> perform(const ScriptAction& action);
   void inject(InputEvent event);
 
@@ -78,9 +78,9 @@ class Window {
   Cutaway cutaway_;
   DebugViewSet views_;
   Commands commands_;
+  ScriptPlayer script_;
   std::optional<ViewerState> state_;
 
-  std::size_t nextLine_ = 0;
   std::string error_;
   glm::vec2 pointer_{0.0F};
   std::array<bool, static_cast<std::size_t>(Key::kCount)> keys_{};

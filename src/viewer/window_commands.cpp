@@ -1,0 +1,33 @@
+#include "viewer/window_commands.h"
+
+#include <array>
+#include <string>
+
+namespace scatter::viewer {
+
+void addView(const DebugViewInfo& info, DebugViewSet& views, Commands& commands) {
+  static constexpr std::array<Key, kDebugViewCount> kKeys{
+      Key::k1, Key::k2, Key::k3, Key::k4, Key::k5, Key::k6, Key::k7, Key::k8, Key::k9, Key::k0, Key::kM};
+  commands.add({std::string(info.name), "Views", std::string(info.name), std::string(info.shows),
+                kKeys[static_cast<std::size_t>(info.view)],
+                [&views, view = info.view] { views.toggle(view); },
+                [&views, view = info.view] { return views.has(view); }});
+}
+
+void addScreenshot(Outputs& outputs, Commands& commands) {
+  commands.add({"screenshot",
+                "Window",
+                "screenshot",
+                "Write the window's picture as PNG",
+                Key::kF12,
+                [&outputs] { outputs.askForScreenshot(); },
+                {}});
+}
+
+void addFilm(Outputs& outputs, Commands& commands) {
+  commands.add({"film", "Window", "film", "Write every picture, for a video", Key::kF11,
+                [&outputs] { outputs.setFilming(!outputs.filming()); },
+                [&outputs] { return outputs.filming(); }});
+}
+
+}  // namespace scatter::viewer
