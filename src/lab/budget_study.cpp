@@ -1,5 +1,6 @@
 #include <scatter/lab/budget_study.h>
 
+#include "lab/run_series.h"
 #include "lab/text.h"
 #include "lab/text_table.h"
 
@@ -82,12 +83,10 @@ void judge(const Run& run, const BudgetStudyOptions& options, BudgetTrial& trial
 class Runner {
  public:
   Runner(const BudgetStudyOptions& options, const std::function<void(const CompareProgress&)>& progress)
-      : options_(options), progress_(progress) {
-    report_.runs = static_cast<int>(options.scenes.size() * (1 + options.floors.size()));
-  }
+      : options_(options), series_(options.scenes.size() * (1 + options.floors.size()), progress) {}
 
   Result<void> addScene(const BudgetScene& scene, BudgetStudy& study) {
-    const auto coarsest = run(scene.coarsest, scene.name + ", coarsest");
+    const auto coarsest = series_.run(scene.coarsest, scene.name + ", coarsest");
     if (!coarsest) {
       return tl::unexpected(coarsest.error());
     }
@@ -109,7 +108,7 @@ class Runner {
     const double cut = options_.cut > 0.0 ? budget / options_.cut : budget;
     governed.physics.switching.budget = options_.cut > 0.0 ? cutBudget(budget, cut, governed.frames)
                                                            : constantBudget(budget, options_.byClock);
-    const auto done = run(governed, scene.name + ", " + lab::readableNumber(floors) + " floors");
+    const auto done = series_.run(governed, scene.name + ", " + lab::readableNumber(floors) + " floors");
     if (!done) {
       return tl::unexpected(done.error());
     }
@@ -119,21 +118,8 @@ class Runner {
     return {};
   }
 
-  Result<Run> run(const RunOptions& options, std::string label) {
-    report_.label = std::move(label);
-    auto done = runScene(options, [this](const RunProgress& inside) {
-      report_.inside = inside;
-      if (progress_) {
-        progress_(report_);
-      }
-    });
-    ++report_.run;
-    return done;
-  }
-
   const BudgetStudyOptions& options_;
-  const std::function<void(const CompareProgress&)>& progress_;
-  CompareProgress report_{};
+  lab::RunSeries series_;
 };
 
 /// A share of the frames, such as "0.30".

@@ -1,5 +1,6 @@
 #include <scatter/lab/contact_survey.h>
 
+#include "lab/run_series.h"
 #include "lab/text.h"
 #include "lab/text_table.h"
 
@@ -40,21 +41,14 @@ Cells rowOf(const std::string& scene, std::uint64_t frames, const ContactCheck& 
 Result<std::vector<SceneContacts>> surveyContacts(
     const std::vector<RunOptions>& runs, const std::function<void(const CompareProgress&)>& progress) {
   std::vector<SceneContacts> scenes;
-  CompareProgress report{.label = {}, .run = 0, .runs = static_cast<int>(runs.size()), .inside = {}};
+  lab::RunSeries series(runs.size(), progress);
   for (const RunOptions& options : runs) {
-    report.label = options.scene;
-    const auto run = runScene(options, [&](const RunProgress& inside) {
-      report.inside = inside;
-      if (progress) {
-        progress(report);
-      }
-    });
+    const auto run = series.run(options, options.scene);
     if (!run) {
       return tl::unexpected(run.error());
     }
     scenes.push_back(
         {.scene = options.scene, .frames = run->summary.frames, .check = run->summary.contactCheck});
-    ++report.run;
   }
   return scenes;
 }

@@ -3,6 +3,7 @@
 #include <scatter/io/file.h>
 #include <scatter/lab/output_folder.h>
 
+#include "lab/frame_sampler.h"
 #include "lab/names.h"
 #include "lab/run_files.h"
 #include "lab/run_recorder.h"
@@ -129,11 +130,7 @@ void Experiment::keepHistory() {
   if (history_.def().pairLevels) {
     world().physics().diagnostics().observe({.bodies = false, .pairs = true, .contacts = false},
                                             observation_);
-    for (const ObservedPair& pair : observation_.pairs) {
-      if (pair.level > 0) {
-        pairs_.push_back({pair.a, pair.b, static_cast<std::uint8_t>(std::min(pair.level, 255))});
-      }
-    }
+    lab::addPairLevels(observation_, pairs_);
   }
   history_.record(world(), pairs_, &run_->data());
 }

@@ -55,11 +55,7 @@ void FrameSampler::findAdded(const World& world, FrameSample& out) {
 
 void FrameSampler::addContacts(const World& world, FrameSample& out) {
   world.physics().diagnostics().observe({.bodies = false, .pairs = true, .contacts = true}, observed_);
-  for (const ObservedPair& pair : observed_.pairs) {
-    if (pair.level > 0) {
-      out.pairs.push_back({pair.a, pair.b, static_cast<std::uint8_t>(std::min(pair.level, 255))});
-    }
-  }
+  addPairLevels(observed_, out.pairs);
   for (const ObservedContact& contact : observed_.contacts) {
     out.contacts.push_back({.a = contact.a,
                             .b = contact.b,
@@ -68,6 +64,14 @@ void FrameSampler::addContacts(const World& world, FrameSample& out) {
                             .distance = contact.distance,
                             .credit = contact.credit,
                             .impulse = contact.impulse});
+  }
+}
+
+void addPairLevels(const Observation& observed, std::vector<PairLevel>& pairs) {
+  for (const ObservedPair& pair : observed.pairs) {
+    if (pair.level > 0) {
+      pairs.push_back({pair.a, pair.b, static_cast<std::uint8_t>(std::min(pair.level, 255))});
+    }
   }
 }
 

@@ -33,6 +33,9 @@ class FrameSampler {
   Observation observed_;
 };
 
+/// Adds the pairs of an observation that have a level.
+void addPairLevels(const Observation& observed, std::vector<PairLevel>& pairs);
+
 /// The channels of frame data, as a recording names them.
 [[nodiscard]] std::vector<RecordedChannel> recordedChannels(const FrameData& data);
 

@@ -21,6 +21,11 @@ using recording::BlockKind;
 using recording::BlockPlace;
 using recording::EncodedBlock;
 
+bool hasRoster(const FrameSample& sample, const std::vector<BodyId>& roster) {
+  const auto same = [](const SampledBody& sampled, BodyId body) { return sampled.body == body; };
+  return std::equal(sample.bodies.begin(), sample.bodies.end(), roster.begin(), roster.end(), same);
+}
+
 /// A sample as it will be read, but exact.
 std::shared_ptr<const RecordedFrame> frameOf(const FrameSample& sample, const RecordedFrame* before) {
   auto frame = std::make_shared<RecordedFrame>();
@@ -108,7 +113,7 @@ void RunHistory::record(const World& world, std::span<const PairLevel> pairs, co
 
 void RunHistory::Parts::noteBodies(const FrameSample& added) {
   for (const auto& [body, bodyDef] : added.added) defs.emplace(body, bodyDef);
-  if (recent.empty()) return;
+  if (recent.empty() || hasRoster(added, *recent.back()->roster)) return;
   std::vector<BodyId> left;
   for (const BodyId body : *recent.back()->roster) {
     const bool stays = std::any_of(added.bodies.begin(), added.bodies.end(),

@@ -1,6 +1,7 @@
 #include <scatter/lab/spread_study.h>
 
 #include "lab/pile_size.h"
+#include "lab/run_series.h"
 #include "lab/text.h"
 #include "lab/text_table.h"
 
@@ -110,10 +111,7 @@ Result<SpreadStudy> prepare(const SpreadOptions& options) {
 class SpreadRunner {
  public:
   SpreadRunner(const SpreadOptions& options, const std::function<void(const CompareProgress&)>& progress)
-      : options_(options), progress_(progress) {
-    const std::size_t floors = options.budgets ? options.budgets->floors.size() + 1 : 0;
-    report_.runs = static_cast<int>((options.worlds.size() + floors) * options.seeds.size());
-  }
+      : options_(options), series_(countRuns(options), progress) {}
 
   Result<void> addSeed(std::uint64_t seed, SpreadStudy& study) {
     std::size_t world = 0;
@@ -126,6 +124,11 @@ class SpreadRunner {
   }
 
  private:
+  static std::size_t countRuns(const SpreadOptions& options) {
+    const std::size_t budgets = options.budgets ? options.budgets->floors.size() + 1 : 0;
+    return (options.worlds.size() + budgets) * options.seeds.size();
+  }
+
   Result<void> addBudgets(std::uint64_t seed, SpreadStudy& study, std::size_t world) {
     lab::PileSize pile;
     const auto coarsest = run(options_.budgets->coarsest, seed, "coarsest", pile);
@@ -165,20 +168,11 @@ class SpreadRunner {
       options.scene = options_.sceneOf(seed);
       options.makeScene = {};
     }
-    report_.label = std::move(label);
-    auto done = runScene(options, [this](const RunProgress& inside) {
-      report_.inside = inside;
-      if (progress_) {
-        progress_(report_);
-      }
-    });
-    ++report_.run;
-    return done;
+    return series_.run(options, std::move(label));
   }
 
   const SpreadOptions& options_;
-  const std::function<void(const CompareProgress&)>& progress_;
-  CompareProgress report_{};
+  lab::RunSeries series_;
 };
 
 std::string spreadText(const Spread& spread) {
