@@ -71,7 +71,7 @@ class StepBudget {
   /// After the narrowphase: contacts that belong to no pair.
   void takeLoose(const LooseContacts& contacts);
 
-  /// Then, in a step that was planned: which contacts the solver is to be shown.
+  /// Then: which contacts the solver is to be shown.
   void settleContacts(const ContactThinning::Find& find);
   [[nodiscard]] int hiddenContacts() const { return contacts_.hidden(); }
 

@@ -361,7 +361,7 @@ void Planner::finish() {
   counts_.plannedUnits = plans_ ? budget_.plannedUnits() : 0.0;
   // Steps of a replayed run may have had none.
   counts_.budgetUnits = std::isfinite(budget_.budgetUnits()) ? budget_.budgetUnits() : 0.0;
-  counts_.hiddenContacts = hidesContacts() ? budget_.hiddenContacts() : 0;
+  counts_.hiddenContacts = budget_.hiddenContacts();
   if (budget_.isExceeded()) counts_.floorUnits = budget_.floorUnits(planned_);
   settleState();
   lastCounts_ = counts_;

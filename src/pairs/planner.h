@@ -128,10 +128,7 @@ class Planner {
   void takeLoose(const lod::LooseContacts& contacts) { budget_.takeLoose(contacts); }
 
   /// Then: which contacts the solver is to be shown.
-  void settleContacts(const lod::ContactThinning::Find& find) {
-    if (plans_) budget_.settleContacts(find);
-  }
-  [[nodiscard]] bool hidesContacts() const { return plans_ && budget_.hiddenContacts() > 0; }
+  void settleContacts(const lod::ContactThinning::Find& find) { budget_.settleContacts(find); }
 
   /// Ends the step.
   void finish();

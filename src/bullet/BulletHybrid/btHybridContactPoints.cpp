@@ -54,11 +54,6 @@ ProblemPoint contactOf(const btManifoldPoint& point, bool swaps, const btContact
 	    btVector3(warm ? point.m_appliedImpulse * info.m_warmstartingFactor : btScalar(0), cfm, erp), 1);
 	return contact;
 }
-
-bool isNear(const btPersistentManifold& manifold, int point)
-{
-	return manifold.getContactPoint(point).getDistance() <= manifold.getContactProcessingThreshold();
-}
 }  // namespace
 
 void btHybridContactPoints::clear()
@@ -72,9 +67,9 @@ bool btHybridContactPoints::add(btPersistentManifold* manifold, bool swaps, cons
 	range.m_first = int(m_points.size());
 	for (int i = 0; i < manifold->getNumContacts(); ++i)
 	{
-		if (!isNear(*manifold, i))
-			continue;
 		btManifoldPoint& point = manifold->getContactPoint(i);
+		if (!btHybridIsNear(*manifold, point))
+			continue;
 		if (needsBullet(point, info))
 		{
 			m_points.resize(range.m_first);

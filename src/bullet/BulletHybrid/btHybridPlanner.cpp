@@ -40,10 +40,14 @@ BodyView viewOf(const btCollisionObject* object)
 	return view;
 }
 
-// Such an object's contacts are solved.
 bool isAwake(const btCollisionObject* object)
 {
 	return object->isActive() && !object->isStaticOrKinematicObject();
+}
+
+bool isSolved(const btPersistentManifold* manifold)
+{
+	return isAwake(manifold->getBody0()) || isAwake(manifold->getBody1());
 }
 
 const btCollisionObject* objectOf(const scatter::pairs::PlannedBody& body)
@@ -144,7 +148,7 @@ void btHybridPlanner::finish(btDispatcher* dispatcher)
 	for (int i = 0; hasOthers && i < dispatcher->getNumManifolds(); i++)
 	{
 		const btPersistentManifold* manifold = dispatcher->getManifoldByIndexInternal(i);
-		if (!isAwake(manifold->getBody0()) && !isAwake(manifold->getBody1()))
+		if (!isSolved(manifold))
 			continue;
 		loose.manifolds++;
 		loose.points += manifold->getNumContacts();
@@ -173,7 +177,7 @@ void btHybridPlanner::findSolved(btDispatcher* dispatcher)
 	for (int i = 0; i < dispatcher->getNumManifolds(); i++)
 	{
 		btPersistentManifold* manifold = dispatcher->getManifoldByIndexInternal(i);
-		if (isAwake(manifold->getBody0()) || isAwake(manifold->getBody1()))
+		if (isSolved(manifold))
 			m_solved.push_back(manifold);
 	}
 }

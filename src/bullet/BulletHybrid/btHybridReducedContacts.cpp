@@ -61,7 +61,7 @@ void btHybridReducedContacts::collect(const Pair& pair, btPersistentManifold** m
 		for (int k = 0; k < manifold.getNumContacts(); ++k)
 		{
 			btManifoldPoint& point = manifold.getContactPoint(k);
-			if (!(point.getDistance() <= manifold.getContactProcessingThreshold()) || !btHybridIsReducible(point))
+			if (!btHybridIsNear(manifold, point) || !btHybridIsReducible(point))
 				continue;
 			m_points.push_back(&point);
 			m_contacts.push_back({btHybridQuad(point.m_positionWorldOnB, point.getDistance()),
