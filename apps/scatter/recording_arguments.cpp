@@ -2,11 +2,11 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <charconv>
 #include <optional>
 #include <vector>
 
 #include "messages.h"
+#include "number_checks.h"
 
 namespace scatter::app {
 
@@ -24,12 +24,6 @@ std::vector<std::string> partsOf(const std::string& text) {
   return parts;
 }
 
-std::optional<std::uint64_t> numberOf(const std::string& text) {
-  std::uint64_t number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc() && end == text.data() + text.size() ? std::optional(number) : std::nullopt;
-}
-
 }  // namespace
 
 Result<std::unique_ptr<Recording>> openRecording(const std::string& file) {
@@ -44,7 +38,7 @@ Result<std::unique_ptr<Recording>> openRecording(const std::string& file) {
 Result<FrameRange> parseFrames(const std::string& text, const Recording& recording) {
   const std::vector<std::string> parts = partsOf(text);
   const auto numberOr = [&](std::size_t part, std::uint64_t missing) {
-    return parts[part].empty() ? std::optional(missing) : numberOf(parts[part]);
+    return parts[part].empty() ? std::optional(missing) : parseNumber<std::uint64_t>(parts[part]);
   };
   const auto from = numberOr(0, recording.first());
   const auto to = parts.size() > 1 ? numberOr(1, recording.last()) : from;

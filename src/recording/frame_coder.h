@@ -47,6 +47,7 @@ class FrameEncoder {
   void writeBodies(const FrameSample& frame);
   void writeHashes(const FrameSample& frame);
   void writeEvents(const FrameSample& frame);
+  void writeTwo(BodyId a, BodyId b, std::int64_t& before);  // `before`: the first of those before them
   void writePairs(const FrameSample& frame);
   void writeContacts(const FrameSample& frame);
   [[nodiscard]] std::uint64_t indexOf(std::string_view policy);

@@ -1,4 +1,6 @@
+#include <tuple>
 #include <unordered_map>
+#include <utility>
 
 #include "recording/compression.h"
 #include "recording/frame_coder.h"
@@ -69,6 +71,13 @@ class FrameDecoder {
                                                        static_cast<std::uint64_t>(before)));
     if (!body) in.setFailed();
     return body.value_or(BodyId{});
+  }
+
+  /// Two bodies; `before`: the first one of those before them.
+  std::pair<BodyId, BodyId> readTwo(std::int64_t& before) {
+    const BodyId a = readBody(contacts_, before);
+    before = idOf(a);
+    return {a, readBody(contacts_, before)};
   }
 
   static std::int64_t idOf(BodyId body) {
@@ -180,10 +189,8 @@ class FrameDecoder {
     std::int64_t before = 0;
     for (std::size_t left = contacts_.count(3); left > 0 && !contacts_.failed(); --left) {
       PairLevel pair;
-      pair.a = readBody(contacts_, before);
-      pair.b = readBody(contacts_, idOf(pair.a));
+      std::tie(pair.a, pair.b) = readTwo(before);
       pair.level = contacts_.byte();
-      before = idOf(pair.a);
       frame.pairs.push_back(pair);
     }
   }
@@ -192,9 +199,7 @@ class FrameDecoder {
     std::int64_t before = 0;
     for (std::size_t left = contacts_.count(14); left > 0 && !contacts_.failed(); --left) {
       RecordedContact contact;
-      contact.a = readBody(contacts_, before);
-      contact.b = readBody(contacts_, idOf(contact.a));
-      before = idOf(contact.a);
+      std::tie(contact.a, contact.b) = readTwo(before);
       for (int i = 0; i < 3; ++i) contact.pointA[i] = readLength(contacts_, kRecordedMetres);
       for (int i = 0; i < 3; ++i) contact.normal[i] = readLength(contacts_, kContactNormal);
       contact.distance = readLength(contacts_, kRecordedMetres);

@@ -148,14 +148,18 @@ std::uint64_t FrameEncoder::indexOf(std::string_view policy) {
                                     policies_.begin());
 }
 
+void FrameEncoder::writeTwo(BodyId a, BodyId b, std::int64_t& before) {
+  contacts_.difference(idOf(a) - before);
+  contacts_.difference(idOf(b) - idOf(a));
+  before = idOf(a);
+}
+
 void FrameEncoder::writePairs(const FrameSample& frame) {
   contacts_.number(frame.pairs.size());
   std::int64_t before = 0;
   for (const PairLevel& pair : frame.pairs) {
-    contacts_.difference(idOf(pair.a) - before);
-    contacts_.difference(idOf(pair.b) - idOf(pair.a));
+    writeTwo(pair.a, pair.b, before);
     contacts_.byte(pair.level);
-    before = idOf(pair.a);
   }
 }
 
@@ -163,9 +167,7 @@ void FrameEncoder::writeContacts(const FrameSample& frame) {
   contacts_.number(frame.contacts.size());
   std::int64_t before = 0;
   for (const RecordedContact& contact : frame.contacts) {
-    contacts_.difference(idOf(contact.a) - before);
-    contacts_.difference(idOf(contact.b) - idOf(contact.a));
-    before = idOf(contact.a);
+    writeTwo(contact.a, contact.b, before);
     for (int i = 0; i < 3; ++i) writeLength(contact.pointA[i], kRecordedMetres, contacts_);
     for (int i = 0; i < 3; ++i) writeLength(contact.normal[i], kContactNormal, contacts_);
     writeLength(contact.distance, kRecordedMetres, contacts_);
