@@ -21,12 +21,15 @@ namespace scatter::app {
 
 namespace {
 
+/// Of each pixel, where a graphics card draws.
+constexpr int kSamples = 4;
+
 struct Arguments {
   RunArguments run;
   std::vector<std::string> worlds{worldChoices().front().name};
   std::string renderer = viewer::rendererNames().front();
   std::string size = "1280x720";
-  int samples = 0;
+  std::optional<int> samples;
   std::uint64_t loops = 0;
   std::optional<std::string> script;
   std::optional<std::string> screenshot;
@@ -60,7 +63,7 @@ Result<std::optional<viewer::ViewScript>> readScript(const Arguments& arguments)
     return fail("--screenshot is taken in the last loop; say which with --loops N");
   }
   if (arguments.screenshot) script.add({arguments.loops - 1, viewer::TakeScreenshot{*arguments.screenshot}});
-  if (script.lines().empty()) return std::optional<viewer::ViewScript>();
+  if (script.lines().empty() && script.hands().empty()) return std::optional<viewer::ViewScript>();
   return std::optional(std::move(script));
 }
 
@@ -86,7 +89,12 @@ Result<std::unique_ptr<viewer::Renderer>> openWindow(const Arguments& arguments,
   viewer::WindowDef window;
   window.title = "Scatter: " + title;
   window.size = *size;
-  window.samples = arguments.samples;
+  window.samples = arguments.samples.value_or(kSamples);
+  auto renderer = viewer::makeRenderer(arguments.renderer, window);
+  if (!renderer || arguments.samples || !(*renderer)->isSoftware()) return renderer;
+  // There may be one renderer at a time.
+  renderer->reset();
+  window.samples = 0;
   return viewer::makeRenderer(arguments.renderer, window);
 }
 
@@ -152,10 +160,11 @@ Command addViewCommand(CLI::App& program) {
       ->type_name("WIDTHxHEIGHT")
       ->capture_default_str();
   command
-      ->add_option("--samples", arguments->samples,
-                   "Of each pixel, for smooth edges: 0, 2, 4 or 8; slow without a graphics processor")
-      ->check(CLI::IsMember({0, 2, 4, 8}))
-      ->capture_default_str();
+      ->add_option(
+          "--samples", arguments->samples,
+          "Of each pixel, for smooth edges: 0, 2, 4 or 8 [4; 0 without a graphics processor, where they are "
+          "slow]")
+      ->check(CLI::IsMember({0, 2, 4, 8}));
   command
       ->add_option("--views", arguments->views,
                    "Debug views that are on from the start, such as levels,contacts")

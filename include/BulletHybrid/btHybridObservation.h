@@ -32,9 +32,10 @@ struct btHybridPairView
 	int m_finestLevel;  ///< that it could have; 0 as before
 	bool m_credited;
 	btHybridRequestView m_request;  ///< pair switching
+	btScalar m_units;               ///< pair switching: what it took of the last step, as budgets count; -1: not known
 
 	btHybridPairView()
-	    : m_level(0), m_finestLevel(0), m_credited(false)
+	    : m_level(0), m_finestLevel(0), m_credited(false), m_units(-1)
 	{
 	}
 };

@@ -8,6 +8,7 @@
 #include "lab/run_files.h"
 #include "lab/run_recorder.h"
 #include "lab/scene_run.h"
+#include "lab/scripted_hands.h"
 
 #include <algorithm>
 #include <system_error>
@@ -56,7 +57,7 @@ Result<std::unique_ptr<Experiment>> Experiment::create(const ExperimentDef& def)
 
 Experiment::Experiment(ExperimentDef def, std::unique_ptr<lab::SceneRun> run)
     : def_(std::move(def)), history_(def_.history) {
-  adopt(std::move(run), {});
+  adopt(std::move(run), def_.run.hands);
 }
 
 Experiment::~Experiment() = default;
@@ -64,18 +65,8 @@ Experiment::~Experiment() = default;
 void Experiment::adopt(std::unique_ptr<lab::SceneRun> run, HandScript script) {
   hands_.reset();
   run_ = std::move(run);
-  HandsDef hands = def_.hands;
-  hands.onRemove = [this](WorldObject& object) {
-    run_->forget(object);
-    if (def_.hands.onRemove) {
-      def_.hands.onRemove(object);
-    }
-  };
-  hands_ = std::make_unique<Hands>(run_->world(), hands);
+  hands_ = std::make_unique<lab::ScriptedHands>(*run_, def_.hands, std::move(script));
   switches_ = {};
-  played_ = std::move(script);
-  nextAction_ = 0;
-  scriptError_.clear();
   // What fails is that a file is not whole, whose frames are there all the same.
   [[maybe_unused]] const auto ended = history_.stopRecording("its scene was started again");
   history_.clear();
@@ -92,6 +83,22 @@ Result<void> Experiment::restart(const PhysicsDef& physics, HandScript script) {
     options.label = lab::nameOf(physics.world);
   }
   options.physics = physics;
+  return begin(std::move(options), std::move(script));
+}
+
+Result<void> Experiment::open(const std::string& scene) {
+  RunOptions options = def_.run;
+  options.scene = scene;
+  options.makeScene = {};
+  options.summary.clear();
+  options.hands = {};
+  options.frames = 0;
+  options.seed.reset();
+  const auto resolved = resolveExperiment(std::move(options));
+  return resolved ? begin(*resolved, {}) : tl::unexpected(resolved.error());
+}
+
+Result<void> Experiment::begin(RunOptions options, HandScript script) {
   auto run = lab::SceneRun::create(options);
   if (!run) {
     return tl::unexpected(run.error());
@@ -106,23 +113,12 @@ Result<void> Experiment::step() {
   if (!stopped().empty()) {
     return fail(stopped());
   }
-  playScript();
-  run_->step([this] { hands_->beforeStep(static_cast<float>(kStepSeconds)); });
+  hands_->step();
   const StepCounters& counters = world().physics().counters();
   switches_.coarser += counters.switchesCoarser;
   switches_.finer += counters.switchesFiner;
   keepHistory();
   return stopped().empty() ? Result<void>() : fail(stopped());
-}
-
-void Experiment::playScript() {
-  const auto& actions = played_.actions();
-  for (; nextAction_ < actions.size() && actions[nextAction_].frame <= world().frame(); ++nextAction_) {
-    const auto done = hands_->perform(actions[nextAction_].action);
-    if (!done && scriptError_.empty()) {
-      scriptError_ = "frame " + std::to_string(actions[nextAction_].frame) + ": " + done.error().message;
-    }
-  }
 }
 
 void Experiment::keepHistory() {
@@ -171,6 +167,18 @@ const std::string& Experiment::stopped() const {
   return run_->stopped();
 }
 
+Hands& Experiment::hands() {
+  return hands_->hands();
+}
+
+const Hands& Experiment::hands() const {
+  return hands_->hands();
+}
+
+const std::string& Experiment::scriptError() const {
+  return hands_->error();
+}
+
 World& Experiment::world() {
   return run_->world();
 }
@@ -214,8 +222,8 @@ Result<void> Experiment::write(const std::filesystem::path& folder, bool figures
   if (auto written = lab::writeRunFiles(staged->path(), table(), &events(), summary()); !written) {
     return written;
   }
-  if (!hands_->script().empty()) {
-    if (auto written = writeFile(staged->path() / "hands.txt", hands_->script().text()); !written) {
+  if (!hands().script().empty()) {
+    if (auto written = writeFile(staged->path() / "hands.txt", hands().script().text()); !written) {
       return written;
     }
   }

@@ -181,13 +181,7 @@ std::optional<HandAction> actionNamed(std::string_view name) {
 }
 
 // Fails with words that follow "line N".
-Result<TimedHandAction> parseLine(std::string_view line) {
-  Reader reader(line);
-  const std::string_view first = reader.take();
-  const auto frame = io::parseIndex(first);
-  if (!frame) {
-    return fail("has '" + std::string(first) + "' where it should have the number of a frame");
-  }
+Result<HandAction> readAction(Reader& reader) {
   const std::string_view name = reader.take();
   auto action = actionNamed(name);
   if (!action) {
@@ -204,7 +198,19 @@ Result<TimedHandAction> parseLine(std::string_view line) {
   if (!reader.wrong().empty()) {
     return fail(reader.wrong());
   }
-  return TimedHandAction{*frame, std::move(*action)};
+  return std::move(*action);
+}
+
+Result<TimedHandAction> parseLine(std::string_view line) {
+  Reader reader(line);
+  const std::string_view first = reader.take();
+  const auto frame = io::parseIndex(first);
+  if (!frame) {
+    return fail("has '" + std::string(first) + "' where it should have the number of a frame");
+  }
+  return readAction(reader).map([&frame](HandAction action) {
+    return TimedHandAction{*frame, std::move(action)};
+  });
 }
 
 }  // namespace
@@ -223,6 +229,15 @@ std::string HandScript::text() const {
     text += '\n';
   }
   return text;
+}
+
+Result<HandAction> HandScript::parseAction(std::string_view text) {
+  Reader reader(text);
+  return readAction(reader);
+}
+
+std::span<const std::string_view> HandScript::actionNames() {
+  return kNames;
 }
 
 Result<HandScript> HandScript::parse(std::string_view text, const std::string& source) {

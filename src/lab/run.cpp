@@ -6,6 +6,7 @@
 #include "lab/run_folder.h"
 #include "lab/run_recorder.h"
 #include "lab/scene_run.h"
+#include "lab/scripted_hands.h"
 
 #include <utility>
 
@@ -45,8 +46,9 @@ Result<void> record(lab::SceneRun& run, std::optional<lab::RunFolder>& folder, l
                     const Progress& progress) {
   const RunOptions& options = run.options();
   const double start = wallSeconds();
+  lab::ScriptedHands hands(run, {}, options.hands);
   for (int frame = 1; frame <= options.frames; ++frame) {
-    run.step();
+    hands.step();
     if (recorder != nullptr) {
       recorder->add(run);
     }
@@ -59,6 +61,9 @@ Result<void> record(lab::SceneRun& run, std::optional<lab::RunFolder>& folder, l
     }
     if (progress) {
       progress({.frame = frame, .frames = options.frames, .seconds = wallSeconds() - start});
+    }
+    if (run.stopped().empty() && !hands.error().empty()) {
+      run.stop("what hands were to do cannot be done, " + hands.error());
     }
     if (!run.stopped().empty()) {
       return fail(run.stopped());

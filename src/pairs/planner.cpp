@@ -332,6 +332,7 @@ void Planner::takeWork(std::size_t pair, const PairOutcome& outcome) {
   Known& known = known_[pair];
   lod::PairUnits units = budget_.takeWork(planned, outcome.work);
   known.step = step_;
+  known.units = static_cast<float>(units.all);
   own_.manifolds += outcome.work.manifolds;
   own_.points += outcome.work.contacts;
   counts_.reusedPairs += outcome.work.reuses ? 1 : 0;

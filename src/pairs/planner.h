@@ -76,6 +76,12 @@ class Planner {
   [[nodiscard]] const PairRequest& request(int pair) const {
     return known_[static_cast<std::size_t>(pair)].request;
   }
+
+  /// What a pair took of the last step; 0 if it was left without a look.
+  [[nodiscard]] float units(int pair) const {
+    const Known& known = known_[static_cast<std::size_t>(pair)];
+    return known.step == step_ ? known.units : 0.0F;
+  }
   [[nodiscard]] Asker askerOf(int pair) const;
   [[nodiscard]] int step() const { return step_; }
   [[nodiscard]] static std::size_t bytesOfPair() {
@@ -153,6 +159,7 @@ class Planner {
     std::uint8_t targetBefore = 0;
     int step = 0;               ///< The last one in which it was processed.
     float averageUnits = 0.0F;  ///< What it costs a step while on credit: that comes in bursts.
+    float units = 0.0F;         ///< What it took in that step.
   };
 
   static constexpr std::uint8_t kByProgram = 255;  ///< As lod::Wish::askedBy.

@@ -47,6 +47,16 @@ MeshId BodyLooks::shared(const void* key, int variant, const std::shared_ptr<con
   return id;
 }
 
+void BodyLooks::clear() {
+  for (const auto& [key, known] : known_) renderer_.removeMesh(known.mesh);
+  for (const auto& [body, mesh] : own_) renderer_.removeMesh(mesh);
+  known_.clear();
+  own_.clear();
+  radius_.clear();
+  modelRadius_.clear();
+  surfaces_.clear();
+}
+
 Item BodyLooks::drawn(BodyId body, const BodyDef& def) {
   if (!def.mesh) return shape(body, def);
   if (const auto known = find(def.mesh.get(), 0)) return itemOf(*known);

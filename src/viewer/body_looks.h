@@ -18,6 +18,9 @@ class BodyLooks {
  public:
   explicit BodyLooks(Renderer& renderer) : renderer_(renderer) {}
 
+  /// Forgets all bodies, and takes their meshes from the renderer: others will have their ids.
+  void clear();
+
   /// The body's mesh, or its shape where it has none; without pose and colour.
   [[nodiscard]] Item drawn(BodyId body, const BodyDef& def);
 

@@ -11,8 +11,10 @@ namespace scatter::viewer {
 namespace {
 
 constexpr float kVelocitySeconds = 0.25F;
-constexpr float kNormalLength = 0.35F;
-constexpr float kCross = 0.06F;
+// Of a contact, by the distance from the camera to what it looks at: as large in every scene.
+constexpr float kNormalLength = 0.012F;
+constexpr float kCross = 0.0025F;
+constexpr float kLeastLine = 8.0F;  // units; lines of all pairs would hide the bodies
 
 void addBox(const Vec3& low, const Vec3& high, const Color& color, std::vector<Line>& lines) {
   const auto corner = [&](int bits) {
@@ -26,10 +28,10 @@ void addBox(const Vec3& low, const Vec3& high, const Color& color, std::vector<L
   }
 }
 
-void addCross(const Vec3& at, const Color& color, std::vector<Line>& lines) {
+void addCross(const Vec3& at, float size, const Color& color, std::vector<Line>& lines) {
   for (int axis = 0; axis < 3; ++axis) {
     Vec3 arm(0.0F);
-    arm[axis] = kCross;
+    arm[axis] = size;
     lines.push_back({at - arm, at + arm, color});
   }
 }
@@ -51,9 +53,10 @@ void addVelocities(const World& world, std::vector<Line>& lines) {
 }
 
 /// A contact's points at A and B, and its normal.
-void addContact(const ObservedContact& contact, const Color& color, std::vector<Line>& lines) {
-  addCross(contact.pointB, color, lines);
-  lines.push_back({contact.pointB, contact.pointB + kNormalLength * contact.normal, color});
+void addContact(const ObservedContact& contact, float distance, const Color& color,
+                std::vector<Line>& lines) {
+  addCross(contact.pointB, kCross * distance, color, lines);
+  lines.push_back({contact.pointB, contact.pointB + kNormalLength * distance * contact.normal, color});
 }
 
 class PairLines {
@@ -75,6 +78,7 @@ class PairLines {
     if (views_.has(DebugView::kPairLevels) && pair.level > 0 && pair.nearness != Nearness::kApart) {
       return levelColor(pair.level, pair.levelCount);
     }
+    if (views_.has(DebugView::kCost) && pair.units >= kLeastLine) return costColor(pair.units);
     if (views_.has(DebugView::kPairs)) return kPairColor;
     return std::nullopt;
   }
@@ -98,6 +102,7 @@ const std::array<DebugViewInfo, kDebugViewCount>& debugViews() {
       {DebugView::kPairs, "pairs", "lines between bodies whose broadphase boxes overlap"},
       {DebugView::kVelocities, "velocities", "the way of the next quarter of a second"},
       {DebugView::kMarks, "marks", "requests flash, switches pulse, retractions fade"},
+      {DebugView::kCost, "cost", "what bodies and pairs took of the last step: blue little, white much"},
   }};
   return kViews;
 }
@@ -106,7 +111,8 @@ ObservationParts DebugViewSet::parts() const {
   ObservationParts parts;
   parts.bodies = has(DebugView::kBounds) || has(DebugView::kLevels) || has(DebugView::kIslands) ||
                  has(DebugView::kSleeping) || has(DebugView::kMarks);
-  parts.pairs = has(DebugView::kPairLevels) || has(DebugView::kPairs) || has(DebugView::kCredit);
+  parts.pairs = has(DebugView::kPairLevels) || has(DebugView::kPairs) || has(DebugView::kCredit) ||
+                has(DebugView::kCost);
   parts.contacts = has(DebugView::kContacts) || has(DebugView::kCredit);
   return parts;
 }
@@ -114,16 +120,17 @@ ObservationParts DebugViewSet::parts() const {
 void addDebugLines(const DebugViewSet& views, const World& world, const Observation& observed, View& view) {
   if (views.has(DebugView::kBounds)) addBounds(observed, view.lines);
   if (views.has(DebugView::kVelocities)) addVelocities(world, view.linesOnTop);
-  if (views.has(DebugView::kPairs) || views.has(DebugView::kPairLevels) || views.has(DebugView::kCredit)) {
+  if (!observed.pairs.empty()) {
     const PairLines pairs(views, world);
     for (const ObservedPair& pair : observed.pairs) pairs.add(pair, view.linesOnTop);
   }
+  const float distance = glm::length(view.camera.target - view.camera.eye);
   for (const ObservedContact& contact : observed.contacts) {
     const bool credited = contact.credit > 0.0F;
     if (credited && views.has(DebugView::kCredit)) {
-      addContact(contact, kCreditColor, view.linesOnTop);
+      addContact(contact, distance, kCreditColor, view.linesOnTop);
     } else if (views.has(DebugView::kContacts)) {
-      addContact(contact, kContactColor, view.linesOnTop);
+      addContact(contact, distance, kContactColor, view.linesOnTop);
     }
   }
 }

@@ -27,8 +27,9 @@ enum class DebugView : std::uint8_t {
   kPairs,       ///< Pairs of the broadphase.
   kVelocities,  ///< The way of the next quarter of a second.
   kMarks,       ///< Requests flash, switches pulse, retractions fade.
+  kCost,        ///< What bodies, and pairs of them, took of the last step.
 };
-inline constexpr std::size_t kDebugViewCount = 11;
+inline constexpr std::size_t kDebugViewCount = 12;
 
 /// Which views are shown.
 struct DebugViewSet {
@@ -37,6 +38,7 @@ struct DebugViewSet {
   [[nodiscard]] bool has(DebugView view) const { return shown[static_cast<std::size_t>(view)]; }
   void set(DebugView view, bool on) { shown[static_cast<std::size_t>(view)] = on; }
   void toggle(DebugView view) { set(view, !has(view)); }
+  bool operator==(const DebugViewSet&) const = default;
 
   /// What they need to know of the physics.
   [[nodiscard]] ObservationParts parts() const;
@@ -50,7 +52,7 @@ struct DebugViewInfo {
 };
 [[nodiscard]] const std::array<DebugViewInfo, kDebugViewCount>& debugViews();
 
-/// Adds the views that are made of lines: bounds, pair levels, contacts, credit, pairs, velocities.
+/// Adds the views that are made of lines: bounds, pair levels, contacts, credit, pairs, cost, velocities.
 void addDebugLines(const DebugViewSet& views, const World& world, const Observation& observed, View& view);
 
 }  // namespace scatter::viewer

@@ -2,6 +2,8 @@
 
 #include <X11/Xlib.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <string>
 
@@ -17,6 +19,12 @@ Result<DisplayConnection> openDisplay() {
   if (name == nullptr || *name == '\0') return fail("no display: set DISPLAY, or use --renderer null");
   return fail(std::string("no display: DISPLAY is ") + name +
               ", which does not answer; set it to one that does, or use --renderer null");
+}
+
+bool isSoftwareRenderer(std::string_view name) {
+  static constexpr std::array<std::string_view, 4> kPrograms{"llvmpipe", "softpipe", "swrast", "Software"};
+  return std::ranges::any_of(kPrograms,
+                             [&](std::string_view one) { return name.find(one) != std::string_view::npos; });
 }
 
 }  // namespace scatter::viewer

@@ -3,6 +3,7 @@
 #include <scatter/result.h>
 
 #include <memory>
+#include <string_view>
 
 struct _XDisplay;  // NOLINT(bugprone-reserved-identifier, readability-identifier-naming): Xlib's Display
 
@@ -18,5 +19,8 @@ using DisplayConnection = std::unique_ptr<_XDisplay, DisplayClose>;
 
 /// Fails, with a line that says what to do, if there is no X display that windows can be opened on.
 [[nodiscard]] Result<DisplayConnection> openDisplay();
+
+/// Whether what OpenGL calls its renderer is a program, such as Mesa's "llvmpipe (LLVM 15.0.6, 256 bits)".
+[[nodiscard]] bool isSoftwareRenderer(std::string_view name);
 
 }  // namespace scatter::viewer

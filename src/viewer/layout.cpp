@@ -77,6 +77,10 @@ Area Layout::area(std::size_t pane) const {
   return {at.x, at.y, share.x, share.y};
 }
 
+bool Layout::isPicture(const glm::vec2& point) const {
+  return point.x >= left_ && point.x < window_.x - right_ && point.y >= 0.0F && point.y < window_.y - bottom_;
+}
+
 std::size_t Layout::paneAt(const glm::vec2& point) const {
   const float column = (point.x - left_) / size().x;
   return static_cast<std::size_t>(std::clamp(column, 0.0F, static_cast<float>(panes_) - 0.5F));

@@ -49,6 +49,9 @@ class Layout {
   [[nodiscard]] Area area(std::size_t pane) const;
   [[nodiscard]] float aspect() const { return size().x / size().y; }
 
+  /// Whether a point of the window is one of the pictures', and no panel's at a side.
+  [[nodiscard]] bool isPicture(const glm::vec2& point) const;
+
   /// The world at a point of the window; beside the pictures, the nearest.
   [[nodiscard]] std::size_t paneAt(const glm::vec2& point) const;
 

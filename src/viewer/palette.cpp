@@ -1,7 +1,10 @@
 #include "viewer/palette.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <glm/common.hpp>
 
 namespace scatter::viewer {
 namespace {
@@ -20,6 +23,18 @@ Color levelColor(int level, int levelCount) {
   const float share =
       levelCount > 1 ? static_cast<float>(level - 1) / static_cast<float>(levelCount - 1) : 1.0F;
   return ofHue(0.36F * std::clamp(share, 0.0F, 1.0F), 0.75F, 0.95F);
+}
+
+Color costColor(float units) {
+  static constexpr std::array<Color, 5> kColors{{{0.20F, 0.28F, 0.55F, 1.0F},
+                                                 {0.20F, 0.65F, 0.45F, 1.0F},
+                                                 {0.95F, 0.80F, 0.25F, 1.0F},
+                                                 {0.95F, 0.25F, 0.15F, 1.0F},
+                                                 {1.00F, 0.95F, 0.95F, 1.0F}}};
+  const float scale = std::log(std::max(units, kLeastCost) / kLeastCost) / std::log(kMostCost / kLeastCost);
+  const float at = std::min(scale, 1.0F) * static_cast<float>(kColors.size() - 1);
+  const auto below = std::min(static_cast<std::size_t>(at), kColors.size() - 2);
+  return glm::mix(kColors[below], kColors[below + 1], at - static_cast<float>(below));
 }
 
 Color distinctColor(std::uint64_t number) {

@@ -13,6 +13,13 @@ Result<std::unique_ptr<Pane>> Pane::create(const RunOptions& options, BodyLooks&
   });
 }
 
+Result<void> Pane::open(const std::string& scene) {
+  return experiment_->open(scene).map([this] {
+    view_.forgetKinds();
+    observed_.clear();
+  });
+}
+
 void Pane::observe(const ObservationParts& parts) {
   if (!parts.bodies && !parts.pairs && !parts.contacts) {
     observed_.clear();

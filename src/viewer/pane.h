@@ -23,6 +23,10 @@ class Pane {
   [[nodiscard]] Experiment& experiment() { return *experiment_; }
   [[nodiscard]] const Experiment& experiment() const { return *experiment_; }
 
+  /// Shows another scene, in a world of the same kind. Fails as Experiment::open() does; then nothing has
+  /// changed. The looks must be cleared after.
+  [[nodiscard]] Result<void> open(const std::string& scene);
+
   /// Looks at the physics as it is now, once for all views and panels of a frame.
   void observe(const ObservationParts& parts);
   [[nodiscard]] const Observation& observed() const { return observed_; }

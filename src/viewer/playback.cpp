@@ -57,8 +57,23 @@ std::uint64_t Playback::newest() const {
 Result<void> Playback::restart() {
   past_.reset();
   for (const auto& pane : panes_) {
-    if (auto started = pane->experiment().restart(); !started) return started;
+    if (auto started = pane->experiment().restart(pane->experiment().options().hands); !started)
+      return started;
   }
+  return {};
+}
+
+Result<void> Playback::open(const std::string& scene) {
+  const std::string before = panes_.front()->experiment().options().scene;
+  for (std::size_t i = 0; i < panes_.size(); ++i) {
+    auto opened = panes_[i]->open(scene);
+    if (opened) continue;
+    // What could be opened once can be opened again, but for files that have changed meanwhile.
+    for (std::size_t k = 0; k < i; ++k) static_cast<void>(panes_[k]->open(before));
+    return opened;
+  }
+  past_.reset();
+  setPaused(false);
   return {};
 }
 

@@ -42,6 +42,10 @@ class Playback {
   /// Starts all scenes again, from their first frame.
   [[nodiscard]] Result<void> restart();
 
+  /// Opens another scene in all worlds, which run. Fails, with the scenes as they were or started again, if
+  /// it cannot be opened in one.
+  [[nodiscard]] Result<void> open(const std::string& scene);
+
   /// How far the bodies are on their way to the newest frame, for slow motion.
   [[nodiscard]] float fraction() const;
 

@@ -57,7 +57,8 @@ Result<std::unique_ptr<ReplayWindow>> ReplayWindow::create(Renderer& renderer, c
     }
     command->run();
   }
-  return window->checkScript().map([&] { return std::move(window); });
+  if (def.script && !def.script->hands().empty()) return fail("nothing in a recording can be moved by hand");
+  return window->script_.check().map([&] { return std::move(window); });
 }
 
 void ReplayWindow::addCommands() {
@@ -122,23 +123,11 @@ void ReplayWindow::addOutput() {
       {"close", "Window", "close", "Close the window", Key::kEscape, [this] { closing_ = true; }, {}});
 }
 
-Result<void> ReplayWindow::checkScript() const {
-  if (!def_.script) return {};
-  for (const ScriptLine& line : def_.script->lines()) {
-    const auto* run = std::get_if<DoCommand>(&line.action);
-    const auto* set = std::get_if<SetCommand>(&line.action);
-    const std::string name = run != nullptr ? run->name : set != nullptr ? set->name : "";
-    const Command* command = commands_.find(name);
-    if (!name.empty() && (command == nullptr || (set != nullptr && !command->isOn))) {
-      return fail("a recording's window has no command or switch that is called \"" + name + "\"");
-    }
-  }
-  return {};
-}
-
 Result<void> ReplayWindow::perform(const ScriptAction& action) {
   if (const auto* input = std::get_if<DoInput>(&action)) renderer_.inject(input->event);
   if (std::holds_alternative<PointAt>(action)) return fail("nothing can be pointed at in a recording");
+  if (std::holds_alternative<OpenScene>(action))
+    return fail("a recording's window shows no scene but its own");
   return {};
 }
 

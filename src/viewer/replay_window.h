@@ -39,7 +39,6 @@ class ReplayWindow {
   void addViews();
   void addCamera();
   void addOutput();
-  [[nodiscard]] Result<void> checkScript() const;
   [[nodiscard]] Result<void> perform(const ScriptAction& action);
 
   void readInput();

@@ -76,6 +76,21 @@ void keepLowestFloor(std::vector<Item>& items) {
   if (lowest != nullptr) lowest->isFloor = true;
 }
 
+/// What each body took of the last step, units: half of what its pairs did, all of it where the other body
+/// cannot move.
+std::map<BodyId, float> costOfBodies(const Moment& moment) {
+  std::map<BodyId, float> costs;
+  const auto moves = [&moment](BodyId body) {
+    const BodyDef* def = moment.history->def(body);
+    return def != nullptr && def->motion != Motion::kStatic;
+  };
+  for (const ObservedPair& pair : moment.observed->pairs) {
+    const float share = moves(pair.a) && moves(pair.b) ? 0.5F : 1.0F;
+    for (const BodyId body : {pair.a, pair.b}) costs[body] += share * pair.units;
+  }
+  return costs;
+}
+
 void addEdges(const Item& item, float alpha, std::vector<Line>& lines) {
   const auto corner = [&](int bits) {
     return item.pose(item.scale * Vec3((bits & 1) != 0 ? 1.0F : -1.0F, (bits & 2) != 0 ? 1.0F : -1.0F,
@@ -102,6 +117,7 @@ struct SceneView::Shown {
   float cutAway = 0.0F;                    ///< As in Cutaway::share().
   const ObservedBody* observed = nullptr;  ///< Null of a moment that is past.
   LevelMark mark{};
+  std::optional<float> cost{};  ///< Units of the last step, if they are shown.
 };
 
 Color SceneView::ownColor(const BodyDef& def) {
@@ -112,6 +128,7 @@ Color SceneView::ownColor(const BodyDef& def) {
 }
 
 Color SceneView::colorOf(const Shown& shown, const DebugViewSet& views) {
+  if (shown.cost) return costColor(*shown.cost);
   Color color = ownColor(shown.def);
   const auto* levels = std::get_if<Levels>(&shown.def.shape);
   if (views.has(DebugView::kIslands) && shown.observed != nullptr) {
@@ -189,6 +206,8 @@ void SceneView::add(const Moment& moment, const DebugViewSet& views, const Cutaw
   const RunHistory::Frame before = moment.history->frame(moving ? moment.frame - 1 : moment.frame);
   std::map<BodyId, LevelMark> marks;
   if (views.has(DebugView::kMarks)) marks = levelMarks(*moment.history, moment.frame);
+  std::optional<std::map<BodyId, float>> costs;
+  if (views.has(DebugView::kCost) && moment.observed != nullptr) costs = costOfBodies(moment);
   int statics = 0;
   for (std::size_t i = 0; i < now.bodies().size(); ++i) {
     const BodyId body = now.bodies()[i];
@@ -201,6 +220,7 @@ void SceneView::add(const Moment& moment, const DebugViewSet& views, const Cutaw
     if (def->motion == Motion::kStatic) shown.staticNumber = statics++;
     shown.cutAway = cutaway.share(body);
     shown.observed = observedOf(moment.observed, body);
+    if (costs && def->motion != Motion::kStatic) shown.cost = (*costs)[body];
     if (const auto mark = marks.find(body); mark != marks.end()) shown.mark = mark->second;
     if (const auto earlier = moving ? before.find(body) : std::nullopt) {
       shown.pose = between(before.pose(*earlier), shown.pose, moment.fraction);

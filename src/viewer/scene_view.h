@@ -38,6 +38,9 @@ class SceneView {
   /// The looks must outlive it.
   explicit SceneView(BodyLooks& looks) : looks_(looks) {}
 
+  /// Kinds of another scene get colours from the first on.
+  void forgetKinds() { kinds_.clear(); }
+
   /// Adds items, and lines around what is picked; a level ground becomes part of the scenery. Of what is cut
   /// away, little more than the edges is left.
   void add(const Moment& moment, const DebugViewSet& views, const Cutaway& cutaway, View& view);

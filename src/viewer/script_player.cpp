@@ -1,8 +1,34 @@
 #include "viewer/script_player.h"
 
+#include <string>
 #include <variant>
 
 namespace scatter::viewer {
+namespace {
+
+std::string namesOf(const Commands& commands) {
+  std::string names;
+  for (const Command& command : commands.all()) names += (names.empty() ? "" : ", ") + command.name;
+  return names;
+}
+
+}  // namespace
+
+Result<void> ScriptPlayer::check() const {
+  if (!script_) return {};
+  for (const ScriptLine& line : script_->lines()) {
+    const auto* run = std::get_if<DoCommand>(&line.action);
+    const auto* set = std::get_if<SetCommand>(&line.action);
+    if (run == nullptr && set == nullptr) continue;
+    const std::string& name = run != nullptr ? run->name : set->name;
+    const Command* command = commands_.find(name);
+    if (command == nullptr)
+      return fail("no command is called \"" + name + "\"; known: " + namesOf(commands_));
+    if (set != nullptr && !command->isOn)
+      return fail("\"" + name + "\" is no switch; write \"do " + name + "\"");
+  }
+  return {};
+}
 
 Result<void> ScriptPlayer::play(std::uint64_t loop, const Other& other) {
   if (!script_) return {};

@@ -25,8 +25,10 @@ class ScriptPlayer {
                Outputs& outputs)
       : script_(script), commands_(commands), camera_(camera), outputs_(outputs) {}
 
-  /// All up to a loop that has not been done yet. Every command that is named must be there, and be a switch
-  /// where it is set. Fails as `other` does.
+  /// Fails on a name that is no command's, and on one that is set and no switch's.
+  [[nodiscard]] Result<void> check() const;
+
+  /// All up to a loop that has not been done yet; after check(). Fails as `other` does.
   [[nodiscard]] Result<void> play(std::uint64_t loop, const Other& other);
 
  private:

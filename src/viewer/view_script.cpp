@@ -1,5 +1,6 @@
 #include "viewer/view_script.h"
 
+#include <algorithm>
 #include <sstream>
 #include <utility>
 
@@ -74,6 +75,17 @@ Result<ScriptAction> readLook(std::istringstream& words) {
   return look;
 }
 
+bool isHand(std::string_view verb) {
+  const auto known = HandScript::actionNames();
+  return std::ranges::find(known, verb) != known.end();
+}
+
+std::string allVerbs() {
+  std::string names = "key, do, set, look, point, move, down, up, wheel, resize, open, screenshot, close";
+  for (const std::string_view hand : HandScript::actionNames()) names += ", " + std::string(hand);
+  return names;
+}
+
 Result<std::string> readName(std::istringstream& words, const char* what) {
   std::string name;
   if (!(words >> name)) return fail(std::string(what) + " is missing");
@@ -97,40 +109,47 @@ Result<ScriptAction> readAction(const std::string& verb, std::istringstream& wor
   if (verb == "close") return DoInput{pointer(Kind::kClose, {})};
   if (verb == "do") return named("the command", [](std::string name) { return DoCommand{std::move(name)}; });
   if (verb == "point") return named("the object", [](std::string name) { return PointAt{std::move(name)}; });
+  if (verb == "open") return named("the scene", [](std::string name) { return OpenScene{std::move(name)}; });
   if (verb == "screenshot")
     return named("the file", [](std::string name) { return TakeScreenshot{std::move(name)}; });
-  return fail(
-      "\"" + verb +
-      "\" is no action; known: key, do, set, look, point, move, down, up, wheel, resize, screenshot, close");
+  return fail("\"" + verb + "\" is no action; known: " + allVerbs());
 }
 
 }  // namespace
+
+Result<void> ViewScript::addLine(const std::string& line) {
+  std::istringstream words(line);
+  std::string first;
+  std::string verb;
+  words >> first >> verb;
+  std::istringstream digits(first);
+  std::uint64_t number = 0;
+  if (first.front() == '-' || !(digits >> number) || !digits.eof())
+    return fail("\"" + first + "\" is not the number of a loop");
+  if (isHand(verb)) {
+    auto action = HandScript::parseAction(line.substr(line.find(verb)));
+    if (!action) return fail(action.error().message);
+    if (!hands_.empty() && number < hands_.actions().back().frame) return fail("frames may not decrease");
+    hands_.add(number, std::move(*action));
+    return {};
+  }
+  if (!lines_.empty() && number < lines_.back().loop) return fail("loops may not decrease");
+  auto action = readAction(verb, words);
+  if (!action) return tl::unexpected(action.error());
+  if (std::string rest; words >> rest) return fail("\"" + rest + "\" is too much");
+  lines_.push_back({number, std::move(*action)});
+  return {};
+}
 
 Result<ViewScript> ViewScript::parse(std::string_view text, const std::string& source) {
   ViewScript script;
   std::istringstream input{std::string(text)};
   std::string line;
   for (int number = 1; std::getline(input, line); ++number) {
-    const auto refuse = [&](const std::string& what) {
-      return fail(source + ": line " + std::to_string(number) + ": " + what);
-    };
-    std::istringstream words(line.substr(0, line.find('#')));
-    std::string first;
-    if (!(words >> first)) continue;
-    std::istringstream digits(first);
-    ScriptLine entry;
-    if (first.front() == '-' || !(digits >> entry.loop) || !digits.eof()) {
-      return refuse("\"" + first + "\" is not the number of a loop");
-    }
-    if (!script.lines_.empty() && entry.loop < script.lines_.back().loop)
-      return refuse("loops may not decrease");
-    std::string verb;
-    words >> verb;
-    auto action = readAction(verb, words);
-    if (!action) return refuse(action.error().message);
-    if (std::string rest; words >> rest) return refuse("\"" + rest + "\" is too much");
-    entry.action = std::move(*action);
-    script.lines_.push_back(std::move(entry));
+    line.resize(std::min(line.find('#'), line.size()));
+    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    if (const auto added = script.addLine(line); !added)
+      return fail(source + ": line " + std::to_string(number) + ": " + added.error().message);
   }
   return script;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <scatter/lab/hand_script.h>
 #include <scatter/math.h>
 #include <scatter/result.h>
 
@@ -35,6 +36,11 @@ struct PointAt {
   std::string object;
 };
 
+/// Opens another scene in all worlds.
+struct OpenScene {
+  std::string name;
+};
+
 /// Writes what the window shows.
 struct TakeScreenshot {
   std::string file;
@@ -48,7 +54,8 @@ struct LookFrom {
   float distance = 10.0F;
 };
 
-using ScriptAction = std::variant<DoCommand, SetCommand, DoInput, PointAt, TakeScreenshot, LookFrom>;
+using ScriptAction =
+    std::variant<DoCommand, SetCommand, DoInput, PointAt, OpenScene, TakeScreenshot, LookFrom>;
 
 struct ScriptLine {
   std::uint64_t loop = 0;  ///< Of the window: the action is done before that loop's step.
@@ -61,6 +68,10 @@ struct ScriptLine {
 ///     60 key P                60 do pause               60 set contacts on        60 look 0 0 0 30 -20 60
 ///     70 move 640 360         71 down left              90 up left                70 point hunter-3
 ///     80 wheel -2             90 resize 1920 1080       95 screenshot peak.png    99 close
+///     96 open telekinesis     97 gather 0 2 0
+///
+/// The last one is a line of a HandScript, in which bodies have numbers and points are the world's. Its
+/// number is that of a frame, as there, so that the hands.txt that a window writes is such a script.
 class ViewScript {
  public:
   /// Fails on what is not such a line, and on loops that decrease; the message names `source` and the line.
@@ -69,8 +80,14 @@ class ViewScript {
   [[nodiscard]] const std::vector<ScriptLine>& lines() const { return lines_; }
   void add(ScriptLine line) { lines_.push_back(std::move(line)); }
 
+  /// What hands do, by frames.
+  [[nodiscard]] const HandScript& hands() const { return hands_; }
+
  private:
+  [[nodiscard]] Result<void> addLine(const std::string& line);
+
   std::vector<ScriptLine> lines_;
+  HandScript hands_;
 };
 
 }  // namespace scatter::viewer

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "viewer/view_presets.h"
 #include "viewer/window_commands.h"
 
 namespace scatter::viewer {
@@ -79,7 +80,37 @@ void addTime(ViewerState& state) {
                 {}});
 }
 
+/// The scene so many places further in the list than the one that is shown.
+void wantScene(ViewerState& state, int further) {
+  if (state.scenes.empty()) return;
+  const std::string& now = state.panes.front()->experiment().options().scene;
+  const auto found = std::ranges::find(state.scenes, now, &SceneChoice::name);
+  const auto count = static_cast<int>(state.scenes.size());
+  // A scene of a file is none of the list: it stands before the first.
+  const int index = found != state.scenes.end() ? static_cast<int>(found - state.scenes.begin()) : -1;
+  const int next = index < 0 && further < 0 ? count - 1 : (index + further + count) % count;
+  state.wantedScene = state.scenes[static_cast<std::size_t>(next)].name;
+}
+
+void addScenes(ViewerState& state) {
+  state.commands.add({"previous-scene",
+                      "Scene",
+                      "previous",
+                      "Open the scene before this one in the list",
+                      Key::kNone,
+                      [&state] { wantScene(state, -1); },
+                      {}});
+  state.commands.add({"next-scene",
+                      "Scene",
+                      "next",
+                      "Open the scene after this one in the list",
+                      Key::kN,
+                      [&state] { wantScene(state, 1); },
+                      {}});
+}
+
 void addViews(ViewerState& state) {
+  addPresets(state.views, state.commands);
   for (const DebugViewInfo& info : debugViews()) addView(info, state.views, state.commands);
 }
 
@@ -204,6 +235,7 @@ void addOutput(ViewerState& state) {
 
 void addCommands(ViewerState& state) {
   addTime(state);
+  addScenes(state);
   addViews(state);
   addCamera(state);
   addHands(state);

@@ -19,6 +19,12 @@
 
 namespace scatter::viewer {
 
+/// A scene that a window can open.
+struct SceneChoice {
+  std::string name;
+  std::string summary;  ///< One line.
+};
+
 /// Everything that a window shows and that its panels change. What is referred to outlives it.
 struct ViewerState {
   std::vector<std::unique_ptr<Pane>>& panes;
@@ -34,6 +40,10 @@ struct ViewerState {
   OpenPanels open{};
   bool helpShown = false;
   bool closing = false;
+
+  std::vector<SceneChoice> scenes{};         ///< To choose from, by name.
+  std::optional<std::string> wantedScene{};  ///< To be opened before the next step.
+  std::string hovered{};                     ///< The object under the pointer; empty if there is none.
 
   float aspect = 1.0F;            ///< Of one world's picture, width by height.
   float draggedBudget = 0.0F;     ///< Of the slider, milliseconds, until it is let go.

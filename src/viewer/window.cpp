@@ -1,11 +1,13 @@
 #include "viewer/window.h"
 
 #include <scatter/lab/summary.h>
+#include <scatter/world/scene.h>
 
 #include <algorithm>
 #include <chrono>
 #include <utility>
 
+#include "viewer/hand_lines.h"
 #include "viewer/panels/panels.h"
 #include "viewer/viewer_commands.h"
 
@@ -14,6 +16,7 @@ namespace {
 
 constexpr float kCrowdReach = 1.15F;  // by the radius of the action
 constexpr float kCrowdShade = 0.35F;
+constexpr float kReach = 2000.0F;   // metres, of what is named under the pointer
 constexpr float kFlySpeed = 0.02F;  // of the distance to what is looked at, a loop
 
 class Stopwatch {
@@ -33,12 +36,6 @@ std::string viewNames() {
   return names;
 }
 
-std::string commandNames(const Commands& commands) {
-  std::string names;
-  for (const Command& command : commands.all()) names += (names.empty() ? "" : ", ") + command.name;
-  return names;
-}
-
 }  // namespace
 
 Window::Window(Renderer& renderer, const ViewerDef& def)
@@ -54,20 +51,23 @@ Window::Window(Renderer& renderer, const ViewerDef& def)
 
 Result<std::unique_ptr<Window>> Window::create(Renderer& renderer, const ViewerDef& def) {
   std::unique_ptr<Window> window(new Window(renderer, def));
-  return window->openWorlds().and_then([&] { return window->checkScript(); }).map([&] {
+  return window->openWorlds().and_then([&] { return window->script_.check(); }).map([&] {
     window->addTasks();
     return std::move(window);
   });
 }
 
 Result<void> Window::openWorlds() {
-  for (const RunOptions& options : def_.worlds) {
+  for (RunOptions& options : def_.worlds) {
+    if (def_.script) options.hands = def_.script->hands();
     auto pane = Pane::create(options, looks_);
     if (!pane) return tl::unexpected(pane.error());
     panes_.push_back(std::move(*pane));
   }
   control_.emplace(panes_);
   state_.emplace(ViewerState{panes_, playback_, hands_, *control_, outputs_, camera_, views_, commands_});
+  for (const auto& scene : SceneRegistry::instance().all())
+    state_->scenes.push_back({scene->name, scene->summary});
   state_->panelsShown = def_.panels;
   const bool narrow = Layout::isNarrow(renderer_.size());
   state_->open.lab = state_->open.numbers = !narrow;
@@ -82,23 +82,6 @@ Result<void> Window::openWorlds() {
   return {};
 }
 
-Result<void> Window::checkScript() const {
-  if (!def_.script) return {};
-  for (const ScriptLine& line : def_.script->lines()) {
-    const std::string* name = nullptr;
-    if (const auto* run = std::get_if<DoCommand>(&line.action)) name = &run->name;
-    if (const auto* set = std::get_if<SetCommand>(&line.action)) name = &set->name;
-    if (name == nullptr) continue;
-    const Command* command = commands_.find(*name);
-    if (command == nullptr)
-      return fail("no command is called \"" + *name + "\"; known: " + commandNames(commands_));
-    const bool isSwitch = static_cast<bool>(command->isOn);
-    if (std::holds_alternative<SetCommand>(line.action) && !isSwitch)
-      return fail("\"" + *name + "\" is no switch; write \"do " + *name + "\"");
-  }
-  return {};
-}
-
 void Window::addTasks() {
   loop_.add(LoopTask::kInput, [this] {
     const auto perform = [this](const ScriptAction& action) { return this->perform(action); };
@@ -107,9 +90,13 @@ void Window::addTasks() {
       state_->closing = true;
     }
     readInput();
+    openWanted();
     fly();
   });
-  loop_.add(LoopTask::kPhysics, [this] { playback_.step(); });
+  loop_.add(LoopTask::kPhysics, [this] {
+    playback_.step();
+    checkHands();
+  });
   loop_.add(LoopTask::kRenderer, [this] { draw(); });
 }
 
@@ -123,6 +110,15 @@ Result<ViewerReport> Window::run() {
   if (!error_.empty()) return fail(error_);
   if (outputs_.failed()) return fail(outputs_.message());
   return report();
+}
+
+// What the script's hands could not do ends the window, as other lines of it that cannot be done.
+void Window::checkHands() {
+  for (const auto& pane : panes_) {
+    if (pane->experiment().scriptError().empty()) continue;
+    error_ = pane->experiment().scriptError();
+    state_->closing = true;
+  }
 }
 
 void Window::inject(InputEvent event) {
@@ -145,7 +141,25 @@ Result<void> Window::perform(const ScriptAction& action) {
     move.position = *position;
     inject(move);
   }
+  if (const auto* scene = std::get_if<OpenScene>(&action)) return openScene(scene->name);
   return {};
+}
+
+Result<void> Window::openScene(const std::string& name) {
+  outputs_.setRecording(panes_, false);
+  hands_.reset();
+  auto opened = playback_.open(name);
+  looks_.clear();
+  cutaway_ = {};
+  camera_ = {};
+  return opened;
+}
+
+// What a panel or a key has asked for, when no panel is being drawn from the old scene any more.
+void Window::openWanted() {
+  if (!state_->wantedScene) return;
+  const std::string name = *std::exchange(state_->wantedScene, std::nullopt);
+  if (const auto opened = openScene(name); !opened) hands_.say(opened.error().message);
 }
 
 void Window::readInput() {
@@ -214,6 +228,17 @@ void Window::fly() {
   camera_.move(kFlySpeed * camera_.distance() * way);
 }
 
+// Only at rest: what is being dragged or turned needs no name, and looking for it takes time.
+std::string Window::hoveredName() const {
+  const bool busy = std::ranges::any_of(buttons_, [](bool down) { return down; });
+  if (busy || !state_->panelsShown || playback_.past() || !layout().isPicture(pointer_)) return {};
+  const Pointed pointed = pointedAt(pointer_);
+  const auto hit = panes_[pointed.pane]->experiment().hands().pick(
+      pointed.ray.origin, pointed.ray.origin + kReach * pointed.ray.direction);
+  const bool moves = hit && hit->object->def().motion == Motion::kDynamic;
+  return moves ? hit->object->name() : std::string();
+}
+
 Layout Window::layout() const {
   return {renderer_.size(), panes_.size(), state_->panelsShown ? &state_->open : nullptr};
 }
@@ -280,6 +305,7 @@ Picture Window::picture() {
   for (std::size_t i = 0; i < panes_.size(); ++i) {
     View view = emptyView(i);
     panes_[i]->fill(moments[i], views_, cutaway_, view);
+    addSpring(panes_[i]->experiment().hands(), view.linesOnTop);
     finishScenery(camera_.distance(), view);
     if (view.scenery.stars) view.scenery.crowd = crowd_;
     picture.views.push_back(std::move(view));
@@ -290,6 +316,7 @@ Picture Window::picture() {
 void Window::draw() {
   if (state_->closing) return;
   const Picture shown = picture();
+  state_->hovered = hoveredName();
   const Stopwatch watch;
   Image image;
   renderer_.draw(

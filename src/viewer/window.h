@@ -33,12 +33,14 @@ class Window {
   Window(Renderer& renderer, const ViewerDef& def);
 
   [[nodiscard]] Result<void> openWorlds();
-  [[nodiscard]] Result<void> checkScript() const;
   void addTasks();
+  void checkHands();
 
   [[nodiscard]] Result<void> perform(const ScriptAction& action);
+  [[nodiscard]] Result<void> openScene(const std::string& name);
   void inject(InputEvent event);
 
+  void openWanted();
   void readInput();
   void take(const InputEvent& event);
   void takePointer(const InputEvent& event);
@@ -52,6 +54,7 @@ class Window {
     Ray ray;
   };
   [[nodiscard]] Pointed pointedAt(const glm::vec2& position) const;
+  [[nodiscard]] std::string hoveredName() const;
   [[nodiscard]] std::optional<glm::vec2> positionOf(const std::string& object) const;
   [[nodiscard]] Layout layout() const;
   [[nodiscard]] View emptyView(std::size_t pane) const;

@@ -6,8 +6,9 @@
 namespace scatter::viewer {
 
 void addView(const DebugViewInfo& info, DebugViewSet& views, Commands& commands) {
-  static constexpr std::array<Key, kDebugViewCount> kKeys{
-      Key::k1, Key::k2, Key::k3, Key::k4, Key::k5, Key::k6, Key::k7, Key::k8, Key::k9, Key::k0, Key::kM};
+  static constexpr std::array<Key, kDebugViewCount> kKeys{Key::k1, Key::k2, Key::k3, Key::k4,
+                                                          Key::k5, Key::k6, Key::k7, Key::k8,
+                                                          Key::k9, Key::k0, Key::kM, Key::kX};
   commands.add({std::string(info.name), "Views", std::string(info.name), std::string(info.shows),
                 kKeys[static_cast<std::size_t>(info.view)],
                 [&views, view = info.view] { views.toggle(view); },

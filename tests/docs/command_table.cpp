@@ -67,6 +67,19 @@ Check noneMissedOrExtra(const std::string& numbersBefore) {
   };
 }
 
+void expectReplay(const Called& called) {
+  EXPECT_THAT(alsoCall(called, "replay run.rec --frames 3:1 --body hunter").output, HasSubstr("hunter"));
+}
+
+void expectNoDifference(const Called& called) {
+  EXPECT_THAT(alsoCall(called, "diff run.rec run.rec").output, HasSubstr("the same"));
+}
+
+void expectExport(const Called& called) {
+  static_cast<void>(alsoCall(called, "export run.rec run.glb"));
+  leaves("run.glb")(called);
+}
+
 void expectTheHelp(const Called& called) {
   EXPECT_THAT(called.outcome.output, HasSubstr("--sanitize"));
 }
@@ -88,6 +101,9 @@ std::vector<PageCommand> readmeCommands() {
       {"scatter compare SCENE", "compare duel --frames 20", leaves("out/duel/report.html")},
       {"scatter compare", "compare duel --frames 20", leaves("out/duel/report.html")},
       {"scatter view SCENE", "view duel --renderer null --loops 5", says("hybrid")},
+      {"scatter replay FILE", "run duel --frames 5 --record run.rec", expectReplay},
+      {"scatter diff A B", "run duel --frames 5 --record run.rec", expectNoDifference},
+      {"scatter export FILE OUT", "run duel --frames 5 --record run.rec", expectExport},
       {"scatter levels build MESH -o FILE", "levels build ship.obj -o ship.dae", leaves("ship.dae")},
       {"scatter convert A B", "convert ship.dae ship.glb", leaves("ship.glb")},
       {"scatter bench worlds", "bench worlds --scenes duel --frames 10 --repeat 1", says("duel")},

@@ -107,6 +107,26 @@ TEST(Experiment, StartsAgainInAnotherPhysics) {
   EXPECT_EQ(experiment->options().label, "standard");
 }
 
+TEST(Experiment, OpensAnotherSceneAsIfItHadBegunWithIt) {
+  const Played duel{"duel", "duel", hybridWorld(Switching::kPair, 0.0)};
+  const Played mugs{"mugs", "mugs", hybridWorld(Switching::kPair, 0.0)};
+  const auto other = makeExperiment({.run = runOf(mugs, 0)});
+  test::run(*other, 5);
+  ASSERT_TRUE(other->open("duel"));
+  const auto fresh = makeExperiment({.run = runOf(duel, 0)});
+  test::run(*other, 20);
+  test::run(*fresh, 20);
+  EXPECT_EQ(other->world().physics().stateHash(), fresh->world().physics().stateHash());
+  EXPECT_EQ(other->options().frames, fresh->options().frames);
+  EXPECT_EQ(other->options().summary, fresh->options().summary);
+  EXPECT_EQ(other->table().frames(), 20U);
+  const auto opened = other->open("nowhere");
+  ASSERT_FALSE(opened);
+  EXPECT_THAT(opened.error().message, HasSubstr("nowhere"));
+  EXPECT_EQ(other->options().scene, "duel");
+  test::run(*other, 1);
+}
+
 TEST(Experiment, AFailedRestartLeavesEverythingAsItWas) {
   bool works = true;
   RunOptions options = fakeRun(WorldKind::kStandard, 1);

@@ -68,6 +68,17 @@ TEST(RunScene, WritesEveryLevelEvent) {
   EXPECT_EQ(byPolicy.at("speed")[static_cast<std::size_t>(LevelEventKind::kRequested)], 1U);
 }
 
+TEST(RunScene, EndsWhereHandsCannotDoWhatTheyAreTold) {
+  const TemporaryFolder folder;
+  RunOptions options = fakeRun(WorldKind::kStandard, 8);
+  options.out = folder.path();
+  options.hands.add(2, RemoveAction{BodyId{99}});
+  const auto run = runScene(options);
+  ASSERT_FALSE(run);
+  EXPECT_THAT(run.error().message, HasSubstr("what hands were to do cannot be done, frame 2: "));
+  EXPECT_THAT(contentOf(folder.path() / "summary.json"), HasSubstr("frame 2: "));
+}
+
 TEST(RunScene, KeepsEventsIfAsked) {
   RunOptions options = fakeRun(WorldKind::kHybrid, 3);
   options.keepEvents = true;

@@ -33,6 +33,17 @@ TEST(ViewScript, ReadsEveryAction) {
   EXPECT_EQ(script->lines()[11].loop, 11U);
 }
 
+TEST(ViewScript, TakesWhatHandsDoByItsFrames) {
+  const auto script =
+      ViewScript::parse("1 open duel\n30 gather 0 1 0\n20 do pause # the loop\n40 release\n", "s.txt");
+  ASSERT_TRUE(script.has_value()) << script.error().message;
+  EXPECT_EQ(script->lines().size(), 2U);
+  EXPECT_EQ(std::get<OpenScene>(script->lines()[0].action).name, "duel");
+  EXPECT_EQ(script->hands().text(), "30 gather 0 1 0\n40 release\n");
+  EXPECT_THAT(mistake("1 gather 0 1\n"), HasSubstr("s.txt: line 1: "));
+  EXPECT_THAT(mistake("2 drop\n1 drop\n"), HasSubstr("line 2: frames may not decrease"));
+}
+
 TEST(ViewScript, NamesTheLineOfAMistake) {
   EXPECT_THAT(mistake("1 do pause\n2 jump\n"),
               HasSubstr("s.txt: line 2: \"jump\" is no action; known: key, do, "));

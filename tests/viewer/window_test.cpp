@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <png.h>
 #include <scatter/bullet/bullet_physics.h>
+#include <scatter/io/file.h>
 #include <scatter/lab/run.h>
 #include <scatter/recording/recording.h>
 #include <unistd.h>
@@ -17,6 +18,7 @@
 #include "viewer/debug_views.h"
 #include "viewer/renderers.h"
 #include "viewer/replay.h"
+#include "viewer/view_presets.h"
 #include "viewer/viewer.h"
 #include "viewer/xvfb.h"
 
@@ -184,6 +186,38 @@ TEST_P(WindowTest, RestartBeginsAgain) {
             played("duel", 41, "").stateHashes.front());
 }
 
+TEST_P(WindowTest, AnotherSceneOpensWithoutLeaving) {
+  const ViewerReport alone = played("duel", 41, "");
+  EXPECT_EQ(played("convergence", 100, "60 open duel\n").stateHashes, alone.stateHashes);
+  if (shows()) return;
+  // Back again, and what is picked and shown of the first one is gone.
+  const ViewerReport twice = played("duel", 100,
+                                    "1 look 0 0 0 30 10 30\n10 point hunter\n11 down left\n12 up left\n30 "
+                                    "open convergence\n60 open duel\n");
+  EXPECT_EQ(twice.stateHashes, alone.stateHashes);
+  EXPECT_EQ(twice.objects, alone.objects);
+  EXPECT_NE(played("duel", 60, "20 key N\n").objects, alone.objects);
+  EXPECT_EQ(played("duel", 60, "20 key N\n25 do previous-scene\n").objects, alone.objects);
+}
+
+TEST_P(WindowTest, PresetsShowTheirViewsAlone) {
+  std::string script = "1 look 0 2 0 30 20 14\n40 do pause\n";
+  int loop = 41;
+  for (const ViewPreset& preset : viewPresets()) {
+    const std::string name(preset.name);
+    script += std::to_string(loop) + " do " + name + "\n" + shot(loop + 1, name + ".png");
+    loop += 2;
+  }
+  script += std::to_string(loop) + " key F5\n" + shot(loop + 1, "plain.png");
+  (void)played("quiet_stacks", static_cast<std::uint64_t>(loop) + 2, script);
+  if (!shows()) return;
+  const Image plain = picture("show-plain.png");
+  EXPECT_EQ(differentPixels(plain, picture("plain.png")), 0);
+  EXPECT_GT(differentPixels(plain, picture("show-contacts.png")), 100);
+  EXPECT_GT(differentPixels(plain, picture("show-cost.png")), 1000);
+  EXPECT_GT(differentPixels(picture("show-contacts.png"), picture("show-cost.png")), 1000);
+}
+
 TEST_P(WindowTest, TheCameraFollowsUntilItIsTakenAndTheSameWayEveryTime) {
   if (!shows()) GTEST_SKIP() << "needs pictures";
   const std::string pause = "60 do pause\n";
@@ -238,6 +272,24 @@ TEST_P(WindowTest, DraggingChangesThePath) {
   EXPECT_EQ(dragged.frames, alone.frames);
   EXPECT_NE(dragged.stateHashes, alone.stateHashes);
   EXPECT_EQ(dragged.stateHashes, played("duel", 100, drag + "12 move 320 60\n60 up left\n").stateHashes);
+}
+
+TEST_P(WindowTest, WhatHandsDidIsDoneAgainByAScript) {
+  if (shows()) GTEST_SKIP() << "is the same with pictures";
+  const ViewerReport dragged = played(
+      "duel", 100,
+      "1 look 0 0 0 30 10 30\n10 point hunter\n11 down left\n12 move 320 60\n60 up left\n70 do write\n");
+  const std::string hands = readFile(folder_ / "out" / "hands.txt").value_or("");
+  EXPECT_THAT(hands, HasSubstr("drag-to"));
+  EXPECT_EQ(played("duel", 100, hands).stateHashes, dragged.stateHashes);
+  // Also without a window, and again where the scene is started again.
+  RunOptions alone = world("duel");
+  alone.frames = 99;
+  alone.hands = HandScript::parse(hands, "hands.txt").value();
+  const auto run = runScene(alone);
+  ASSERT_TRUE(run) << run.error().message;
+  EXPECT_EQ(run->summary.stateHash, dragged.stateHashes.front());
+  EXPECT_EQ(played("duel", 139, hands + "40 key R\n").stateHashes, dragged.stateHashes);
 }
 
 TEST_P(WindowTest, HandsSpawnThrowFreezeAndDelete) {
@@ -344,8 +396,9 @@ TEST_P(WindowTest, StoresTheRunFromItsFirstFrameOnAndReplaysItBothWays) {
     EXPECT_TRUE(renderer) << renderer.error().message;
     return runReplay(**renderer, def);
   };
-  EXPECT_EQ(replay("0 do pause\n").error().message,
-            "a recording's window has no command or switch that is called \"pause\"");
+  EXPECT_THAT(replay("0 do pause\n").error().message,
+              HasSubstr("no command is called \"pause\"; known: play, "));
+  EXPECT_EQ(replay("0 gather 0 0 0\n").error().message, "nothing in a recording can be moved by hand");
   const auto forwards = replay("20 key Space\n");
   ASSERT_TRUE(forwards) << forwards.error().message;
   EXPECT_GE(forwards->frame, 18U);
@@ -364,9 +417,11 @@ TEST_P(WindowTest, RefusesWhatDoesNotExist) {
     const auto report = play(def, script);
     return report ? "" : report.error().message;
   };
-  EXPECT_THAT(mistake("1 do dance\n"), HasSubstr("no command is called \"dance\"; known: pause, "));
+  EXPECT_THAT(mistake("1 do dance\n"), HasSubstr("no command is called \"dance\"; known: pause, step, "));
   EXPECT_THAT(mistake("1 point nobody\n"), HasSubstr("\"nobody\" is no object"));
   EXPECT_THAT(mistake("1 set step on\n"), HasSubstr("is no switch"));
+  EXPECT_THAT(mistake("1 open nowhere\n"), HasSubstr("nowhere"));
+  EXPECT_THAT(mistake("1 drag 99 0 0 0\n"), HasSubstr("frame 1: "));
   EXPECT_THAT(mistake("1 screenshot /dev/null/all.png\n"), HasSubstr("/dev/null"));
   def.views = {"xray"};
   EXPECT_THAT(mistake(""), HasSubstr("no view is called \"xray\"; known: bounds, "));

@@ -17,7 +17,8 @@ namespace scatter {
 
 namespace lab {
 class SceneRun;
-}
+class ScriptedHands;
+}  // namespace lab
 
 struct ExperimentDef {
   /// The scene and its world. `frames`, `out`, `inspect` and `keepEvents` mean nothing here: it runs until
@@ -62,8 +63,12 @@ class Experiment {
   /// The same in another physics.
   [[nodiscard]] Result<void> restart(const PhysicsDef& physics, HandScript script = {});
 
+  /// The same with another scene, in the same physics: what SceneRegistry::find() takes. With the scene's own
+  /// seed and length.
+  [[nodiscard]] Result<void> open(const std::string& scene);
+
   /// What the script could not do, first of all; empty if there is nothing.
-  [[nodiscard]] const std::string& scriptError() const { return scriptError_; }
+  [[nodiscard]] const std::string& scriptError() const;
 
   /// Change the running world, as the methods of Physics with these names do, and every restart after.
   /// @{
@@ -74,8 +79,8 @@ class Experiment {
 
   [[nodiscard]] World& world();
   [[nodiscard]] const World& world() const;
-  [[nodiscard]] Hands& hands() { return *hands_; }
-  [[nodiscard]] const Hands& hands() const { return *hands_; }
+  [[nodiscard]] Hands& hands();
+  [[nodiscard]] const Hands& hands() const;
 
   /// From the frame before the first step on, as far as its memory reaches.
   [[nodiscard]] RunHistory& history() { return history_; }
@@ -108,18 +113,15 @@ class Experiment {
  private:
   Experiment(ExperimentDef def, std::unique_ptr<lab::SceneRun> run);
 
+  [[nodiscard]] Result<void> begin(RunOptions options, HandScript script);
   void adopt(std::unique_ptr<lab::SceneRun> run, HandScript script);
-  void playScript();
   void keepHistory();
 
   ExperimentDef def_;
   std::unique_ptr<lab::SceneRun> run_;
-  std::unique_ptr<Hands> hands_;
+  std::unique_ptr<lab::ScriptedHands> hands_;
   RunHistory history_;
   SwitchCounts switches_;
-  HandScript played_;
-  std::size_t nextAction_ = 0;
-  std::string scriptError_;
   int restarts_ = 0;
   Observation observation_;
   std::vector<PairLevel> pairs_;

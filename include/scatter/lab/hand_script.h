@@ -6,6 +6,7 @@
 #include <scatter/world/level_event.h>
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -95,6 +96,12 @@ class HandScript {
   /// Empty lines and what follows a '#' mean nothing. Fails on anything else that text() does not write, and
   /// on frames that decrease; the message names `source` and the line.
   [[nodiscard]] static Result<HandScript> parse(std::string_view text, const std::string& source);
+
+  /// What a line has after its frame. The message of a failure follows the name of the line.
+  [[nodiscard]] static Result<HandAction> parseAction(std::string_view text);
+
+  /// All that can be done.
+  [[nodiscard]] static std::span<const std::string_view> actionNames();
 
  private:
   std::vector<TimedHandAction> actions_;

@@ -2,6 +2,7 @@
 
 #include <scatter/lab/event_csv.h>
 #include <scatter/lab/frame_table.h>
+#include <scatter/lab/hand_script.h>
 #include <scatter/lab/summary.h>
 #include <scatter/result.h>
 #include <scatter/world/physics.h>
@@ -56,6 +57,9 @@ struct RunOptions {
   /// the times of frames that are counted mean nothing.
   int memoryEvery = 0;
 
+  /// What is done by hand, and in which frames; with none of it, nothing.
+  HandScript hands{};
+
   /// Whether the run's events are kept in memory, in Run::events.
   bool keepEvents = false;
 
@@ -104,8 +108,8 @@ using Progress = std::function<void(const RunProgress&)>;
 
 /// Builds the scene in a new world and runs it, one fixed step a frame, with Scene::update before each.
 /// Fails on an unknown scene, a scene or engine that cannot be made, a folder that cannot be written, a disk
-/// that becomes full and a state that is no longer finite (the files then keep the frames until there). A run
-/// that RunOptions::stop ended is no failure; its summary says so.
+/// that becomes full, a hand's action that cannot be done and a state that is no longer finite (the files
+/// then keep the frames until there). A run that RunOptions::stop ended is no failure; its summary says so.
 [[nodiscard]] Result<Run> runScene(const RunOptions& options, const Progress& progress = {});
 
 /// How a run's budget was kept, in words, as lines for a terminal: in how many frames it was not, by how

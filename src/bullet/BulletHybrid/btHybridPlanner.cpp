@@ -189,6 +189,7 @@ btHybridPairView btHybridPlanner::viewPair(int index) const
 	view.m_level = planned.view.level;
 	view.m_finestLevel = planned.view.finest;
 	view.m_credited = planned.view.credited;
+	view.m_units = units(index);
 	if (!request(index).stands)
 		return view;
 	const scatter::pairs::Asker asker = askerOf(index);

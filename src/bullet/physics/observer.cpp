@@ -7,6 +7,7 @@
 
 #include "bullet/physics/level_listener.h"
 #include "bullet/shapes/conversions.h"
+#include "lod/cost_model.h"
 
 namespace scatter {
 
@@ -36,6 +37,15 @@ std::optional<ObservedRequest> requestOf(const btHybridRequestView& view, bool r
     request.retrySteps = static_cast<std::uint32_t>(view.m_retrySteps);
   }
   return request;
+}
+
+/// Of a pair whose work nobody has counted: with what found its contacts.
+float unitsOf(const Manifolds& manifolds) {
+  static constexpr lod::CostWeights kWeights;
+  double units = 0.0;
+  for (int i = 0; i < manifolds.size(); ++i)
+    units += kWeights.looseManifold + kWeights.contact * manifolds[i].m_manifold->getNumContacts();
+  return static_cast<float>(units);
 }
 
 Nearness nearnessOf(const Manifolds& manifolds) {
@@ -150,26 +160,29 @@ void BulletObserver::addPairs(const ObservationParts& parts, Observation& out) c
     manifolds.resizeNoInitialize(0);
     btHybridGetManifolds(pair, manifolds);
     if (parts.pairs) {
-      out.pairs.push_back(pairOf(pair));
-      out.pairs.back().nearness = nearnessOf(manifolds);
+      out.pairs.push_back(pairOf(pair, manifolds));
     }
     if (!parts.contacts) continue;
     for (int i = 0; i < manifolds.size(); ++i) addContacts(manifolds[i], out.contacts);
   }
 }
 
-ObservedPair BulletObserver::pairOf(const btBroadphasePair& pair) const {
+ObservedPair BulletObserver::pairOf(const btBroadphasePair& pair, const Manifolds& manifolds) const {
   const BulletBody& a = bodyOfProxy(pair.m_pProxy0);
   const BulletBody& b = bodyOfProxy(pair.m_pProxy1);
   ObservedPair observed;
   observed.a = a.id();
   observed.b = b.id();
+  observed.nearness = nearnessOf(manifolds);
+  const bool rests = !a.rigid().isActive() && !b.rigid().isActive();
+  if (!rests) observed.units = unitsOf(manifolds);
   if (switching_ == nullptr) return observed;
   const btHybridPairView view = switching_->viewPair(pair);
   observed.level = view.m_level;
   observed.levelCount = view.m_finestLevel;
   observed.credited = view.m_credited;
-  observed.request = requestOf(view.m_request, !a.rigid().isActive() && !b.rigid().isActive());
+  observed.request = requestOf(view.m_request, rests);
+  if (view.m_units >= 0) observed.units = view.m_units;
   return observed;
 }
 

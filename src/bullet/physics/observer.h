@@ -31,7 +31,8 @@ class BulletObserver {
   void numberIslands(Observation& out) const;
   void findLevelsInUse(Observation& out) const;
   void addPairs(const ObservationParts& parts, Observation& out) const;
-  [[nodiscard]] ObservedPair pairOf(const btBroadphasePair& pair) const;
+  [[nodiscard]] ObservedPair pairOf(const btBroadphasePair& pair,
+                                    const btAlignedObjectArray<btHybridManifoldView>& manifolds) const;
 
   const btDiscreteDynamicsWorld& world_;
   const btHybridDynamicsWorld* switching_;

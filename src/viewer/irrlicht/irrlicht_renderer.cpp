@@ -32,6 +32,7 @@ class IrrlichtRenderer final : public Renderer {
   [[nodiscard]] Result<void> open(const WindowDef& window);
 
   [[nodiscard]] std::string name() const override { return "irrlicht"; }
+  [[nodiscard]] bool isSoftware() const override;
   [[nodiscard]] MeshId addMesh(const MeshData& mesh) override { return painter_->addMesh(mesh); }
   void removeMesh(MeshId mesh) override { painter_->removeMesh(mesh); }
   void draw(const Picture& picture, const Panels& panels, Image* shot) override;
@@ -99,6 +100,11 @@ Result<void> IrrlichtRenderer::open(const WindowDef& window) {
   ImGui_ImplOpenGL2_Init();
   knownSize_ = size();
   return setUpPanels();
+}
+
+bool IrrlichtRenderer::isSoftware() const {
+  const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  return name != nullptr && isSoftwareRenderer(name);
 }
 
 void IrrlichtRenderer::draw(const Picture& picture, const Panels& panels, Image* shot) {

@@ -22,6 +22,7 @@ class NullRenderer final : public Renderer {
   ~NullRenderer() override { ImGui::DestroyContext(panels_); }
 
   [[nodiscard]] std::string name() const override { return "null"; }
+  [[nodiscard]] bool isSoftware() const override { return false; }
 
   [[nodiscard]] MeshId addMesh(const MeshData& mesh) override {
     const auto id = MeshId{nextMesh_++};

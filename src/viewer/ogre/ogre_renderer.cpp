@@ -28,6 +28,9 @@ class OgreRenderer final : public Renderer {
   [[nodiscard]] Result<void> open(const WindowDef& window);
 
   [[nodiscard]] std::string name() const override { return "ogre"; }
+  [[nodiscard]] bool isSoftware() const override {
+    return isSoftwareRenderer(root_->getRenderSystem()->getCapabilities()->getDeviceName());
+  }
   [[nodiscard]] MeshId addMesh(const MeshData& mesh) override { return painter_->addMesh(mesh); }
   void removeMesh(MeshId mesh) override { painter_->removeMesh(mesh); }
   void draw(const Picture& picture, const Panels& panels, Image* shot) override;

@@ -11,9 +11,12 @@ namespace {
 const ImVec4 kLit(0.16F, 0.48F, 0.42F, 1.0F);
 
 std::string buttonText(const Command& command) {
-  std::string text = command.label;
-  if (command.key != Key::kNone) text += " [" + std::string(keyName(command.key)) + "]";
-  return text + "##" + command.name;
+  return command.label + "##" + command.name;
+}
+
+std::string tipOf(const Command& command) {
+  if (command.key == Key::kNone) return command.help;
+  return command.help + "  [" + std::string(keyName(command.key)) + "]";
 }
 
 void show(const Command& command) {
@@ -21,7 +24,7 @@ void show(const Command& command) {
   if (lit) ImGui::PushStyleColor(ImGuiCol_Button, kLit);
   if (ImGui::Button(buttonText(command).c_str())) command.run();
   if (lit) ImGui::PopStyleColor();
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", command.help.c_str());
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tipOf(command).c_str());
 }
 
 float widthOf(const Command& command) {

@@ -1,12 +1,15 @@
 #include <imgui.h>
 
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "viewer/palette.h"
 #include "viewer/panels/panels.h"
 #include "viewer/policy_choice.h"
 
 namespace scatter::viewer {
 namespace {
-
-constexpr const char* kHandsGroup = "Hands";
 
 void showBudget(ViewerState& state) {
   float& budget = state.draggedBudget;
@@ -25,7 +28,7 @@ void showBudget(ViewerState& state) {
 /// Of bodies one policy, of pairs as many as are wanted.
 void showPolicies(WorldControl& control) {
   const bool one = control.now().switching == Switching::kBody;
-  ImGui::TextUnformatted(one ? "policy" : "policies");
+  if (!ImGui::TreeNode(one ? "policy" : "policies")) return;
   for (const PolicyChoice& choice : policyChoices(control.now())) {
     bool chosen = choice.chosen;
     const bool clicked =
@@ -34,8 +37,9 @@ void showPolicies(WorldControl& control) {
     if (!clicked) continue;
     const ChosenPolicies wanted = choosePolicy(control.now(), choice.name, one || chosen);
     control.setPolicies(wanted.policy, wanted.named);
-    return;
+    break;
   }
+  ImGui::TreePop();
 }
 
 void showHybridWorld(ViewerState& state) {
@@ -58,20 +62,81 @@ void showStrengths(HandTools& hands) {
     ImGui::SliderFloat("##throw", &hands.throwSpeed, 1.0F, 200.0F, "throw %.0f m/s", kFlags);
 }
 
+void showScenes(ViewerState& state) {
+  const std::string& now = state.panes.front()->experiment().options().scene;
+  ImGui::SetNextItemWidth(-1.0F);
+  if (ImGui::BeginCombo("##scene", now.c_str(), ImGuiComboFlags_HeightLarge)) {
+    for (const SceneChoice& scene : state.scenes) {
+      if (ImGui::Selectable(scene.name.c_str(), scene.name == now)) state.wantedScene = scene.name;
+      if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", scene.summary.c_str());
+    }
+    ImGui::EndCombo();
+  }
+  if (ImGui::IsItemHovered())
+    ImGui::SetTooltip("%s", state.panes.front()->experiment().options().summary.c_str());
+  commandButtons(state.commands, "Scene");
+}
+
+/// A bar of colours with words at its ends.
+template <class ColorAt>
+void showLegend(const char* first, const char* last, ColorAt colorAt) {
+  constexpr int kSteps = 24;
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x / static_cast<float>(kSteps);
+  const float height = 0.4F * ImGui::GetTextLineHeight();
+  for (int i = 0; i < kSteps; ++i) {
+    const Color color = colorAt((static_cast<float>(i) + 0.5F) / static_cast<float>(kSteps));
+    const float left = corner.x + static_cast<float>(i) * width;
+    ImGui::GetWindowDrawList()->AddRectFilled(
+        {left, corner.y}, {left + width, corner.y + height},
+        ImGui::ColorConvertFloat4ToU32({color.r, color.g, color.b, 1.0F}));
+  }
+  ImGui::Dummy({1.0F, height});
+  ImGui::TextUnformatted(first);
+  ImGui::SameLine(std::max(0.0F, ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(last).x));
+  ImGui::TextUnformatted(last);
+}
+
+void showLegends(const DebugViewSet& views) {
+  if (views.has(DebugView::kLevels) || views.has(DebugView::kPairLevels)) {
+    constexpr int kLevels = 5;
+    showLegend("coarse", "fine",
+               [](float share) { return levelColor(1 + static_cast<int>(share * kLevels), kLevels); });
+  }
+  if (views.has(DebugView::kCost)) {
+    showLegend("0.5 us", "200 us",
+               [](float share) { return costColor(kLeastCost * std::pow(kMostCost / kLeastCost, share)); });
+  }
+}
+
+/// What most users want to see, and below, folded, every view by itself.
+void showViews(ViewerState& state) {
+  commandButtons(state.commands, "Show");
+  showLegends(state.views);
+  if (ImGui::TreeNode("single views")) {
+    commandButtons(state.commands, "Views");
+    ImGui::TreePop();
+  }
+}
+
+bool section(const char* title, bool open) {
+  return ImGui::CollapsingHeader(title, open ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
+}
+
 }  // namespace
 
 void showControlPanel(ViewerState& state, const Layout& layout) {
   if (beginFoldingPanel("Lab", layout.lab(), state.open.lab)) {
-    const auto section = [](const char* title) {
-      return ImGui::CollapsingHeader(title, ImGuiTreeNodeFlags_DefaultOpen);
-    };
-    for (const char* group : {"Camera", "Views", kHandsGroup, "Levels"}) {
-      if (!section(group)) continue;
-      commandButtons(state.commands, group);
-      if (group == kHandsGroup) showStrengths(state.hands);
+    if (section("Scene", true)) showScenes(state);
+    if (section("Show", true)) showViews(state);
+    if (section("Hands", true)) {
+      commandButtons(state.commands, "Hands");
+      showStrengths(state.hands);
     }
-    if (state.control.exists() && section("Hybrid world")) showHybridWorld(state);
-    if (section("Window")) commandButtons(state.commands, "Window");
+    if (state.control.exists() && section("Hybrid world", true)) showHybridWorld(state);
+    if (section("Camera", false)) commandButtons(state.commands, "Camera");
+    if (section("Ask for levels", false)) commandButtons(state.commands, "Levels");
+    if (section("Window", false)) commandButtons(state.commands, "Window");
   }
   ImGui::End();
 }

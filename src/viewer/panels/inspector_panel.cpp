@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <string>
 
+#include "viewer/palette.h"
 #include "viewer/panels/panels.h"
 
 namespace scatter::viewer {
@@ -70,6 +72,7 @@ void showPairs(const World& world, const Observation& observed, BodyId body) {
     if (pair.level > 0)
       text += ", level " + std::to_string(pair.level) + " of " + std::to_string(pair.levelCount);
     if (pair.credited) text += ", on credit";
+    if (pair.units >= kLeastCost) text += ", took " + std::to_string(std::lround(pair.units)) + " us";
     ImGui::TextUnformatted(text.c_str());
     if (pair.request) showRequest(world, *pair.request);
   }

@@ -39,6 +39,12 @@ void showLabels(const ViewerState& state, const Layout& layout) {
   }
 }
 
+/// What is under the pointer.
+void showHovered(const ViewerState& state) {
+  if (!state.hovered.empty() && !ImGui::GetIO().WantCaptureMouse)
+    ImGui::SetTooltip("%s", state.hovered.c_str());
+}
+
 }  // namespace
 
 bool beginPanel(const char* title, const Place& place, bool titled) {
@@ -65,6 +71,7 @@ void showPanels(ViewerState& state, const Layout& layout) {
     showNumbersPanel(state, layout);
     showInspectorPanel(state, layout);
     showTimePanel(state, layout);
+    showHovered(state);
   }
 }
 

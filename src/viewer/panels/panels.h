@@ -24,7 +24,7 @@ void showHelpPanel(ViewerState& state, const Layout& layout);
 /// The same of one that folds: `open` follows the user's click on its title, and the title follows `open`.
 [[nodiscard]] bool beginFoldingPanel(const char* title, const Place& place, bool& open);
 
-/// A command as a button with its key, lit if it is on; its help is the tip.
+/// A command as a button, lit if it is on; its help and its key are the tip.
 void commandButton(const Commands& commands, std::string_view name);
 
 /// All of a group, in as many lines as it takes.

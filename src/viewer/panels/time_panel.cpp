@@ -1,7 +1,9 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <string>
 
@@ -43,14 +45,28 @@ void showRate(Playback& time, float scale) {
   }
 }
 
+/// What can be done next, for whoever sees the window for the first time.
+std::string hintOf(const ViewerState& state) {
+  static constexpr std::array<const char*, kToolCount> kHints{
+      "drag a body with the left button", "click a body to push it",
+      "click to throw a copy of the picked body there", "hold the left button: everything comes there",
+      "click to put a copy of the picked body there"};
+  std::string hint = "drag the bar to any frame; End goes back to now";
+  if (!state.playback.past()) hint = kHints[static_cast<std::size_t>(state.hands.tool)];
+  return hint + " | right button turns, wheel zooms | N: next scene | F1: all keys";
+}
+
 void showState(const ViewerState& state) {
   ImGui::TextColored({0.5F, 0.85F, 0.75F, 1.0F}, "%s", stateOf(state).c_str());
   const std::string& said = !state.hands.message().empty()     ? state.hands.message()
                             : !state.control.message().empty() ? state.control.message()
                                                                : state.outputs.message();
-  if (said.empty()) return;
+  if (!said.empty()) {
+    ImGui::SameLine();
+    ImGui::TextUnformatted(said.c_str());
+  }
   ImGui::SameLine();
-  ImGui::TextUnformatted(said.c_str());
+  ImGui::TextDisabled("%s", hintOf(state).c_str());
 }
 
 }  // namespace

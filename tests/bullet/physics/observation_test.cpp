@@ -153,6 +153,37 @@ TEST(Observation, PairsOfAStandardWorldHaveNoLevels) {
   EXPECT_FALSE(bodyIn(*w.physics, w.a).request);
 }
 
+// Of the work that a hybrid world counts, what belongs to pairs; in a standard one, what contacts take.
+TEST(Observation, TellsWhatPairsTook) {
+  for (const WorldKind kind : {WorldKind::kStandard, WorldKind::kHybrid}) {
+    TwoCubes w(worldOf(kind), 0.0F);
+    EXPECT_EQ(pairIn(*w.physics, w.a, w.b).units, 0.0F);
+    w.step();
+    EXPECT_GT(pairIn(*w.physics, w.a, w.b).units, 0.0F);
+  }
+  TwoCubes apart(worldOf(WorldKind::kHybrid), 0.09F);
+  TwoCubes touching(worldOf(WorldKind::kHybrid), 0.0F);
+  apart.step();
+  touching.step();
+  EXPECT_LT(pairIn(*apart.physics, apart.a, apart.b).units,
+            pairIn(*touching.physics, touching.a, touching.b).units);
+}
+
+TEST(Observation, PairsTakeNoMoreThanTheStep) {
+  PhysicsDef def = worldOf(WorldKind::kHybrid);
+  def.switching.budget.units = 2000.0;
+  Swarm swarm(def);
+  double most = 0.0;
+  for (int i = 0; i < 40; ++i) {
+    swarm.step(5);
+    double units = 0.0;
+    for (const ObservedPair& pair : observe(swarm.physics()).pairs) units += static_cast<double>(pair.units);
+    ASSERT_LE(units, swarm.physics().counters().costUnits);
+    most = std::max(most, units);
+  }
+  EXPECT_GT(most, 10.0);
+}
+
 TEST(Observation, LevelsInUseAreThoseOfTheBodysPairs) {
   TwoCubes w(worldOf(WorldKind::kHybrid), 0.09F);
   const BodyId c = create(*w.physics, bodyAt({0.0F, 1.12F, 0.0F}, cubeLevels()));
