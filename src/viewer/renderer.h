@@ -136,7 +136,8 @@ class Renderer {
   /// What --renderer calls it.
   [[nodiscard]] virtual std::string name() const = 0;
 
-  /// Whether a processor draws, for want of a graphics card: what costs much for each pixel is better left out.
+  /// Whether a processor draws, for want of a graphics card: what costs much for each pixel is better left
+  /// out.
   [[nodiscard]] virtual bool isSoftware() const = 0;
 
   /// Takes a copy. Coarser versions of the mesh are made for items that are small on the screen.

@@ -5,27 +5,30 @@
 namespace scatter::viewer {
 namespace {
 
-Physics& physicsOf(const std::unique_ptr<Pane>& pane) {
-  return pane->experiment().world().physics();
+const SwitchingDef& switchingOf(const Pane& pane) {
+  return pane.experiment().options().physics.switching;
 }
 
-bool isHybrid(const std::unique_ptr<Pane>& pane) {
-  return physicsOf(pane).kind() == WorldKind::kHybrid;
+bool hasBudget(const Pane* pane) {
+  const BudgetDef& budget = switchingOf(*pane).budget;
+  return budget.milliseconds > 0.0 || budget.units > 0.0 || !budget.recorded.empty();
 }
 
 }  // namespace
 
-WorldControl::WorldControl(std::vector<std::unique_ptr<Pane>>& panes) : panes_(panes) {
-  const auto hybrid = std::find_if(panes.begin(), panes.end(), isHybrid);
-  exists_ = hybrid != panes.end();
-  if (exists_) now_ = (*hybrid)->experiment().options().physics.switching;
+WorldControl::WorldControl(const std::vector<std::unique_ptr<Pane>>& panes) {
+  for (const auto& pane : panes) {
+    if (pane->experiment().world().physics().kind() == WorldKind::kHybrid) panes_.push_back(pane.get());
+  }
+  if (std::ranges::any_of(panes_, hasBudget))
+    std::erase_if(panes_, [](const Pane* pane) { return !hasBudget(pane); });
+  if (exists()) now_ = switchingOf(*panes_.front());
 }
 
 void WorldControl::setBudgetMilliseconds(double milliseconds) {
   const BudgetDef budget{.milliseconds = milliseconds};
   message_.clear();
-  for (const auto& pane : panes_) {
-    if (!isHybrid(pane)) continue;
+  for (Pane* const pane : panes_) {
     if (!pane->experiment().setBudget(budget)) {
       message_ = "a budget needs switching by pairs";
       return;
@@ -35,8 +38,8 @@ void WorldControl::setBudgetMilliseconds(double milliseconds) {
 }
 
 std::string WorldControl::describeBudget() const {
-  for (const auto& pane : panes_) {
-    const BudgetState state = physicsOf(pane).switching().budgetState();
+  for (const Pane* const pane : panes_) {
+    const BudgetState state = pane->experiment().world().physics().switching().budgetState();
     if (state.verdict != BudgetVerdict::kNone) return describe(state);
   }
   return {};
@@ -44,8 +47,7 @@ std::string WorldControl::describeBudget() const {
 
 void WorldControl::setPolicies(Policy policy, const std::vector<std::string>& policies) {
   message_.clear();
-  for (const auto& pane : panes_) {
-    if (!isHybrid(pane)) continue;
+  for (Pane* const pane : panes_) {
     if (const auto set = pane->experiment().setPolicies(policy, policies); !set) {
       message_ = set.error().message;
       return;
@@ -57,8 +59,7 @@ void WorldControl::setPolicies(Policy policy, const std::vector<std::string>& po
 
 void WorldControl::setSwitching(Switching switching) {
   message_.clear();
-  for (const auto& pane : panes_) {
-    if (!isHybrid(pane)) continue;
+  for (Pane* const pane : panes_) {
     if (const auto set = pane->experiment().setSwitching(switching); !set) {
       message_ = set.error().message;
       return;
@@ -71,7 +72,7 @@ void WorldControl::setFocus(const ViewFocus& focus) {
   const bool asked = std::any_of(now_.policies.begin(), now_.policies.end(),
                                  [](const std::string& policy) { return policy.rfind("focus", 0) == 0; });
   if (!asked) return;
-  for (const auto& pane : panes_) physicsOf(pane).switching().setFocus(focus);
+  for (Pane* const pane : panes_) pane->experiment().world().physics().switching().setFocus(focus);
 }
 
 }  // namespace scatter::viewer

@@ -11,14 +11,15 @@
 namespace scatter::viewer {
 
 /// Budget, policies and switching of the hybrid worlds of a window, changed while they run, and for every
-/// restart.
+/// restart: of those that began with a budget, or of all if none did. So a world beside them that is always
+/// at its finest level stays so.
 class WorldControl {
  public:
-  /// The panes must outlive it. Begins with what the first hybrid world was made with.
-  explicit WorldControl(std::vector<std::unique_ptr<Pane>>& panes);
+  /// The panes must outlive it. Begins with what the first of these worlds was made with.
+  explicit WorldControl(const std::vector<std::unique_ptr<Pane>>& panes);
 
   /// Whether there is a hybrid world at all.
-  [[nodiscard]] bool exists() const { return exists_; }
+  [[nodiscard]] bool exists() const { return !panes_.empty(); }
 
   [[nodiscard]] const SwitchingDef& now() const { return now_; }
 
@@ -29,16 +30,15 @@ class WorldControl {
   /// Where the user looks, for the policy "focus".
   void setFocus(const ViewFocus& focus);
 
-  /// Of the first hybrid world that has a budget, as scatter::describe() says it; empty without one.
+  /// Of the first of them that has a budget, as scatter::describe() says it; empty without one.
   [[nodiscard]] std::string describeBudget() const;
 
   /// What was refused last; empty if nothing was.
   [[nodiscard]] const std::string& message() const { return message_; }
 
  private:
-  std::vector<std::unique_ptr<Pane>>& panes_;
+  std::vector<Pane*> panes_;
   SwitchingDef now_;
-  bool exists_ = false;
   std::string message_;
 };
 

@@ -20,16 +20,19 @@ using testing::IsEmpty;
 class WorldControlTest : public testing::Test {
  protected:
   WorldControlTest() {
-    for (const WorldKind kind : {WorldKind::kStandard, WorldKind::kHybrid}) {
-      RunOptions options;
-      options.scene = "quiet_hybrids";
-      options.engine = [](const PhysicsDef& def) -> Result<std::unique_ptr<Physics>> {
-        return makeBulletPhysics(def);
-      };
-      options.physics.world = kind;
-      panes_.push_back(Pane::create(options, looks_).value());
-    }
+    add({.world = WorldKind::kStandard});
+    add({.world = WorldKind::kHybrid});
     control_.emplace(panes_);
+  }
+
+  void add(const PhysicsDef& physics) {
+    RunOptions options;
+    options.scene = "quiet_hybrids";
+    options.engine = [](const PhysicsDef& def) -> Result<std::unique_ptr<Physics>> {
+      return makeBulletPhysics(def);
+    };
+    options.physics = physics;
+    panes_.push_back(Pane::create(options, looks_).value());
   }
 
   void step(int steps) {
@@ -55,6 +58,17 @@ TEST_F(WorldControlTest, ABudgetHoldsFromTheNextStepOn) {
   control_->setBudgetMilliseconds(0.0);
   step(3);
   EXPECT_EQ(hybrid().switching().budgetUnits(), 0.0);
+}
+
+TEST_F(WorldControlTest, AWorldBesideOneWithABudgetStaysAsItIs) {
+  PhysicsDef governed{.world = WorldKind::kHybrid};
+  governed.switching.budget.units = 5000.0;
+  add(governed);
+  control_.emplace(panes_);
+  EXPECT_EQ(control_->now().budget.units, 5000.0);
+  control_->setBudgetMilliseconds(0.5);
+  EXPECT_EQ(panes_[1]->experiment().options().physics.switching.budget.milliseconds, 0.0);
+  EXPECT_EQ(panes_[2]->experiment().options().physics.switching.budget.milliseconds, 0.5);
 }
 
 TEST_F(WorldControlTest, PoliciesChangeWhatPairsMeetWith) {

@@ -11,14 +11,23 @@
 namespace scatter::viewer {
 namespace {
 
-/// What a world is, and what the step to a frame of it cost.
-std::string labelOf(const Experiment& experiment, std::uint64_t frame) {
-  std::string text = experiment.options().scene + ", " + experiment.options().label;
+/// What the step to a frame cost; empty before the first.
+std::string costOf(const Experiment& experiment, std::uint64_t frame) {
   const std::vector<double>& costs = experiment.table().values("physics_cpu_ms");
-  if (frame == 0 || frame > costs.size()) return text;
+  if (frame == 0 || frame > costs.size()) return {};
   char cost[32];
   std::snprintf(cost, sizeof cost, ": %.1f ms", costs[frame - 1]);
-  return text + cost;
+  return cost;
+}
+
+/// What a world is, and what a step of it cost, as far as there is room.
+std::string labelOf(const Experiment& experiment, std::uint64_t frame, float room) {
+  const std::string& world = experiment.options().label;
+  const std::string cost = costOf(experiment, frame);
+  for (const std::string& text : {experiment.options().scene + ", " + world + cost, world + cost}) {
+    if (ImGui::CalcTextSize(text.c_str()).x <= room) return text;
+  }
+  return world;
 }
 
 /// The name of each world at the top of its picture.
@@ -26,12 +35,12 @@ void showLabels(const ViewerState& state, const Layout& layout) {
   ImDrawList& draw = *ImGui::GetBackgroundDrawList();
   for (std::size_t i = 0; i < state.panes.size(); ++i) {
     const Experiment& experiment = state.panes[i]->experiment();
-    const std::string text = labelOf(experiment, state.playback.shown());
+    const float around = 4.0F * layout.scale();
+    const std::string text = labelOf(experiment, state.playback.shown(), layout.size().x - 4.0F * around);
     const glm::vec2 corner = layout.corner(i);
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     const float left = corner.x + 0.5F * (layout.size().x - size.x);
     const float top = 8.0F * layout.scale();
-    const float around = 4.0F * layout.scale();
     draw.AddRectFilled({left - around, top - around}, {left + size.x + around, top + size.y + around},
                        IM_COL32(8, 10, 16, 150), around);
     draw.AddText({left, top}, IM_COL32(235, 240, 245, 255), text.c_str());
