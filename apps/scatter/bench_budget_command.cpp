@@ -23,6 +23,7 @@ struct BenchBudgetArguments {
   std::string world = "hybrid";
   bool byClock = false;
   double cut = 0.0;
+  int cutFrames = 0;
 };
 
 std::string nameOf(const std::string& scene) {
@@ -55,7 +56,10 @@ Result<BudgetStudyOptions> makeStudy(const BenchBudgetArguments& arguments,
   if (!scenes) {
     return tl::unexpected(scenes.error());
   }
-  BudgetStudyOptions options{.floors = arguments.floors, .byClock = arguments.byClock, .cut = arguments.cut};
+  BudgetStudyOptions options{.floors = arguments.floors,
+                             .byClock = arguments.byClock,
+                             .cut = arguments.cut,
+                             .cutFrames = arguments.cutFrames};
   for (const std::string& scene : *scenes) {
     auto governed = makeBenchRun(arguments.bench, scene, arguments.world);
     if (!governed) {
@@ -76,6 +80,9 @@ Result<BudgetStudyOptions> makeStudy(const BenchBudgetArguments& arguments,
 Result<void> checkMeaning(const CLI::App& command, const BenchBudgetArguments& arguments) {
   if (arguments.byClock && arguments.cut > 0.0) {
     return fail("--cut has no meaning with --clock: it is for budgets in units");
+  }
+  if (arguments.cutFrames > 0 && !(arguments.cut > 0.0)) {
+    return fail("--cut-frames says how long --cut holds; give both");
   }
   // Families take seconds to be written.
   if (auto world = parseWorld(arguments.world); !world) {
@@ -136,6 +143,11 @@ Command addBenchBudgetCommand(CLI::App& bench) {
   command->add_option("--cut", arguments->cut, "From the middle of each run on its budget is divided by this")
       ->check(CLI::Range(1.0, 1000.0))
       ->type_name("X");
+  command
+      ->add_option("--cut-frames", arguments->cutFrames,
+                   "The cut ends after so many frames, and it is measured when detail is back [to the end]")
+      ->check(wholeNumber<int>(1))
+      ->type_name("N");
   addBenchArguments(*command, arguments->bench);
   return {command, [command, arguments] { return study(*command, *arguments); }};
 }

@@ -34,17 +34,36 @@ BudgetDef constantBudget(double budget, bool byClock) {
   return def;
 }
 
-/// A budget that is cut in the middle of the run.
-BudgetDef cutBudget(double before, double after, int frames) {
-  BudgetDef def;
-  def.recorded.assign(static_cast<std::size_t>(frames / 2), before);
-  def.recorded.push_back(after);
-  return def;
-}
+/// The frames of a run, and which of them have a budget that was cut.
+struct Cut {
+  Cut(const BudgetStudyOptions& options, std::size_t count) : frames(count) {
+    if (!(options.cut > 0.0)) return;
+    first = count / 2;
+    end =
+        options.cutFrames > 0 ? std::min(first + static_cast<std::size_t>(options.cutFrames), count) : count;
+  }
 
-/// From where on the frames of a run are held to its budget.
-std::size_t firstJudged(const BudgetStudyOptions& options, std::size_t frames) {
-  return options.cut > 0.0 ? std::min(frames / 2 + kBudgetWayDown, frames) : 0;
+  [[nodiscard]] bool exists() const { return end > 0; }
+
+  /// The frames that are held to the budget.
+  [[nodiscard]] std::size_t firstJudged() const {
+    return exists() ? std::min(first + kBudgetWayDown, end) : 0;
+  }
+  [[nodiscard]] std::size_t endJudged() const { return exists() ? end : frames; }
+
+  std::size_t frames;
+  std::size_t first = 0;
+  std::size_t end = 0;
+};
+
+/// A budget that is cut in the middle of the run.
+BudgetDef cutBudget(double before, double after, const Cut& cut) {
+  BudgetDef def;
+  def.recorded.assign(cut.first, before);
+  // The last one stays.
+  def.recorded.resize(cut.end < cut.frames ? cut.end : cut.first + 1, after);
+  if (cut.end < cut.frames) def.recorded.push_back(before);
+  return def;
 }
 
 double shareOf(const Run& run, const char* part, const char* whole) {
@@ -56,6 +75,30 @@ double shareOf(const Run& run, const char* part, const char* whole) {
   return all > 0.0 ? sum(part) / all : 1.0;
 }
 
+/// In each frame, of touching pairs that could be coarser those at their finest level.
+std::vector<double> finestShares(const Run& run) {
+  const auto& touching = run.table.values("touching_pairs");
+  const auto& finest = run.table.values("touching_finest_pairs");
+  std::vector<double> shares;
+  for (std::size_t i = 0; i < touching.size(); ++i) {
+    shares.push_back(touching[i] > 0.0 ? finest[i] / touching[i] : 1.0);
+  }
+  return shares;
+}
+
+/// As BudgetTrial::back, after a cut that ended before the frame `end`.
+std::optional<int> framesUntilBack(const Run& cut, const Run& uncut, std::size_t end) {
+  const std::vector<double> has = finestShares(cut);
+  const std::vector<double> wanted = finestShares(uncut);
+  const std::size_t frames = std::min(has.size(), wanted.size());
+  for (std::size_t first = end; first + kDetailWindow <= frames; ++first) {
+    double missing = 0.0;
+    for (std::size_t i = first; i < first + kDetailWindow; ++i) missing += wanted[i] - has[i];
+    if (missing <= kDetailBack * kDetailWindow) return static_cast<int>(first - end);
+  }
+  return std::nullopt;
+}
+
 void judge(const Run& run, const BudgetStudyOptions& options, BudgetTrial& trial) {
   const auto& costs = costsOf(run, options.byClock);
   const auto& units = run.table.values("cost_units");
@@ -64,7 +107,8 @@ void judge(const Run& run, const BudgetStudyOptions& options, BudgetTrial& trial
   const auto& finest = run.table.values("finest_pairs");
   std::vector<double> withheld;
   trial.frames = static_cast<int>(costs.size());
-  for (std::size_t i = firstJudged(options, costs.size()); i < costs.size(); ++i) {
+  const Cut cut(options, costs.size());
+  for (std::size_t i = cut.firstJudged(); i < cut.endJudged(); ++i) {
     const double taken = costs[i] / trial.budget;
     trial.over2 += taken > kOver2 ? 1 : 0;
     trial.over5 += taken > kOver5 ? 1 : 0;
@@ -83,7 +127,9 @@ void judge(const Run& run, const BudgetStudyOptions& options, BudgetTrial& trial
 class Runner {
  public:
   Runner(const BudgetStudyOptions& options, const std::function<void(const CompareProgress&)>& progress)
-      : options_(options), series_(options.scenes.size() * (1 + options.floors.size()), progress) {}
+      : options_(options),
+        series_(options.scenes.size() * (1 + (options.cutFrames > 0 ? 2 : 1) * options.floors.size()),
+                progress) {}
 
   Result<void> addScene(const BudgetScene& scene, BudgetStudy& study) {
     const auto coarsest = series_.run(scene.coarsest, scene.name + ", coarsest");
@@ -104,18 +150,31 @@ class Runner {
 
  private:
   Result<void> addTrial(const BudgetScene& scene, double floors, double budget, BudgetStudy& study) {
-    RunOptions governed = scene.governed;
-    const double cut = options_.cut > 0.0 ? budget / options_.cut : budget;
-    governed.physics.switching.budget = options_.cut > 0.0 ? cutBudget(budget, cut, governed.frames)
-                                                           : constantBudget(budget, options_.byClock);
-    const auto done = series_.run(governed, scene.name + ", " + lab::readableNumber(floors) + " floors");
+    const Cut cut(options_, static_cast<std::size_t>(scene.governed.frames));
+    const double held = cut.exists() ? budget / options_.cut : budget;
+    const std::string name = scene.name + ", " + lab::readableNumber(floors) + " floors";
+    const BudgetDef constant = constantBudget(budget, options_.byClock);
+    const auto done = runWith(scene, cut.exists() ? cutBudget(budget, held, cut) : constant, name);
     if (!done) {
       return tl::unexpected(done.error());
     }
-    BudgetTrial trial{.scene = scene.name, .floors = floors, .budget = cut};
+    BudgetTrial trial{.scene = scene.name, .floors = floors, .budget = held};
     judge(*done, options_, trial);
+    if (options_.cutFrames > 0) {
+      const auto uncut = runWith(scene, constant, name + ", no cut");
+      if (!uncut) {
+        return tl::unexpected(uncut.error());
+      }
+      trial.back = framesUntilBack(*done, *uncut, cut.end);
+    }
     study.trials.push_back(std::move(trial));
     return {};
+  }
+
+  Result<Run> runWith(const BudgetScene& scene, const BudgetDef& budget, const std::string& name) {
+    RunOptions governed = scene.governed;
+    governed.physics.switching.budget = budget;
+    return series_.run(governed, name);
   }
 
   const BudgetStudyOptions& options_;
@@ -153,7 +212,7 @@ Result<BudgetStudy> studyBudgets(const BudgetStudyOptions& options,
   if (options.scenes.empty() || options.floors.empty()) {
     return fail("a study of budgets needs at least one scene and one budget; name some");
   }
-  BudgetStudy study{.byClock = options.byClock, .trials = {}};
+  BudgetStudy study{.byClock = options.byClock, .cutEnds = options.cutFrames > 0, .trials = {}};
   Runner runner(options, progress);
   for (const BudgetScene& scene : options.scenes) {
     if (auto added = runner.addScene(scene, study); !added) {
@@ -166,30 +225,38 @@ Result<BudgetStudy> studyBudgets(const BudgetStudyOptions& options,
 std::string formatBudgets(const BudgetStudy& study) {
   std::vector<Cells> lines{{"", "floors", study.byClock ? "ms" : "units", "> 1.02 %", "> 1.05 %", "worst",
                             "use", "finest", "impossible"}};
+  if (study.cutEnds) lines.front().emplace_back("back");
   for (const BudgetTrial& trial : study.trials) {
     lines.push_back({trial.scene, lab::readableNumber(trial.floors), lab::readableNumber(trial.budget),
                      percent(trial.over2, trial.frames), percent(trial.over5, trial.frames),
                      lab::fixedNumber(trial.worst, 2),
                      trial.withheld > 0 ? lab::fixedNumber(trial.use, 2) : "-",
                      lab::fixedNumber(trial.finest, 2), std::to_string(trial.impossible)});
+    if (study.cutEnds) lines.back().push_back(trial.back ? std::to_string(*trial.back) : "not");
   }
   return lab::textTable(lines) +
          lab::fitTerminal(
              "Floors: the budget in what the dearest frame takes with everything at level 1. Use: the median "
              "frame in which some detail was withheld, in budgets. Finest: of touching pairs. Impossible: "
-             "frames over the budget in which what could not be given up was over it as well.\n" +
-             verdictOf(study));
+             "frames over the budget in which what could not be given up was over it as well." +
+             (study.cutEnds
+                  ? std::string(" Back: frames after the cut until as many touching pairs are at their "
+                                "finest level as without one.")
+                  : std::string()) +
+             "\n" + verdictOf(study));
 }
 
 std::string budgetsCsv(const BudgetStudy& study) {
   std::vector<Cells> lines{{"scene", "floors", study.byClock ? "budget_ms" : "budget_units", "frames",
                             "over_2", "over_5", "worst", "withheld", "use", "finest", "impossible"}};
+  if (study.cutEnds) lines.front().emplace_back("back");
   for (const BudgetTrial& trial : study.trials) {
     lines.push_back({trial.scene, lab::shortestNumber(trial.floors), lab::shortestNumber(trial.budget),
                      std::to_string(trial.frames), std::to_string(trial.over2), std::to_string(trial.over5),
                      lab::shortestNumber(trial.worst), std::to_string(trial.withheld),
                      lab::shortestNumber(trial.use), lab::shortestNumber(trial.finest),
                      std::to_string(trial.impossible)});
+    if (study.cutEnds) lines.back().push_back(trial.back ? std::to_string(*trial.back) : "");
   }
   return lab::csvText(lines);
 }

@@ -156,6 +156,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"noCreditLevel", {"run", "tower", "--credit-level", "0"}, "--credit-level"},
         Refusal{"noSamples", {"run", "tower", "--fidelity", "0"}, "--fidelity: needs a whole number from 1"},
         Refusal{"noVerification", {"run", "tower", "--verify-contacts", "0"}, "needs a whole number from 1"},
+        Refusal{
+            "cutFramesWithoutCut", {"bench", "budget", "--cut-frames", "9"}, "--cut-frames says how long"},
         Refusal{"cutByTheClock", {"bench", "budget", "--cut", "2", "--clock"}, "--cut has no meaning"},
         Refusal{"budgetSeedsWithoutFamily",
                 {"bench", "budget", "--scenes", "duel", "--seeds", "2"},

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -80,6 +81,38 @@ TEST(BudgetStudy, ABudgetThatIsCutIsJudgedOnceThereWasTimeForIt) {
   EXPECT_EQ(budgets.front().recorded.back(), 100.0);
   EXPECT_EQ(study->trials.front().over2, 0);
   EXPECT_DOUBLE_EQ(study->trials.front().worst, 0.99);
+}
+
+TEST(BudgetStudy, TellsWhenDetailIsBackAfterACut) {
+  std::vector<BudgetDef> budgets;
+  RunOptions governed = costing({{90, 0}}, 120);
+  // Of the run whose budget is cut, half of the touching pairs are coarse for seven frames longer.
+  governed.engine = [&budgets](const PhysicsDef& def) -> Result<std::unique_ptr<Physics>> {
+    budgets.push_back(def.switching.budget);
+    const std::uint64_t until = def.switching.budget.recorded.empty() ? 0 : 97;
+    return std::make_unique<test::FakePhysics>(
+        def, test::FakeBehaviour{.costs = {{90, 0}}, .countsTouching = true, .coarseUntil = until});
+  };
+  BudgetStudyOptions options{
+      .scenes = {{.name = "a", .governed = governed, .coarsest = costing({{100, 0}}, 120)}},
+      .floors = {2.0},
+      .cut = 2.0,
+      .cutFrames = 30};
+  const auto study = studyBudgets(options);
+  ASSERT_TRUE(study);
+  ASSERT_EQ(budgets.size(), 2U);
+  EXPECT_EQ(budgets[0].recorded, [] {
+    std::vector<double> units(91, 200.0);
+    std::fill_n(units.begin() + 60, 30, 100.0);
+    return units;
+  }());
+  EXPECT_EQ(budgets[1].units, 200.0);
+  // One of ten frames in which half are missing is as much as may be.
+  EXPECT_EQ(study->trials.front().back, 6);
+  EXPECT_THAT(formatBudgets(*study), HasSubstr("back"));
+  EXPECT_THAT(budgetsCsv(*study), HasSubstr("impossible,back\n"));
+  options.cutFrames = 60;
+  EXPECT_FALSE(studyBudgets(options)->trials.front().back) << "no frame comes after the cut";
 }
 
 TEST(BudgetStudy, RefusesWhatTellsNothing) {

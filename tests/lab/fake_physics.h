@@ -30,7 +30,8 @@ struct FakeBehaviour {
   /// step below 100 units has withheld some detail.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> costs{};
   bool countsTouching =
-      false;  ///< Counts touching pairs in every step: 10, of which one is coarse in step 7.
+      false;  ///< Counts touching pairs in every step: 10, of which one is coarse in step 7,
+  std::uint64_t coarseUntil = 0;  ///< and five in all up to this one.
 };
 
 /// Reports a budget that follows from the step count alone, and the events that FakePhysics makes up.
@@ -171,7 +172,7 @@ class FakePhysics final : public Physics {
     if (behaviour_.work) counters_.pairWork = *behaviour_.work;
     if (behaviour_.countsTouching) {
       counters_.touchingPairs = 10;
-      counters_.touchingFinestPairs = step == 7 ? 9 : 10;
+      counters_.touchingFinestPairs = step <= behaviour_.coarseUntil ? 5 : step == 7 ? 9 : 10;
     }
     countCosts();
     switching_.steps = steps_;

@@ -3,6 +3,7 @@
 #include <scatter/lab/comparison.h>
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,8 +21,10 @@ struct BudgetStudyOptions {
   std::vector<double> floors{};  ///< Budgets, as multiples of the scene's reachable floor.
   bool byClock = false;          ///< In milliseconds of processor time; otherwise in units, clock-free.
 
-  /// Above 0: from the middle of the run on the budget is divided by this.
+  /// Above 0: from the middle of the run on the budget is divided by this,
   double cut = 0.0;
+  /// for so many frames; 0: to the end. After that it is what it was, and it is measured when detail is back.
+  int cutFrames = 0;
 };
 
 /// How one budget was kept in one scene.
@@ -39,13 +42,23 @@ struct BudgetTrial {
   double finest =
       0.0;  ///< Of touching pairs with a hybrid, over all frames, at their finest level; 1 for none.
   int impossible = 0;  ///< Frames over the budget in which what could not be given up was over it as well.
+
+  /// After a cut that ends: frames until the share of touching pairs that are at their finest level is again,
+  /// over kDetailWindow frames, at most kDetailBack below that of the same run without a cut. Absent: not in
+  /// this run.
+  std::optional<int> back{};
 };
 
 /// Frames that a world has to come down to a budget that was cut.
 inline constexpr int kBudgetWayDown = 30;
 
+/// When detail counts as back after a cut.
+inline constexpr int kDetailWindow = 10;
+inline constexpr double kDetailBack = 0.05;
+
 struct BudgetStudy {
   bool byClock = false;
+  bool cutEnds = false;
   std::vector<BudgetTrial> trials;  ///< Scene by scene, in the order of the floors.
 };
 
