@@ -74,7 +74,21 @@ std::string sourceOfMass(const LevelModel& model, const LevelMeasures& measures)
   return "given in the file";
 }
 
-nlohmann::ordered_json jsonOf(const LevelFigures& level, double diagonal) {
+std::string nameOf(const std::vector<MeshRegion>& regions, std::size_t index) {
+  return index < regions.size() ? regions[index].name : "elsewhere";
+}
+
+nlohmann::ordered_json jsonOf(const LevelFigures& level, double diagonal,
+                              const std::vector<MeshRegion>& regions) {
+  auto gaps = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < level.regionGaps.size(); ++i) {
+    const GapFigures& region = level.regionGaps[i];
+    gaps.push_back({{"region", nameOf(regions, i)},
+                    {"samples", region.samples},
+                    {"mean_gap_m", region.mean},
+                    {"p95_gap_m", region.p95},
+                    {"max_gap_m", region.max}});
+  }
   const auto share = [diagonal](double gap) { return diagonal > 0.0 ? gap / diagonal : 0.0; };
   return {{"parts", level.parts},
           {"vertices", level.vertices},
@@ -88,7 +102,8 @@ nlohmann::ordered_json jsonOf(const LevelFigures& level, double diagonal) {
           {"mean_gap_share", share(level.meanGap)},
           {"p95_gap_share", share(level.p95Gap)},
           {"max_gap_share", share(level.maxGap)},
-          {"predicted_cost", level.predictedCost}};
+          {"predicted_cost", level.predictedCost},
+          {"regions", std::move(gaps)}};
 }
 
 /// Whether the margin of hulls means anything to them.
@@ -173,12 +188,34 @@ std::string formatFigures(const LevelMeasures& measures) {
   return lab::textTable(lines);
 }
 
-std::string figuresJson(const std::vector<LevelModel>& models, const std::vector<LevelMeasures>& measures) {
+std::string formatRegions(const LevelMeasures& measures, const std::vector<MeshRegion>& regions) {
+  if (regions.empty()) return "";
+  std::vector<Cells> lines{{"region", "level", "mean gap %", "p95 gap %", "max gap %", "max gap"}};
+  for (std::size_t i = 0; i <= regions.size(); ++i) {
+    std::string name = nameOf(regions, i);
+    if (i < regions.size() && regions[i].weight != 1.0F)
+      name += fmt::format(" (weight {:.4g})", regions[i].weight);
+    if (i < regions.size() && regions[i].isKept) name += ", kept apart";
+    for (std::size_t level = 0; level < measures.levels.size(); ++level) {
+      const GapFigures& gap = measures.levels[level].regionGaps.at(i);
+      const auto sampled = [&gap, &measures](double value) {
+        return gap.samples > 0 ? percent(value / measures.diagonal) : "-";
+      };
+      lines.push_back({name, fmt::format("{}", level + 1), sampled(gap.mean), sampled(gap.p95),
+                       percent(gap.max / measures.diagonal), lengthText(gap.max)});
+    }
+  }
+  return "\n" + lab::textTable(lines);
+}
+
+std::string figuresJson(const std::vector<LevelModel>& models, const std::vector<LevelMeasures>& measures,
+                        const std::vector<MeshRegion>& regions) {
   auto list = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < models.size(); ++i) {
     const LevelMeasures& figures = measures.at(i);
     auto levels = nlohmann::ordered_json::array();
-    for (const LevelFigures& level : figures.levels) levels.push_back(jsonOf(level, figures.diagonal));
+    for (const LevelFigures& level : figures.levels)
+      levels.push_back(jsonOf(level, figures.diagonal, regions));
     list.push_back({{"name", models[i].name},
                     {"triangles", models[i].mesh.triangles.size()},
                     {"diagonal_m", figures.diagonal},

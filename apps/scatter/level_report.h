@@ -22,9 +22,14 @@ namespace scatter::app {
 /// The figures of each level, coarsest first.
 [[nodiscard]] std::string formatFigures(const LevelMeasures& measures);
 
+/// The gaps in each of the regions that were measured, and outside of them; nothing without regions.
+[[nodiscard]] std::string formatRegions(const LevelMeasures& measures,
+                                        const std::vector<MeshRegion>& regions);
+
 /// The same and more, for programs.
 [[nodiscard]] std::string figuresJson(const std::vector<LevelModel>& models,
-                                      const std::vector<LevelMeasures>& measures);
+                                      const std::vector<LevelMeasures>& measures,
+                                      const std::vector<MeshRegion>& regions);
 
 /// "0.42 mm" or "1.3 m": the unit in which a length reads best; less than a nanometre is 0.
 [[nodiscard]] std::string lengthText(double metres);

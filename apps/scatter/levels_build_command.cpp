@@ -2,6 +2,7 @@
 #include <scatter/levels/level_check.h>
 #include <scatter/levels/measure_levels.h>
 #include <spdlog/fmt/fmt.h>
+#include <spdlog/fmt/ranges.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -25,6 +26,7 @@
 #include "mesh_arguments.h"
 #include "messages.h"
 #include "number_checks.h"
+#include "region_arguments.h"
 
 namespace scatter::app {
 
@@ -39,6 +41,7 @@ struct LevelsBuildArguments {
   bool anew = false;
   std::string parts;
   std::string gap;
+  RegionArguments regions;
   std::string interior = "automatic";
   LevelBuildDef build;
   std::optional<double> margin;
@@ -68,6 +71,7 @@ Result<LevelBuildDef> definitionOf(const LevelsBuildArguments& arguments, const 
   def.interior = *interior;
   if (arguments.margin) def.hullMargin = static_cast<float>(*arguments.margin);
   if (arguments.thickness) def.thickness = static_cast<float>(*arguments.thickness);
+  if (auto sound = checkRegions(arguments.regions); !sound) return fail(sound.error().message);
   return def;
 }
 
@@ -106,12 +110,21 @@ Result<LevelCheck> prove(const LevelSet& levels, const SurfaceMesh& mesh) {
               describe(*check, levels.count()));
 }
 
-ExitStatus report(const std::string& file, const LevelModel& model, const LevelCheck& check,
-                  MeshInterior interior) {
-  const Result<LevelMeasures> measures = measureLevels(*model.levels, model.mesh, {.interior = interior});
+/// A file that was written.
+struct BuiltFile {
+  LevelModel model;
+  LevelCheck check;
+  std::vector<MeshRegion> regions;
+};
+
+ExitStatus report(const std::string& file, const BuiltFile& built, MeshInterior interior) {
+  const LevelModel& model = built.model;
+  const Result<LevelMeasures> measures =
+      measureLevels(*model.levels, model.mesh, {.interior = interior, .regions = built.regions});
   if (!measures) return failed(measures.error());
-  fmt::print("{}{}\n{}\n{}\n{}: written\n", describeMesh(model, *measures), describeMass(model, *measures),
-             formatFigures(*measures), describe(check, model.levels->count()), file);
+  fmt::print("{}{}\n{}{}\n{}\n{}: written\n", describeMesh(model, *measures), describeMass(model, *measures),
+             formatFigures(*measures), formatRegions(*measures, built.regions),
+             describe(built.check, model.levels->count()), file);
   return ExitStatus::kOk;
 }
 
@@ -119,18 +132,16 @@ double massOf(const LevelsBuildArguments& arguments, const LevelSet& levels) {
   return arguments.density ? *arguments.density * static_cast<double>(levels.mass().volume) : arguments.mass;
 }
 
-/// A file that was written.
-struct BuiltFile {
-  LevelModel model;
-  LevelCheck check;
-};
-
 /// Builds, proves and writes; says itself what is wrong.
 ExitStatus buildFile(const LevelsBuildArguments& arguments, const std::string& mesh,
                      const std::string& output, std::optional<BuiltFile>& result) {
   Result<MeshFile> file = readMesh(mesh, arguments.reading);
   if (!file) return refuse(file.error());
-  const Result<BuiltLevels> built = build(file->mesh, *definitionOf(arguments, file->name));
+  LevelBuildDef definition = *definitionOf(arguments, file->name);
+  Result<std::vector<MeshRegion>> regions = findRegions(arguments.regions, *file);
+  if (!regions) return refuse(Error{mesh + ": " + regions.error().message});
+  definition.regions = std::move(*regions);
+  const Result<BuiltLevels> built = build(file->mesh, definition);
   if (!built) return refuse(Error{mesh + ": " + built.error().message});
   Result<LevelCheck> check = prove(*built->levels, file->mesh);
   if (!check) return failed(Error{mesh + ": " + check.error().message});
@@ -145,7 +156,8 @@ ExitStatus buildFile(const LevelsBuildArguments& arguments, const std::string& m
   if (auto written = writeLevelFile(model, output); !written) return refuse(written.error());
   printNotes(file->warnings);
   for (const std::string& note : built->notes) printNote(mesh + ": " + note);
-  result = BuiltFile{{model.name, model.levels, std::move(file->mesh)}, std::move(*check)};
+  result = BuiltFile{
+      {model.name, model.levels, std::move(file->mesh)}, std::move(*check), std::move(definition.regions)};
   return ExitStatus::kOk;
 }
 
@@ -154,7 +166,7 @@ ExitStatus runOne(const LevelsBuildArguments& arguments) {
   std::optional<BuiltFile> built;
   const ExitStatus status = buildFile(arguments, arguments.meshes.front(), arguments.output, built);
   if (!built) return status;
-  return report(arguments.output, built->model, built->check, *parseInterior(arguments.interior));
+  return report(arguments.output, *built, *parseInterior(arguments.interior));
 }
 
 /// What the result depends on beside the mesh, in words.
@@ -163,9 +175,10 @@ std::string optionsOf(const LevelsBuildArguments& a) {
   const auto given = [](const std::optional<double>& number) {
     return number ? fmt::format("{}", *number) : "-";
   };
-  return fmt::format("{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}", a.reading.unit, a.reading.up, a.parts,
-                     a.gap, a.interior, b.levels, b.maxParts, b.maxVertices, b.fitPrimitives, given(a.margin),
-                     given(a.thickness), a.name, a.mass, given(a.density), a.friction, a.restitution);
+  return fmt::format("{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}", a.reading.unit, a.reading.up,
+                     a.parts, a.gap, a.interior, b.levels, b.maxParts, b.maxVertices, b.fitPrimitives,
+                     given(a.margin), given(a.thickness), a.name, a.mass, given(a.density), a.friction,
+                     a.restitution, fmt::join(a.regions.kept, "\n"), fmt::join(a.regions.importance, "\n"));
 }
 
 std::string outputName(const LevelsBuildArguments& arguments, const std::string& mesh) {
@@ -270,6 +283,24 @@ void addLevelOptions(CLI::App& command, LevelsBuildArguments& arguments) {
                    "Make parts boxes, spheres or capsules where they fit as well [on]");
 }
 
+void addRegionOptions(CLI::App& command, RegionArguments& regions) {
+  command
+      .add_option(
+          "--keep", regions.kept,
+          "As close as the finest parts allow, in parts of its own: a material, an object or a vertex "
+          "group, by its name in the mesh file, or box:X0,Y0,Z0,X1,Y1,Z1 in the file's unit and axes; "
+          "several times for several regions")
+      ->allow_extra_args(false)
+      ->type_name("REGION");
+  command
+      .add_option(
+          "--importance", regions.importance,
+          "A gap of g in this region counts as WEIGHT times g, 0.01 to 100; elsewhere it counts once, "
+          "and 8 times where --keep says nothing else")
+      ->allow_extra_args(false)
+      ->type_name("REGION=WEIGHT");
+}
+
 void addBodyOptions(CLI::App& command, LevelsBuildArguments& arguments) {
   command.add_option("--name", arguments.name, "Name of the model [the file's]")->type_name("NAME");
   CLI::Option* mass = command.add_option("--mass", arguments.mass, "Mass in kilograms")
@@ -319,6 +350,7 @@ Command addLevelsBuildCommand(CLI::App& levels) {
       ->capture_default_str();
   command->add_flag("--anew", arguments->anew, "Make all files in --folder again")->needs(folder);
   addLevelOptions(*command, *arguments);
+  addRegionOptions(*command, arguments->regions);
   addMeshArguments(*command, arguments->reading);
   command
       ->add_option(

@@ -15,6 +15,7 @@
 #include "level_report.h"
 #include "mesh_arguments.h"
 #include "messages.h"
+#include "region_arguments.h"
 
 namespace scatter::app {
 
@@ -24,15 +25,35 @@ struct LevelsShowArguments {
   std::string file;
   std::string mesh;
   MeshArguments reading;
+  RegionArguments regions;
   std::string interior = "automatic";
   std::string json;
   std::string picture;
 };
 
+/// What is shown, and where gaps are measured apart.
+struct Shown {
+  std::vector<LevelModel> models;
+  std::vector<MeshRegion> regions;
+};
+
+/// Without --mesh; a level file's meshes have no names.
+Result<std::vector<MeshRegion>> findBoxes(const LevelsShowArguments& arguments) {
+  auto regions = findRegions(arguments.regions, {});
+  if (regions) return regions;
+  return fail(regions.error().message + ", or the mesh that " + arguments.file +
+              " was made from, which has names, with --mesh");
+}
+
 /// Gives the only model another mesh, if the user did.
-Result<std::vector<LevelModel>> readModels(const LevelsShowArguments& arguments) {
+Result<Shown> readModels(const LevelsShowArguments& arguments) {
   auto models = readLevelFile(arguments.file);
-  if (!models || arguments.mesh.empty()) return models;
+  if (!models) return fail(models.error().message);
+  if (arguments.mesh.empty()) {
+    auto boxes = findBoxes(arguments);
+    if (!boxes) return fail(boxes.error().message);
+    return Shown{std::move(*models), std::move(*boxes)};
+  }
   if (models->size() > 1) {
     return fail(
         fmt::format("{}: has {} models; --mesh can stand for one only", arguments.file, models->size()));
@@ -40,21 +61,23 @@ Result<std::vector<LevelModel>> readModels(const LevelsShowArguments& arguments)
   Result<MeshFile> mesh = readMesh(arguments.mesh, arguments.reading);
   if (!mesh) return fail(mesh.error().message);
   printNotes(mesh->warnings);
+  auto regions = findRegions(arguments.regions, *mesh);
+  if (!regions) return fail(arguments.mesh + ": " + regions.error().message);
   models->front().mesh = std::move(mesh->mesh);
-  return models;
+  return Shown{std::move(*models), std::move(*regions)};
 }
 
-Result<std::vector<LevelMeasures>> measure(const LevelsShowArguments& arguments,
-                                           const std::vector<LevelModel>& models) {
+Result<std::vector<LevelMeasures>> measure(const LevelsShowArguments& arguments, const Shown& shown) {
   const Result<MeshInterior> interior = parseInterior(arguments.interior);
   if (!interior) return fail(interior.error().message);
   std::vector<LevelMeasures> all;
-  for (const LevelModel& model : models) {
+  for (const LevelModel& model : shown.models) {
     if (model.mesh.triangles.empty()) {
       return fail(arguments.file + ": " + model.name +
                   " has no mesh to measure against; give it with --mesh");
     }
-    Result<LevelMeasures> measures = measureLevels(*model.levels, model.mesh, {.interior = *interior});
+    Result<LevelMeasures> measures =
+        measureLevels(*model.levels, model.mesh, {.interior = *interior, .regions = shown.regions});
     if (!measures) return fail(arguments.file + ": " + measures.error().message);
     if (measures->isInsideOut && *interior == MeshInterior::kAutomatic) {
       printNote(arguments.file + ": " + model.name +
@@ -97,19 +120,21 @@ Result<void> drawPictures(const LevelsShowArguments& arguments, const std::vecto
 }
 
 ExitStatus run(const LevelsShowArguments& arguments) {
-  const auto models = readModels(arguments);
-  if (!models) return refuse(models.error());
-  const auto measures = measure(arguments, *models);
+  const auto shown = readModels(arguments);
+  if (!shown) return refuse(shown.error());
+  const std::vector<LevelModel>& models = shown->models;
+  const auto measures = measure(arguments, *shown);
   if (!measures) return refuse(measures.error());
-  if (auto drawn = drawPictures(arguments, *models, *measures); !drawn) return refuse(drawn.error());
+  if (auto drawn = drawPictures(arguments, models, *measures); !drawn) return refuse(drawn.error());
   if (!arguments.json.empty()) {
-    if (auto written = writeFile(arguments.json, figuresJson(*models, *measures)); !written) {
+    if (auto written = writeFile(arguments.json, figuresJson(models, *measures, shown->regions)); !written) {
       return refuse(written.error());
     }
   }
-  for (std::size_t i = 0; i < models->size(); ++i) {
-    fmt::print("{}{}{}\n{}", i > 0 ? "\n" : "", describeMesh((*models)[i], (*measures)[i]),
-               describeMass((*models)[i], (*measures)[i]), formatFigures((*measures)[i]));
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    fmt::print("{}{}{}\n{}{}", i > 0 ? "\n" : "", describeMesh(models[i], (*measures)[i]),
+               describeMass(models[i], (*measures)[i]), formatFigures((*measures)[i]),
+               formatRegions((*measures)[i], shown->regions));
   }
   return ExitStatus::kOk;
 }
@@ -124,6 +149,13 @@ Command addLevelsShowCommand(CLI::App& levels) {
   command->add_option("--mesh", arguments->mesh, "Measure against this mesh instead of the one in FILE")
       ->type_name("MESH");
   addMeshArguments(*command, arguments->reading);
+  command
+      ->add_option(
+          "--region", arguments->regions.watched,
+          "Measure gaps in this region and elsewhere apart, given as for build --keep; names are those "
+          "of --mesh. Several times for several regions")
+      ->allow_extra_args(false)
+      ->type_name("REGION");
   command
       ->add_option("--interior", arguments->interior,
                    "What is inside of the mesh, as for build: solid, surface or automatic")

@@ -183,6 +183,74 @@ TEST_F(Levels, SeveralMeshesGoIntoAFolderAndOnlyChangedOnesAgain) {
               HasSubstr("1 of 1 meshes written"));
 }
 
+TEST_F(Levels, RegionsAreKeptApartByNameAndReported) {
+  const std::string tool = mesh("tool.obj", objTool());
+  expectBuilt({tool, "-o", "a.dae", "--parts", "2,1", "--keep", "handle"}, "a.dae");
+  const Outcome built = build({tool, "-o", "a.dae", "--parts", "2,1", "--keep", "handle"});
+  EXPECT_THAT(built.output, HasSubstr("handle (weight 8), kept apart"));
+  EXPECT_THAT(built.output, HasSubstr("elsewhere"));
+  // The handle has a part of its own; the other part swallows it, so that gaps there are those of the rest.
+  const Outcome shown = scatter({"levels", "show", "a.dae", "--mesh", tool, "--region", "object:handle",
+                                 "--region", "box:-9,-9,-9,1.5,9,9", "--json", "regions.json"});
+  ASSERT_EQ(shown.status, 0) << shown.errors;
+  EXPECT_THAT(shown.output, HasSubstr("object:handle"));
+  const auto json = nlohmann::json::parse(readText(folder / "regions.json"), nullptr, false);
+  const auto& finest = json["models"][0]["levels"][1];
+  EXPECT_EQ(finest["parts"], 2);
+  ASSERT_EQ(finest["regions"].size(), 3U);
+  EXPECT_EQ(finest["regions"][2]["region"], "elsewhere");
+
+  // A box needs no names, is in the file's unit and axes, and the material is two of the three cubes.
+  expectBuilt({tool, "-o", "b.dae", "--parts", "2,1", "--keep", "box:-1,-1,-1,1.5,2,2"}, "b.dae");
+  expectBuilt({tool, "-o", "c.dae", "--parts", "2,1", "--keep", "rubber"}, "c.dae");
+  for (const std::string file : {"b.dae", "c.dae"})
+    EXPECT_NEAR(figures(file)["models"][0]["levels"][1]["union_volume_m3"].get<double>(), 1.0 + 3.0, 0.1);
+  expectBuilt({tool, "-o", "d.dae", "--parts", "2,1", "--unit", "cm", "--up", "z", "--importance",
+               "box:-1,-1,-1,1.5,2,2=9"},
+              "d.dae");
+}
+
+TEST_F(Levels, WrongRegionsAreRefusedInOneLine) {
+  const std::string tool = mesh("tool.obj", objTool());
+  const auto refused = [&](const std::vector<std::string>& options, const std::string& part) {
+    std::vector<std::string> arguments{tool, "-o", "a.dae"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    expectRefused(build(arguments), part);
+  };
+  refused({"--keep", "handel"}, "unknown region \"handel\"; did you mean \"handle\"? Known: body, handle, ");
+  refused({"--keep", "material:handle"}, "Known: ");
+  refused({"--keep", "box:1,2,3"}, "box:X0,Y0,Z0,X1,Y1,Z1");
+  refused({"--keep", "box:1,2,3,4,5,6,7"}, "box:X0,Y0,Z0,X1,Y1,Z1");
+  refused({"--keep", "box:50,0,0,60,1,1"}, "has nothing of the mesh");
+  refused({"--importance", "handle"}, "--importance");
+  refused({"--importance", "handle=0"}, "0.01 to 100");
+  refused({"--importance", "handle=many"}, "0.01 to 100");
+  refused({"--importance", "handle=2", "--importance", "handle=3"}, "twice");
+  refused({"--importance", "shaft=2"}, "unknown region \"shaft\"");
+  std::string twice = objTool();
+  for (std::size_t at = twice.find("steel"); at != std::string::npos; at = twice.find("steel"))
+    twice.replace(at, 5, "tip");
+  expectRefused(build({mesh("twice.obj", twice), "-o", "a.dae", "--keep", "tip"}),
+                "material:tip and object:tip; say which");
+  expectRefused(build({mesh("box.stl", binaryStlBox()), "-o", "a.dae", "--keep", "x"}),
+                "box:X0,Y0,Z0,X1,Y1,Z1");
+  ASSERT_EQ(build({tool, "-o", "a.dae"}).status, 0);
+  const Outcome shown = scatter({"levels", "show", "a.dae", "--region", "handle"});
+  EXPECT_EQ(shown.status, 2);
+  EXPECT_THAT(shown.errors, HasSubstr("with --mesh"));
+}
+
+TEST_F(Levels, FilesInAFolderAreMadeAgainWithOtherRegions) {
+  const std::string tool = mesh("tool.obj", objTool());
+  const auto made = [&](const std::string& option, const std::string& value) {
+    return build({tool, "--folder", "levels", "--parts", "2,1", option, value}).output;
+  };
+  EXPECT_THAT(made("--keep", "tip"), HasSubstr("1 of 1 meshes written"));
+  EXPECT_THAT(made("--keep", "tip"), HasSubstr("1 unchanged"));
+  EXPECT_THAT(made("--keep", "body"), HasSubstr("1 of 1 meshes written"));
+  EXPECT_THAT(made("--importance", "body=2"), HasSubstr("1 of 1 meshes written"));
+}
+
 TEST_F(Levels, OneBadMeshOfSeveralDoesNotStopTheOthers) {
   const Outcome built = build({mesh("bad.obj", "nonsense"), mesh("box.obj", objBox()), "--folder", "levels"});
   EXPECT_EQ(built.status, 2);

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <scatter/levels/surface_mesh.h>
+#include <scatter/math.h>
 #include <scatter/result.h>
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -30,11 +32,34 @@ struct MeshOptions {
   int maxSeconds = 120;
 };
 
+/// What a name in a mesh file stands for.
+enum class MeshGroupKind : std::uint8_t {
+  kMaterial,
+  kObject,       ///< A node with all that is under it, an object or group of an obj file, or a mesh.
+  kVertexGroup,  ///< A bone: triangles whose corners follow it by half or more, on average.
+};
+
+/// Triangles that a mesh file has a name for.
+struct MeshGroup {
+  MeshGroupKind kind{};
+  std::string name;
+
+  /// First index and the one behind the last, ascending.
+  std::vector<std::array<std::uint32_t, 2>> runs;
+};
+
 /// All triangles of a mesh file as one mesh, in metres, y up.
 struct MeshFile {
   std::string name{};  ///< The file's, without folder and extension.
   SurfaceMesh mesh{};  ///< Not empty; every value is finite, every index in range, no vertex equals another.
   int pieces = 0;      ///< Meshes in the file, each as often as it is placed.
+
+  /// No two of a kind have the same name; those without a name are left out.
+  std::vector<MeshGroup> groups{};
+
+  /// From the file's unit and axes to metres, y up: those of MeshOptions, or an FBX file's. COLLADA and glTF
+  /// files count as being in metres, y up.
+  Mat3 fromFile{1.0F};
 
   /// What was left out or mended, one line each, beginning with the file's name.
   std::vector<std::string> warnings{};

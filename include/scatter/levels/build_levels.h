@@ -1,6 +1,7 @@
 #pragma once
 
 #include <scatter/levels/level_set.h>
+#include <scatter/levels/mesh_region.h>
 #include <scatter/levels/surface_mesh.h>
 #include <scatter/result.h>
 
@@ -59,6 +60,10 @@ struct LevelBuildDef {
 
   MeshInterior interior = MeshInterior::kAutomatic;
 
+  /// Where detail is worth more or less than elsewhere: parts go where they save the largest gap times
+  /// weight. `finestGap` is that of a weight of 1.
+  std::vector<MeshRegion> regions;
+
   /// Meshes with more triangles are grouped by cell and facing first, which makes the parts follow the mesh
   /// a little less closely. Nothing is left out.
   std::size_t maxTriangles = 200'000;
@@ -86,7 +91,7 @@ using BuildProgress = std::function<void(std::string_view stage, double share)>;
 /// core as on two. `progress` is called on the caller's thread and may throw, which ends the build. Takes any
 /// triangles: open, inside-out, several shells, degenerate, flat. Fails on a mesh without triangles, an index
 /// out of range, a coordinate that is not finite, a mesh of a single point, one that is inside out unless
-/// `interior` says what it is, and counts that make no sense.
+/// `interior` says what it is, a region with nothing of the mesh, and counts that make no sense.
 [[nodiscard]] Result<BuiltLevels> buildLevels(const SurfaceMesh& mesh, const LevelBuildDef& definition,
                                               const BuildProgress& progress = {});
 

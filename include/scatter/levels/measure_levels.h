@@ -3,6 +3,7 @@
 #include <scatter/levels/build_levels.h>
 #include <scatter/levels/level_set.h>
 #include <scatter/levels/mass_properties.h>
+#include <scatter/levels/mesh_region.h>
 #include <scatter/levels/surface_mesh.h>
 #include <scatter/result.h>
 
@@ -11,6 +12,14 @@
 #include <vector>
 
 namespace scatter {
+
+/// Distances from a level to a mesh, metres.
+struct GapFigures {
+  double mean = 0.0;
+  double p95 = 0.0;
+  double max = 0.0;
+  std::size_t samples = 0;  ///< On how many points the first two rest.
+};
 
 /// One level against the mesh it stands for.
 struct LevelFigures {
@@ -36,6 +45,10 @@ struct LevelFigures {
   double p95Gap = 0.0;
   double maxGap = 0.0;
 
+  /// The same where what the mesh has nearest is in each of MeasureDef::regions, and at last where it is in
+  /// none of them; empty if there are no regions.
+  std::vector<GapFigures> regionGaps;
+
   /// What a contact with this level costs relative to one with a single box.
   double predictedCost = 0.0;
 };
@@ -53,9 +66,11 @@ struct MeasureDef {
   std::size_t surfaceSamples = 20'000;  ///< Per level.
   std::size_t volumeSamples = 60'000;   ///< Per level.
   MeshInterior interior = MeshInterior::kAutomatic;
+  std::vector<MeshRegion> regions{};
 };
 
-/// Measures the levels against the mesh. Deterministic. Fails on a mesh that buildLevels() would refuse.
+/// Measures the levels against the mesh. Deterministic. Fails on a mesh or regions that buildLevels() would
+/// refuse.
 [[nodiscard]] Result<LevelMeasures> measureLevels(const LevelSet& levels, const SurfaceMesh& mesh,
                                                   const MeasureDef& definition = {});
 

@@ -23,6 +23,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/mesh/group_names.h"
 #include "io/mesh/polygon.h"
 
 namespace scatter::io {
@@ -132,6 +133,7 @@ class Collector {
     if (error_) return fail(std::move(*error_));
     if (result_.mesh.triangles.empty()) return fail("has no triangles");
     describeLosses();
+    result_.groups = groups_.take();
     return std::move(result_);
   }
 
@@ -139,10 +141,18 @@ class Collector {
   void addNode(const aiNode& node, const glm::dmat4& parent, int depth) {
     if (depth > kDeepestNode) error_ = "has nodes nested more than " + std::to_string(kDeepestNode) + " deep";
     const glm::dmat4 frame = depth == 0 ? parent : parent * toMatrix(node.mTransformation);
+    const std::size_t first = result_.mesh.triangles.size();
     for (unsigned i = 0; i < node.mNumMeshes && !error_; ++i) {
       if (node.mMeshes[i] < scene_.mNumMeshes) addMesh(*scene_.mMeshes[node.mMeshes[i]], frame);
     }
     for (unsigned i = 0; i < node.mNumChildren && !error_; ++i) addNode(*node.mChildren[i], frame, depth + 1);
+    // The root of most formats is named after the file, or by Assimp.
+    if (depth > 0 || node.mNumMeshes > 0) addGroup(MeshGroupKind::kObject, node.mName, first);
+  }
+
+  /// Of the triangles from `first` on.
+  void addGroup(MeshGroupKind kind, const aiString& name, std::size_t first) {
+    groups_.add(kind, name.C_Str(), first, result_.mesh.triangles.size());
   }
 
   void addMesh(const aiMesh& mesh, const glm::dmat4& frame) {
@@ -150,7 +160,28 @@ class Collector {
     hasBones_ = hasBones_ || mesh.mNumBones > 0;
     const bool mirrors = glm::determinant(glm::dmat3(frame)) < 0.0;
     indices_.assign(mesh.mNumVertices, kNone);
+    corners_.clear();
+    const std::size_t first = result_.mesh.triangles.size();
     for (unsigned i = 0; i < mesh.mNumFaces && !error_; ++i) addFace(mesh, mesh.mFaces[i], frame, mirrors);
+    addGroup(MeshGroupKind::kObject, mesh.mName, first);
+    if (mesh.mMaterialIndex < scene_.mNumMaterials)
+      addGroup(MeshGroupKind::kMaterial, scene_.mMaterials[mesh.mMaterialIndex]->GetName(), first);
+    for (unsigned i = 0; i < mesh.mNumBones && !error_; ++i) addBone(*mesh.mBones[i], mesh, first);
+  }
+
+  /// Of the mesh whose triangles begin with `first`.
+  void addBone(const aiBone& bone, const aiMesh& mesh, std::size_t first) {
+    constexpr float kHalfOfThree = 1.5F;
+    std::vector<float> follows(mesh.mNumVertices, 0.0F);
+    for (unsigned i = 0; i < bone.mNumWeights; ++i) {
+      const aiVertexWeight& weight = bone.mWeights[i];
+      if (weight.mVertexId < mesh.mNumVertices) follows[weight.mVertexId] = weight.mWeight;
+    }
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+      const auto [a, b, c] = corners_[i];
+      if (follows[a] + follows[b] + follows[c] >= kHalfOfThree)
+        groups_.add(MeshGroupKind::kVertexGroup, bone.mName.C_Str(), first + i, first + i + 1);
+    }
   }
 
   void addFace(const aiMesh& mesh, const aiFace& face, const glm::dmat4& frame, bool mirrors) {
@@ -173,6 +204,7 @@ class Collector {
       if (mirrors) std::swap(b, c);
       addTriangle({indexOf(face.mIndices[a], corners[a]), indexOf(face.mIndices[b], corners[b]),
                    indexOf(face.mIndices[c], corners[c])});
+      if (mesh.mNumBones > 0) corners_.push_back({face.mIndices[a], face.mIndices[b], face.mIndices[c]});
     }
   }
 
@@ -211,7 +243,9 @@ class Collector {
   const MeshOptions& options_;
   MeshFile result_;
   Welder welder_{result_.mesh.vertices};
-  std::vector<std::uint32_t> indices_;  ///< From the current mesh's vertices to the result's.
+  std::vector<std::uint32_t> indices_;            ///< From the current mesh's vertices to the result's.
+  std::vector<std::array<unsigned, 3>> corners_;  ///< Of the current mesh's triangles, if it has bones.
+  GroupNames groups_;
   std::optional<std::string> error_;
   std::size_t points_ = 0;
   std::size_t lines_ = 0;
@@ -278,6 +312,13 @@ glm::dmat4 rootFrame(const aiScene& scene, const std::string& extension, const M
   return frame;
 }
 
+/// See MeshFile::fromFile.
+Mat3 fileAxes(const aiScene& scene, const std::string& extension, const MeshOptions& options) {
+  if (extension == "fbx") return Mat3(options.unit.value_or(fbxUnit(scene)) * glm::dmat3(fbxFrame(scene)));
+  if (saysUp(extension)) return Mat3(1.0F);
+  return Mat3(options.unit.value_or(1.0) * glm::dmat3(uprightFrom(options.up)));
+}
+
 }  // namespace
 
 std::vector<std::string> assimpExtensions() {
@@ -301,7 +342,9 @@ Result<MeshFile> readWithAssimp(const fs::path& path, const std::string& extensi
   importer.SetIOHandler(new OwnFolder(path, options.maxFileBytes));  // The importer owns it.
   const aiScene* scene = importer.ReadFile(path.string(), 0);
   if (scene == nullptr) return fail(std::string("cannot be read: ") + importer.GetErrorString());
-  return Collector(*scene, options).collect(rootFrame(*scene, extension, options));
+  Result<MeshFile> file = Collector(*scene, options).collect(rootFrame(*scene, extension, options));
+  if (file) file->fromFile = fileAxes(*scene, extension, options);
+  return file;
 }
 
 }  // namespace scatter::io

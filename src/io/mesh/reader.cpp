@@ -96,6 +96,13 @@ std::string pack(const Result<MeshFile>& read) {
   packer.addAll(read->mesh.vertices);
   packer.addAll(read->mesh.triangles);
   packer.add(read->pieces);
+  packer.add(read->fromFile);
+  packer.add<std::uint64_t>(read->groups.size());
+  for (const MeshGroup& group : read->groups) {
+    packer.add(group.kind);
+    packer.addText(group.name);
+    packer.addAll(group.runs);
+  }
   packer.add<std::uint64_t>(read->warnings.size());
   for (const std::string& warning : read->warnings) packer.addText(warning);
   return packer.take();
@@ -108,6 +115,14 @@ Result<MeshFile> unpack(std::string_view bytes) {
   file.mesh.vertices = unpacker.getAll<Vec3>();
   file.mesh.triangles = unpacker.getAll<std::array<std::uint32_t, 3>>();
   file.pieces = unpacker.get<int>();
+  file.fromFile = unpacker.get<Mat3>();
+  for (auto count = unpacker.get<std::uint64_t>(); count > 0; --count) {
+    MeshGroup group;
+    group.kind = unpacker.get<MeshGroupKind>();
+    group.name = unpacker.getText();
+    group.runs = unpacker.getAll<std::array<std::uint32_t, 2>>();
+    file.groups.push_back(std::move(group));
+  }
   for (auto count = unpacker.get<std::uint64_t>(); count > 0; --count) {
     file.warnings.push_back(unpacker.getText());
   }

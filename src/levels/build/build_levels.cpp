@@ -10,6 +10,7 @@
 #include "levels/build/level_assembly.h"
 #include "levels/build/merge_tree.h"
 #include "levels/build/pre_merge.h"
+#include "levels/mesh/region_map.h"
 #include "levels/mesh/shells.h"
 #include "levels/mesh/work_mesh.h"
 #include "levels/text.h"
@@ -125,6 +126,9 @@ class Build {
     Result<WorkMesh> work = makeWorkMesh(mesh);
     if (!work) return fail(work.error().message);
     report("shells", 0.0);
+    Result<RegionMap> regions = RegionMap::create(definition_.regions, mesh, *work);
+    if (!regions) return fail(regions.error().message);
+    regions_ = std::move(*regions);
     if (Result<void> fits = checkMargin(work->diagonal); !fits) return fail(fits.error().message);
     const MeshSpace space = makeMeshSpace(std::move(*work), definition_.interior);
     if (space.wasInsideOut && definition_.interior == MeshInterior::kAutomatic) {
@@ -148,10 +152,15 @@ class Build {
     return gap.metres ? static_cast<double>(*gap.metres) : static_cast<double>(*gap.ofDiagonal) * diagonal;
   }
 
+  /// Where gaps weigh most.
+  [[nodiscard]] double leastGap(double diagonal) const {
+    return gapLimit(diagonal) / regions_.largestWeight();
+  }
+
   [[nodiscard]] double margin(double diagonal) const {
     if (definition_.hullMargin) return static_cast<double>(*definition_.hullMargin);
     const double least = std::min(kDefaultMargin, kDefaultMarginShare * diagonal);
-    return definition_.finestGap ? std::min(least, kDefaultMarginOfGap * gapLimit(diagonal)) : least;
+    return definition_.finestGap ? std::min(least, kDefaultMarginOfGap * leastGap(diagonal)) : least;
   }
 
   [[nodiscard]] double thickness(const MeshSpace& space) const {
@@ -159,12 +168,12 @@ class Build {
     if (definition_.thickness) return static_cast<double>(*definition_.thickness);
     const double diagonal = space.mesh.diagonal;
     const double least = std::min(static_cast<double>(kSheetThickness), kSheetThicknessShare * diagonal);
-    return definition_.finestGap ? std::min(least, kThicknessOfGap * gapLimit(diagonal)) : least;
+    return definition_.finestGap ? std::min(least, kThicknessOfGap * leastGap(diagonal)) : least;
   }
 
   [[nodiscard]] Result<void> checkMargin(double diagonal) const {
-    if (!definition_.finestGap || margin(diagonal) < gapLimit(diagonal)) return {};
-    return fail("a gap of " + toText(gapLimit(diagonal)) + " m cannot be kept with a hull margin of " +
+    if (!definition_.finestGap || margin(diagonal) < leastGap(diagonal)) return {};
+    return fail("a gap of " + toText(leastGap(diagonal)) + " m cannot be kept with a hull margin of " +
                 toText(margin(diagonal)) + " m, which counts in it: give a smaller margin or a larger gap");
   }
 
@@ -178,23 +187,24 @@ class Build {
   std::vector<LevelAssembler::Draft> assemble(const MeshSpace& space) {
     const double diagonal = space.mesh.diagonal;
     const FinestDef finest = finestDef(diagonal);
-    const bool isFine = finest.gap > 0.0 && finest.gap < kSmallGap * diagonal;
-    const DistanceGrid grid(space, isFine ? kFineGridCells : kGridCells,
+    const bool isFine = finest.gap > 0.0 && leastGap(diagonal) < kSmallGap * diagonal;
+    const DistanceGrid grid(space, regions_, isFine ? kFineGridCells : kGridCells,
                             [this](double share) { report("distances", share); });
     const std::size_t patchCount =
         std::clamp(kPatchesPerPart * finest.maxParts, kFewestPatches, kMostPatches);
     report("patches", 0.0);
-    Patches patches = preMerge(space.mesh, patchCount, definition_.maxTriangles);
+    const TriangleRegions regions = regionsOfTriangles(space.mesh, regions_);
+    Patches patches = preMerge(space.mesh, regions, patchCount, definition_.maxTriangles);
     if (patches.isGrouped) {
       notes_.push_back(std::to_string(space.mesh.triangles.size()) + " triangles are more than " +
                        std::to_string(definition_.maxTriangles) +
                        ": grouped by cell and facing; all of them are enclosed");
     }
     const MergeTree tree =
-        mergeGreedily(space.mesh, grid, std::move(patches),
+        mergeGreedily(space.mesh, grid, regions, std::move(patches),
                       {definition_.maxVertices, [this](double share) { report("merging", share); }});
     LevelAssembler assembler(
-        space, grid, tree,
+        space, grid, regions, tree,
         {definition_.maxVertices, margin(diagonal), definition_.fitPrimitives, thickness(space)});
     std::vector<LevelAssembler::Draft> drafts;
     drafts.push_back(assembler.finest(finest, [this](double share) { report("parts", share); }));
@@ -237,11 +247,19 @@ class Build {
 
   void noteFinest(const LevelAssembler::Draft& finest, const FinestDef& wanted) {
     double gap = 0.0;
-    for (const PartDraft& part : finest.parts) gap = std::max(gap, part.gap);
+    bool isMixed = false;
+    for (const PartDraft& part : finest.parts) {
+      gap = std::max(gap, part.gap);
+      isMixed = isMixed || part.isMixed;
+    }
     const std::string parts = std::to_string(finest.parts.size());
+    if (isMixed) {
+      notes_.push_back(parts + (finest.parts.size() == 1 ? " part does" : " parts do") +
+                       " not suffice to keep all regions apart");
+    }
     if (wanted.gap > 0.0 && gap > wanted.gap) {
-      notes_.push_back("the gap of the finest level is " + toText(gap) + " m instead of " +
-                       toText(wanted.gap) + " m: " + parts +
+      notes_.push_back("the gap of the finest level" + std::string(regions_.isEmpty() ? "" : ", weighed,") +
+                       " is " + toText(gap) + " m instead of " + toText(wanted.gap) + " m: " + parts +
                        " parts are the most that were allowed or could be made");
     } else if (wanted.gap <= 0.0 && finest.parts.size() < wanted.maxParts) {
       notes_.push_back("the finest level has " + parts + (finest.parts.size() == 1 ? " part" : " parts") +
@@ -281,6 +299,7 @@ class Build {
 
   const LevelBuildDef& definition_;
   const BuildProgress& progress_;
+  RegionMap regions_;
   std::vector<std::string> notes_;
 };
 

@@ -8,21 +8,24 @@
 
 namespace scatter::levels {
 
-DistanceGrid::DistanceGrid(const MeshSpace& space, int cells) {
+DistanceGrid::DistanceGrid(const MeshSpace& space, const RegionMap& regions, int cells)
+    : largestWeight_(regions.largestWeight()) {
   const glm::dvec3 size = space.mesh.bounds.max - space.mesh.bounds.min;
   step_ = std::max({size.x, size.y, size.z}) / cells;
   cellsPerMetre_ = 1.0 / step_;
   low_ = space.mesh.bounds.min - 1.5 * step_;
   count_ = glm::ivec3(size / step_) + 4;
   values_.assign(index(0, 0, count_.z), 0.0F);
+  if (!regions.isEmpty()) weights_.assign(values_.size(), 1.0F);
 }
 
-DistanceGrid::DistanceGrid(const MeshSpace& space, int cells, const std::function<void(double)>& progress)
-    : DistanceGrid(space, cells) {
+DistanceGrid::DistanceGrid(const MeshSpace& space, const RegionMap& regions, int cells,
+                           const std::function<void(double)>& progress)
+    : DistanceGrid(space, regions, cells) {
   std::atomic<int> next = 0;
   const auto fillNext = [&] {
     const int k = next++;
-    if (k < count_.z) fillSlice(space, k);
+    if (k < count_.z) fillSlice(space, regions, k);
     return k < count_.z;
   };
   const std::future<void> helper = std::async([&] {
@@ -37,7 +40,7 @@ DistanceGrid::DistanceGrid(const MeshSpace& space, int cells, const std::functio
   while (fillNext()) progress(std::min(1.0, static_cast<double>(next) / count_.z));
 }
 
-void DistanceGrid::fillSlice(const MeshSpace& space, int k) {
+void DistanceGrid::fillSlice(const MeshSpace& space, const RegionMap& regions, int k) {
   for (int j = 0; j < count_.y; ++j) {
     double last = std::numeric_limits<double>::infinity();
     bool isInside = false;
@@ -49,18 +52,19 @@ void DistanceGrid::fillSlice(const MeshSpace& space, int k) {
       if (mayCross) isInside = space.isInside(point);
       last = distance;
       values_[index(i, j, k)] = static_cast<float>(isInside ? -distance : distance);
+      if (!weights_.empty()) weights_[index(i, j, k)] = static_cast<float>(regions.weight(point, distance));
     }
   }
 }
 
-double DistanceGrid::value(const glm::dvec3& point) const {
+double DistanceGrid::interpolated(const std::vector<float>& values, const glm::dvec3& point) const {
   const glm::dvec3 last(count_ - 1);
   const glm::dvec3 place = glm::clamp((point - low_) * cellsPerMetre_, glm::dvec3(0.0), last);
   const glm::ivec3 cell = glm::min(glm::ivec3(place), count_ - 2);
   const glm::vec3 t(place - glm::dvec3(cell));
   const auto row = static_cast<std::ptrdiff_t>(count_.x);
   const std::ptrdiff_t slice = row * count_.y;
-  const float* corner = &values_[index(cell.x, cell.y, cell.z)];
+  const float* corner = &values[index(cell.x, cell.y, cell.z)];
   const auto along = [&t](const float* first) { return first[0] + t.x * (first[1] - first[0]); };
   const auto across = [&](const float* first) {
     const float low = along(first);

@@ -1,6 +1,7 @@
 #include "levels/build/greedy_merge.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <map>
@@ -25,6 +26,9 @@ constexpr double kTrialTolerance = 3e-4;
 constexpr double kTrialThickness = 1e-4;
 constexpr double kTrialSpacing = 1.0 / 60.0;
 
+/// In diagonals, what merging over the border of a kept region costs: more than any gap in any other.
+constexpr double kBorder = 1e6;
+
 /// With at most so many parts, all pairs are candidates.
 constexpr std::size_t kAllPairs = 128;
 constexpr std::size_t kNearest = 4;
@@ -42,6 +46,8 @@ struct Node {
   glm::dvec3 middle{0.0};
   NodeIndex id = 0;  ///< In the tree.
   std::uint32_t version = 0;
+  std::uint32_t keeper = 0;
+  double weight = 1.0;  ///< The largest of its triangles'.
   bool isAlive = true;
 
   /// What merging with another one costs at least.
@@ -74,7 +80,8 @@ struct MergeCandidate {
 
 class GreedyMerger {
  public:
-  GreedyMerger(const WorkMesh& mesh, const DistanceGrid& grid, Patches patches, const MergeDef& definition)
+  GreedyMerger(const WorkMesh& mesh, const DistanceGrid& grid, const TriangleRegions& regions,
+               Patches patches, const MergeDef& definition)
       : grid_(grid), patches_(std::move(patches)), definition_(definition), diagonal_(mesh.diagonal) {
     const auto count = static_cast<std::uint32_t>(patches_.clusters.size());
     nodes_.resize(count);
@@ -82,6 +89,7 @@ class GreedyMerger {
     std::iota(alive_.begin(), alive_.end(), 0U);
     for (std::uint32_t i = 0; i < count; ++i) {
       nodes_[i].id = i;
+      setRegion(nodes_[i], patches_.clusters[i], regions);
       buildHull(cornersOf(mesh, patches_.clusters[i]));
       nodes_[i].setHull(hull_.vertices);
     }
@@ -94,10 +102,9 @@ class GreedyMerger {
   MergeTree run() {
     const auto total = static_cast<double>(nodes_.size());
     std::vector<MergeTree::Merge> merges;
-    bool hasAllPairs = false;
     while (alive_.size() > 1) {
-      if (!hasAllPairs && (alive_.size() <= kAllPairs || queue_.empty())) {
-        hasAllPairs = true;
+      if (!hasAllPairs_ && (alive_.size() <= kAllPairs || queue_.empty())) {
+        hasAllPairs_ = true;
         linkAll();
       }
       MergeCandidate best = queue_.top();
@@ -114,7 +121,7 @@ class GreedyMerger {
       merges.push_back({nodes_[best.a].id, nodes_[best.b].id});
       merge(best.a, best.b);
       nodes_[best.a].id = static_cast<NodeIndex>(nodes_.size() + merges.size() - 1);
-      if (!hasAllPairs && nodes_[best.a].neighbours.size() < kFewNeighbours) linkNearest(best.a);
+      if (!hasAllPairs_ && nodes_[best.a].neighbours.size() < kFewNeighbours) linkNearest(best.a);
       if (definition_.progress) definition_.progress(1.0 - static_cast<double>(alive_.size()) / total);
     }
     return {std::move(patches_.clusters), std::move(merges)};
@@ -132,6 +139,13 @@ class GreedyMerger {
     points.reserve(indices.size());
     for (const std::uint32_t i : indices) points.push_back(mesh.vertices[i]);
     return points;
+  }
+
+  static void setRegion(Node& node, const Cluster& cluster, const TriangleRegions& regions) {
+    node.keeper = regions.keeperOf(cluster.front());
+    node.weight = 0.0;
+    for (const std::uint32_t triangle : cluster)
+      node.weight = std::max(node.weight, regions.weightOf(triangle));
   }
 
   [[nodiscard]] bool isCurrent(std::uint32_t node, std::uint32_t version) const {
@@ -153,9 +167,23 @@ class GreedyMerger {
   /// The gap of the common hull as it will be once it has few vertices, and a little for its size.
   double costOf(std::uint32_t a, std::uint32_t b) {
     buildCommonHull(a, b);
-    const auto valueAt = [this](const glm::dvec3& point) { return grid_.value(point); };
-    return largestGap(hull_, kTrialSpacing * diagonal_, valueAt) + kExcessWeight * hull_.excess +
-           kSizeWeight * glm::length(hull_.bounds.max - hull_.bounds.min);
+    const double weight = std::max(nodes_[a].weight, nodes_[b].weight);
+    return gapOf(hull_, weight) + kExcessWeight * weight * hull_.excess +
+           kSizeWeight * glm::length(hull_.bounds.max - hull_.bounds.min) + borderCost(a, b);
+  }
+
+  /// Each place counts with its weight, of which `weight` is an idea.
+  [[nodiscard]] double gapOf(const TriangleHull& hull, double weight) const {
+    const double spacing = kTrialSpacing * diagonal_;
+    if (!grid_.isWeighted()) {
+      return largestGap(hull, spacing, [this](const glm::dvec3& point) { return grid_.value(point); });
+    }
+    const auto valueAt = [this](const glm::dvec3& point) { return grid_.weight(point) * grid_.value(point); };
+    return largestGap(hull, spacing / std::sqrt(std::max(1.0, weight)), valueAt, 0.0, grid_.largestWeight());
+  }
+
+  [[nodiscard]] double borderCost(std::uint32_t a, std::uint32_t b) const {
+    return nodes_[a].keeper == nodes_[b].keeper ? 0.0 : kBorder * diagonal_;
   }
 
   void push(std::uint32_t a, std::uint32_t b, double atLeast) {
@@ -164,9 +192,12 @@ class GreedyMerger {
   }
 
   void link(std::uint32_t a, std::uint32_t b) {
-    if (!nodes_[a].neighbours.emplace(b, 0.0).second) return;
-    nodes_[b].neighbours.emplace(a, 0.0);
-    push(a, b, 0.0);
+    const double atLeast = borderCost(a, b);
+    // Nothing is merged over a border until all pairs are known, nor then before the others.
+    if (atLeast > 0.0 && !hasAllPairs_) return;
+    if (!nodes_[a].neighbours.emplace(b, atLeast).second) return;
+    nodes_[b].neighbours.emplace(a, atLeast);
+    push(a, b, atLeast);
   }
 
   /// Merges `b` into `a`. A hull that grows moves away from the mesh: what the parts cost together with
@@ -176,6 +207,8 @@ class GreedyMerger {
     Node& into = nodes_[a];
     Node& from = nodes_[b];
     into.setHull(hull_.vertices);
+    into.weight = std::max(into.weight, from.weight);
+    into.keeper = std::max(into.keeper, from.keeper);
     ++into.version;
     from.isAlive = false;
     alive_.erase(std::lower_bound(alive_.begin(), alive_.end(), b));
@@ -197,7 +230,7 @@ class GreedyMerger {
   void linkNearest(std::uint32_t node) {
     std::vector<std::pair<double, std::uint32_t>> others;
     for (const std::uint32_t i : alive_) {
-      if (i == node) continue;
+      if (i == node || nodes_[i].keeper != nodes_[node].keeper) continue;
       const double apart = boxDistance(nodes_[node].bounds, nodes_[i].bounds);
       others.emplace_back(apart + 0.3 * glm::length(nodes_[node].middle - nodes_[i].middle), i);
     }
@@ -217,6 +250,7 @@ class GreedyMerger {
   const MergeDef& definition_;
   double diagonal_;
   std::vector<Node> nodes_;
+  bool hasAllPairs_ = false;
   std::vector<std::uint32_t> alive_;  ///< Nodes that are not merged into another, in order.
   std::priority_queue<MergeCandidate, std::vector<MergeCandidate>, std::greater<>> queue_;
   HullBuilder builder_;
@@ -226,9 +260,9 @@ class GreedyMerger {
 
 }  // namespace
 
-MergeTree mergeGreedily(const WorkMesh& mesh, const DistanceGrid& grid, Patches patches,
-                        const MergeDef& definition) {
-  return GreedyMerger(mesh, grid, std::move(patches), definition).run();
+MergeTree mergeGreedily(const WorkMesh& mesh, const DistanceGrid& grid, const TriangleRegions& regions,
+                        Patches patches, const MergeDef& definition) {
+  return GreedyMerger(mesh, grid, regions, std::move(patches), definition).run();
 }
 
 }  // namespace scatter::levels

@@ -5,6 +5,7 @@
 #include "levels/build/distance_grid.h"
 #include "levels/build/merge_tree.h"
 #include "levels/build/pre_merge.h"
+#include "levels/mesh/region_map.h"
 #include "levels/mesh/work_mesh.h"
 
 namespace scatter::levels {
@@ -14,8 +15,10 @@ struct MergeDef {
   std::function<void(double share)> progress;
 };
 
-/// Merges the patches down to one, each time the pair whose common hull stays closest to the mesh.
-[[nodiscard]] MergeTree mergeGreedily(const WorkMesh& mesh, const DistanceGrid& grid, Patches patches,
+/// Merges the patches down to one, each time the pair whose common hull stays closest to the mesh; gaps count
+/// with their weight. What different regions keep is merged last.
+[[nodiscard]] MergeTree mergeGreedily(const WorkMesh& mesh, const DistanceGrid& grid,
+                                      const TriangleRegions& regions, Patches patches,
                                       const MergeDef& definition);
 
 }  // namespace scatter::levels

@@ -12,10 +12,11 @@
 namespace scatter::levels {
 
 /// The largest value of `gapAt(point)`, a distance to something, on the surface of a hull, sampled at
-/// distances of about `spacing`. As a distance changes by at most the way gone, samples are needed only
-/// where it can exceed the largest one so far.
+/// distances of about `spacing`. As a distance changes by at most the way gone, times `steepness`, samples
+/// are needed only where it can exceed the largest one so far.
 template <class GapAt>
-[[nodiscard]] double largestOnSurface(const TriangleHull& hull, double spacing, const GapAt& gapAt) {
+[[nodiscard]] double largestOnSurface(const TriangleHull& hull, double spacing, const GapAt& gapAt,
+                                      double steepness = 1.0) {
   using Corners = std::array<glm::dvec3, 3>;
   struct Patch {
     Corners corners{};
@@ -32,7 +33,8 @@ template <class GapAt>
       squared = std::max(squared, glm::dot(corner - middle, corner - middle));
     }
     const double size = std::sqrt(squared);
-    if (size > spacing && gap + size > largest) open.push_back({corners, gap + size});
+    const double bound = gap + steepness * size;
+    if (size > spacing && bound > largest) open.push_back({corners, bound});
   };
   for (const Triangle& t : hull.triangles) {
     sample({hull.vertices[t[0]], hull.vertices[t[1]], hull.vertices[t[2]]});
@@ -59,7 +61,8 @@ template <class GapAt>
 /// `atLeast`; else that. Looked for in the middles of boxes that are halved, and left alone where they cannot
 /// hold more.
 template <class ValueAt>
-[[nodiscard]] double largestInside(const TriangleHull& hull, double atLeast, const ValueAt& valueAt) {
+[[nodiscard]] double largestInside(const TriangleHull& hull, double atLeast, const ValueAt& valueAt,
+                                   double steepness = 1.0) {
   // Of the box around the hull: hollows wider than an eighth of it are found.
   constexpr int kHalvings = 3;
   struct Cell {
@@ -80,7 +83,7 @@ template <class ValueAt>
     open.pop_back();
     const double value = valueAt(cell.middle);
     const double reach = glm::length(cell.half);
-    if (value + reach <= largest) continue;
+    if (value + steepness * reach <= largest) continue;
     const double outside = distanceOutside(cell.middle);
     if (outside > reach) continue;
     if (outside <= 0.0) largest = std::max(largest, value);
@@ -99,9 +102,10 @@ template <class ValueAt>
 /// the hull shuts it.
 template <class ValueAt>
 [[nodiscard]] double largestGap(const TriangleHull& hull, double spacing, const ValueAt& valueAt,
-                                double atLeast = 0.0) {
+                                double atLeast = 0.0, double steepness = 1.0) {
   const auto gapAt = [&valueAt](const glm::dvec3& point) { return std::max(0.0, valueAt(point)); };
-  return largestInside(hull, std::max(atLeast, largestOnSurface(hull, spacing, gapAt)), valueAt);
+  const double onSurface = largestOnSurface(hull, spacing, gapAt, steepness);
+  return largestInside(hull, std::max(atLeast, onSurface), valueAt, steepness);
 }
 
 }  // namespace scatter::levels

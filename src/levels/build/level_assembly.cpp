@@ -4,6 +4,7 @@
 #include <cmath>
 #include <future>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <queue>
 #include <utility>
 #include <variant>
@@ -91,7 +92,6 @@ double rimOf(const AssemblyDef& definition) {
 LevelAssembler::Draft LevelAssembler::finest(const FinestDef& definition,
                                              const std::function<void(double)>& progress) {
   const double nearest = definition_.hullMargin + rimOf(definition_) + kNegligibleGap * space_.mesh.diagonal;
-  const double enough = std::max(definition.gap, nearest);
   std::vector<std::pair<NodeIndex, PartDraft>> parts;
   // Importance and place in `parts`, the most important on top, the earliest of equals.
   using Entry = std::pair<double, std::size_t>;
@@ -105,7 +105,10 @@ LevelAssembler::Draft LevelAssembler::finest(const FinestDef& definition,
     const PartDraft& part = parts[place].second;
     // Of two with the same gap, the larger part shows more of it.
     const double share = part.area / (space_.mesh.diagonal * space_.mesh.diagonal);
-    if (part.gap > enough && !tree_.isLeaf(node)) {
+    if (tree_.isLeaf(node)) return;
+    if (part.isMixed) {
+      queue.emplace(std::numeric_limits<double>::infinity(), place);
+    } else if (part.gap > std::max(definition.gap, nearest * part.weight)) {
       queue.emplace(part.gap * std::pow(share, kAreaPower), place);
     }
   };
@@ -133,11 +136,18 @@ LevelAssembler::Draft LevelAssembler::finest(const FinestDef& definition,
 }
 
 PartDraft LevelAssembler::finestPart(NodeIndex node, HullBuilder& builder) const {
-  const std::vector<glm::dvec3> points = pointsUnder(node);
-  if (!(definition_.thickness > 0.0)) return partAround(contentOf(points), builder);
+  const Cluster triangles = tree_.trianglesUnder(node);
+  const std::vector<glm::dvec3> points = pointsOf(triangles);
+  PartDraft draft =
+      definition_.thickness > 0.0 ? plateAround(points, builder) : partAround(contentOf(points), builder);
+  setRegion(draft, triangles);
+  return draft;
+}
+
+PartDraft LevelAssembler::plateAround(const std::vector<glm::dvec3>& points, HullBuilder& builder) const {
   // How well a plate follows a sheet is told without its thickness, which would hide how it bends.
   const TriangleHull thin = encloseInHull(builder, points, {space_.mesh.diagonal, definition_.maxVertices});
-  const double gap = gapOf(thin) + definition_.hullMargin + rimOf(definition_);
+  const double gap = gapOf(thin, definition_.hullMargin + rimOf(definition_));
   PartDraft draft = partAround(contentOf(thickenedTo(points, definition_.thickness)), builder);
   draft.gap = std::max(gap, draft.gap);
   return draft;
@@ -170,7 +180,7 @@ PartDraft LevelAssembler::partAround(const Content& content, HullBuilder& builde
   const TriangleHull hull = encloseInHull(builder, content.points, {diagonal, definition_.maxVertices});
   PartDraft draft;
   draft.part = toPart(hull, space_.mesh.origin);
-  draft.gap = gapOf(hull) + definition_.hullMargin;
+  draft.gap = gapOf(hull, definition_.hullMargin);
   draft.area = hull.area;
   if (definition_.fitPrimitives) {
     if (std::optional<PartDraft> primitive = primitiveAround(content, draft, hull, builder))
@@ -189,13 +199,14 @@ std::optional<PartDraft> LevelAssembler::primitiveAround(const Content& content,
   for (const FittedPrimitive& fitted : fitPrimitives(content.balls, hull, space_.mesh.origin, wanted)) {
     TriangleHull outline;
     if (!builder.build(outlineOf(fitted.part, space_.mesh.origin, 0.0), {}, outline)) continue;
-    const double gap = gapOf(outline);
+    const double gap = gapOf(outline, 0.0);
     if (gap <= draft.gap + kPrimitiveGap * diagonal) return PartDraft{fitted.part, {}, gap, outline.area};
   }
   return std::nullopt;
 }
 
-double LevelAssembler::gapOf(const TriangleHull& hull) const {
+double LevelAssembler::gapOf(const TriangleHull& hull, double margin) const {
+  if (grid_.isWeighted()) return weightedGapOf(hull, margin);
   const double spacing = kSpacing * space_.mesh.diagonal;
   const auto roughly = [this](const glm::dvec3& point) { return grid_.value(point); };
   const auto exactly = [this](const glm::dvec3& point) {
@@ -208,13 +219,41 @@ double LevelAssembler::gapOf(const TriangleHull& hull) const {
   double corners = 0.0;
   for (const glm::dvec3& vertex : hull.vertices) corners = std::max(corners, exactly(vertex));
   const double rough = largestGap(hull, spacing, roughly, corners);
-  if (rough > kFineCells * grid_.step()) return rough;
-  return largestGap(hull, spacing, exactly, corners);
+  if (rough > kFineCells * grid_.step()) return rough + margin;
+  return largestGap(hull, spacing, exactly, corners) + margin;
 }
 
-std::vector<glm::dvec3> LevelAssembler::pointsUnder(NodeIndex node) const {
+double LevelAssembler::weightedGapOf(const TriangleHull& hull, double margin) const {
+  const auto valueAt = [this, margin](const glm::dvec3& point) {
+    double value = grid_.value(point);
+    // Further inside than a cell there is no gap, and further out the grid is good enough.
+    const double step = grid_.step();
+    if (value > -step && value < kFineCells * step)
+      value = value > step ? space_.tree.distance(point) : space_.distance(point);
+    return grid_.weight(point) * (value + margin);
+  };
+  double corners = 0.0;
+  double weight = 1.0;
+  for (const glm::dvec3& vertex : hull.vertices) {
+    corners = std::max(corners, valueAt(vertex));
+    weight = std::max(weight, grid_.weight(vertex));
+  }
+  const double spacing = kSpacing * space_.mesh.diagonal / std::sqrt(weight);
+  return largestGap(hull, spacing, valueAt, corners, grid_.largestWeight());
+}
+
+void LevelAssembler::setRegion(PartDraft& draft, const Cluster& triangles) const {
+  if (!grid_.isWeighted()) return;
+  draft.weight = 0.0;
+  for (const std::uint32_t triangle : triangles) {
+    draft.weight = std::max(draft.weight, regions_.weightOf(triangle));
+    draft.isMixed = draft.isMixed || regions_.keeperOf(triangle) != regions_.keeperOf(triangles.front());
+  }
+}
+
+std::vector<glm::dvec3> LevelAssembler::pointsOf(const Cluster& triangles) const {
   std::vector<std::uint32_t> indices;
-  for (const std::uint32_t triangle : tree_.trianglesUnder(node)) {
+  for (const std::uint32_t triangle : triangles) {
     const Triangle& corners = space_.mesh.triangles[triangle];
     indices.insert(indices.end(), corners.begin(), corners.end());
   }

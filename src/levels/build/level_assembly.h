@@ -11,6 +11,7 @@
 #include "levels/build/distance_grid.h"
 #include "levels/build/fit_primitive.h"
 #include "levels/build/merge_tree.h"
+#include "levels/mesh/region_map.h"
 #include "levels/mesh/shells.h"
 #include "levels/mesh/triangle_hull.h"
 
@@ -25,8 +26,11 @@ struct Content {
 struct PartDraft {
   ConvexPart part;    ///< In the model's frame.
   Content content;    ///< What a part around this one must hold.
-  double gap = 0.0;   ///< The largest distance from its surface, margin counted, to the mesh that was found.
+  double gap = 0.0;   ///< The largest distance from its surface, margin counted, to the mesh that was found;
+                      ///< times the weight there.
   double area = 0.0;  ///< Of its surface, about.
+  double weight = 1.0;   ///< The largest of what it was made for.
+  bool isMixed = false;  ///< Holds what is to be kept apart.
 };
 
 struct AssemblyDef {
@@ -39,15 +43,15 @@ struct AssemblyDef {
 /// When to stop splitting parts of the finest level.
 struct FinestDef {
   std::size_t maxParts = 64;
-  double gap = 0.0;  ///< No part needs to be nearer to the mesh than this, metres.
+  double gap = 0.0;  ///< No part needs to be nearer to the mesh than this, metres; weights counted.
 };
 
 /// Makes the parts of levels from the nodes of a merge tree.
 class LevelAssembler {
  public:
-  LevelAssembler(const MeshSpace& space, const DistanceGrid& grid, const MergeTree& tree,
-                 const AssemblyDef& definition)
-      : space_(space), grid_(grid), tree_(tree), definition_(definition) {}
+  LevelAssembler(const MeshSpace& space, const DistanceGrid& grid, const TriangleRegions& regions,
+                 const MergeTree& tree, const AssemblyDef& definition)
+      : space_(space), grid_(grid), regions_(regions), tree_(tree), definition_(definition) {}
 
   /// A level: nodes of the tree, ascending, and the part of each.
   struct Draft {
@@ -57,7 +61,8 @@ class LevelAssembler {
   };
 
   /// The finest level: splits the part furthest from the mesh until all are near enough or there are
-  /// enough of them; two threads, which make what one would. `progress` is given a share from 0 to 1.
+  /// enough of them, those first that hold what is to be kept apart; two threads, which make what one would.
+  /// `progress` is given a share from 0 to 1.
   [[nodiscard]] Draft finest(const FinestDef& definition, const std::function<void(double)>& progress);
 
   /// The next coarser level, of at most `count` parts around those of `finer`.
@@ -69,11 +74,15 @@ class LevelAssembler {
   [[nodiscard]] std::optional<PartDraft> primitiveAround(const Content& content, const PartDraft& draft,
                                                          const TriangleHull& hull,
                                                          HullBuilder& builder) const;
-  [[nodiscard]] double gapOf(const TriangleHull& hull) const;
-  [[nodiscard]] std::vector<glm::dvec3> pointsUnder(NodeIndex node) const;
+  [[nodiscard]] PartDraft plateAround(const std::vector<glm::dvec3>& points, HullBuilder& builder) const;
+  [[nodiscard]] double gapOf(const TriangleHull& hull, double margin) const;
+  [[nodiscard]] double weightedGapOf(const TriangleHull& hull, double margin) const;
+  void setRegion(PartDraft& draft, const Cluster& triangles) const;
+  [[nodiscard]] std::vector<glm::dvec3> pointsOf(const Cluster& triangles) const;
 
   const MeshSpace& space_;
   const DistanceGrid& grid_;
+  const TriangleRegions& regions_;
   const MergeTree& tree_;
   AssemblyDef definition_;
   HullBuilder builder_;

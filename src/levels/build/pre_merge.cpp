@@ -64,14 +64,14 @@ Spread spreadOf(const WorkMesh& mesh, std::uint32_t triangle) {
   return spread;
 }
 
-/// Triangles of one cell and facing, at most one triangle each if `isGrouped` is false.
-std::vector<Cluster> groupTriangles(const WorkMesh& mesh, bool isGrouped) {
+/// Triangles of one cell, facing and keeper, at most one triangle each if `isGrouped` is false.
+std::vector<Cluster> groupTriangles(const WorkMesh& mesh, const TriangleRegions& regions, bool isGrouped) {
   std::vector<Cluster> groups;
   if (!isGrouped) {
     for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) groups.push_back({i});
     return groups;
   }
-  std::vector<std::pair<std::array<int, 4>, std::uint32_t>> keys;
+  std::vector<std::pair<std::array<int, 5>, std::uint32_t>> keys;
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
     const Spread spread = spreadOf(mesh, i);
     const glm::dvec3 center = spread.first / spread.area;
@@ -79,7 +79,7 @@ std::vector<Cluster> groupTriangles(const WorkMesh& mesh, bool isGrouped) {
     const glm::dvec3 size = glm::abs(spread.normal);
     const int axis = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
     const int facing = 2 * axis + (spread.normal[axis] < 0.0 ? 1 : 0);
-    keys.push_back({{cell.x, cell.y, cell.z, facing}, i});
+    keys.push_back({{cell.x, cell.y, cell.z, facing, static_cast<int>(regions.keeperOf(i))}, i});
   }
   std::sort(keys.begin(), keys.end());
   for (std::size_t i = 0; i < keys.size(); ++i) {
@@ -87,6 +87,12 @@ std::vector<Cluster> groupTriangles(const WorkMesh& mesh, bool isGrouped) {
     groups.back().push_back(keys[i].second);
   }
   return groups;
+}
+
+double largestWeight(const Cluster& cluster, const TriangleRegions& regions) {
+  double largest = 0.0;
+  for (const std::uint32_t triangle : cluster) largest = std::max(largest, regions.weightOf(triangle));
+  return largest;
 }
 
 /// Pairs of groups that share an edge.
@@ -135,12 +141,15 @@ std::uint64_t mortonCode(const glm::uvec3& cell) {
 
 class PreMerger {
  public:
-  PreMerger(const WorkMesh& mesh, std::vector<Cluster> groups) : mesh_(mesh), members_(std::move(groups)) {
+  PreMerger(const WorkMesh& mesh, const TriangleRegions& regions, std::vector<Cluster> groups)
+      : mesh_(mesh), members_(std::move(groups)) {
     const std::size_t count = members_.size();
     alive_ = count;
     spreads_.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
       for (const std::uint32_t triangle : members_[i]) spreads_[i].add(spreadOf(mesh, triangle));
+      weights_.push_back(largestWeight(members_[i], regions));
+      keepers_.push_back(regions.keeperOf(members_[i].front()));
     }
     neighbours_.resize(count);
     versions_.assign(count, 0);
@@ -153,6 +162,7 @@ class PreMerger {
     for (std::uint32_t i = 0; i < members_.size(); ++i) pushAll(i, i);
     while (alive_ > target) {
       if (queue_.empty()) linkNearby();
+      if (queue_.empty()) return;  // All that is left has keepers of its own.
       const Candidate best = queue_.top();
       queue_.pop();
       const auto& [cost, a, b, versionA, versionB] = best;
@@ -185,14 +195,18 @@ class PreMerger {
   using Candidate = std::tuple<double, std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t>;
 
   void link(std::uint32_t a, std::uint32_t b) {
+    // What may not merge are neighbours nevertheless, for later.
     insertSorted(neighbours_[a], b);
     insertSorted(neighbours_[b], a);
   }
 
   void push(std::uint32_t a, std::uint32_t b) {
+    if (keepers_[a] != keepers_[b]) return;
     Spread both = spreads_[a];
     both.add(spreads_[b]);
-    queue_.emplace(both.cost(), a, b, versions_[a], versions_[b]);
+    // Gaps grow as the square of sizes, and this as the fourth power.
+    const double weight = std::max(weights_[a], weights_[b]);
+    queue_.emplace(weight * weight * both.cost(), a, b, versions_[a], versions_[b]);
   }
 
   /// Offers `a` together with its neighbours above `above`.
@@ -203,6 +217,7 @@ class PreMerger {
 
   void merge(std::uint32_t into, std::uint32_t from) {
     spreads_[into].add(spreads_[from]);
+    weights_[into] = std::max(weights_[into], weights_[from]);
     members_[into].insert(members_[into].end(), members_[from].begin(), members_[from].end());
     members_[from] = {};
     isAlive_[from] = false;
@@ -216,20 +231,23 @@ class PreMerger {
     for (const std::uint32_t other : neighbours_[into]) push(into, other);
   }
 
-  /// Links each cluster to the next ones along a curve through space.
+  /// Links each cluster to the next ones of its keeper along a curve through space.
   void linkNearby() {
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
+    std::vector<std::tuple<std::uint32_t, std::uint64_t, std::uint32_t>> order;
     for (std::uint32_t i = 0; i < members_.size(); ++i) {
       if (!isAlive_[i]) continue;
       const glm::dvec3 center = spreads_[i].first / spreads_[i].area - mesh_.bounds.min;
       const glm::dvec3 cell = center * ((kCurveCells - 1) / mesh_.diagonal);
-      order.emplace_back(mortonCode(glm::uvec3(glm::max(cell, glm::dvec3(0.0)))), i);
+      order.emplace_back(keepers_[i], mortonCode(glm::uvec3(glm::max(cell, glm::dvec3(0.0)))), i);
     }
     std::sort(order.begin(), order.end());
     for (std::size_t i = 0; i < order.size(); ++i) {
       for (std::size_t j = i + 1; j < std::min(order.size(), i + 1 + kCurveNeighbours); ++j) {
-        link(order[i].second, order[j].second);
-        push(order[i].second, order[j].second);
+        const std::uint32_t a = std::get<2>(order[i]);
+        const std::uint32_t b = std::get<2>(order[j]);
+        if (keepers_[a] != keepers_[b]) break;
+        link(a, b);
+        push(a, b);
       }
     }
   }
@@ -237,6 +255,8 @@ class PreMerger {
   const WorkMesh& mesh_;
   std::vector<Cluster> members_;
   std::vector<Spread> spreads_;
+  std::vector<double> weights_;
+  std::vector<std::uint32_t> keepers_;
   std::vector<std::vector<std::uint32_t>> neighbours_;
   std::vector<std::uint32_t> versions_;
   std::vector<bool> isAlive_;
@@ -246,9 +266,10 @@ class PreMerger {
 
 }  // namespace
 
-Patches preMerge(const WorkMesh& mesh, std::size_t count, std::size_t maxTriangles) {
+Patches preMerge(const WorkMesh& mesh, const TriangleRegions& regions, std::size_t count,
+                 std::size_t maxTriangles) {
   const bool isGrouped = mesh.triangles.size() > maxTriangles;
-  PreMerger merger(mesh, groupTriangles(mesh, isGrouped));
+  PreMerger merger(mesh, regions, groupTriangles(mesh, regions, isGrouped));
   merger.mergeTo(std::max<std::size_t>(1, count));
   Patches patches = merger.take();
   patches.isGrouped = isGrouped;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "levels/mesh/region_map.h"
 #include "levels/mesh/work_mesh.h"
 
 namespace scatter::levels {
@@ -20,6 +21,9 @@ struct Patches {
 
 /// Merges neighbouring triangles to at most `count` patches, by the spread of their places and normals
 /// (Ward, 1963). Triangles that share no edge are merged with ones nearby if there are still too many.
-[[nodiscard]] Patches preMerge(const WorkMesh& mesh, std::size_t count, std::size_t maxTriangles);
+/// Patches are smaller where regions weigh more, and none is partly in a kept region; that may take some more
+/// than `count`.
+[[nodiscard]] Patches preMerge(const WorkMesh& mesh, const TriangleRegions& regions, std::size_t count,
+                               std::size_t maxTriangles);
 
 }  // namespace scatter::levels

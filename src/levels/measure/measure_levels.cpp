@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <utility>
 #include <variant>
 
 #include "levels/measure/level_surface.h"
+#include "levels/mesh/region_map.h"
 #include "levels/mesh/shells.h"
 #include "levels/mesh/work_mesh.h"
 
@@ -49,15 +51,22 @@ void countParts(const Level& level, LevelFigures& figures) {
   }
 }
 
+/// A point of a level, and how far the mesh is from it.
+struct Place {
+  glm::dvec3 point{0.0};
+  double distance = 0.0;
+  double gap = 0.0;  ///< With the margin that reaches further than the point.
+};
+
 /// Of the points where a level collides: the surface of its parts, moved out by their margin.
 class Gaps {
  public:
   Gaps(const LevelSurface& surface, const MeshSpace& space, double hullMargin)
       : surface_(surface), space_(space), hullMargin_(hullMargin) {}
 
-  /// At all of the samples that are exposed.
-  [[nodiscard]] std::vector<double> at(const std::vector<LevelSurface::Sample>& samples) const {
-    std::vector<double> gaps;
+  /// Those of the samples that are exposed.
+  [[nodiscard]] std::vector<Place> at(const std::vector<LevelSurface::Sample>& samples) const {
+    std::vector<Place> places;
     for (const LevelSurface::Sample& sample : samples) {
       const double margin = surface_.marginOf(sample.part, hullMargin_);
       const glm::dvec3 point = sample.point + margin * sample.normal;
@@ -65,10 +74,11 @@ class Gaps {
       if (surface_.isCovered(point, kHidden * space_.mesh.diagonal, sample.part)) continue;
       // Around a corner the margin reaches as far in every direction, and so straight away from the mesh.
       const double around = sample.normal == glm::dvec3(0.0) ? margin : 0.0;
-      const double gap = (space_.isInside(point) ? -1.0 : 1.0) * space_.tree.distance(point) + around;
-      if (gap >= 0.0) gaps.push_back(gap);
+      const double distance = space_.tree.distance(point);
+      const double gap = (space_.isInside(point) ? -1.0 : 1.0) * distance + around;
+      if (gap >= 0.0) places.push_back({point, distance, gap});
     }
-    return gaps;
+    return places;
   }
 
  private:
@@ -77,30 +87,66 @@ class Gaps {
   double hullMargin_;
 };
 
-void measureGaps(const LevelSurface& surface, const Gaps& exposed, std::size_t sampleCount,
-                 LevelFigures& figures) {
-  std::vector<double> gaps = exposed.at(surface.samples(sampleCount));
-  std::sort(gaps.begin(), gaps.end());
-  if (!gaps.empty()) {
-    for (const double gap : gaps) figures.meanGap += gap / static_cast<double>(gaps.size());
-    figures.p95Gap = gaps[gaps.size() * 95 / 100];
-    figures.maxGap = gaps.back();
-  }
-  // The furthest point of a flat-sided part from something convex is a corner.
-  for (const double gap : exposed.at(surface.corners())) {
-    figures.maxGap = std::max(figures.maxGap, gap);
-  }
-}
+/// Which places are looked at.
+using Choice = std::function<bool(const Place& place)>;
+
+/// Where a level is compared with the mesh.
+struct LevelPlaces {
+  std::vector<Place> samples;      ///< Evenly over the exposed surface.
+  std::vector<Place> corners;      ///< Exposed. The furthest point of a flat-sided part may be one.
+  std::vector<glm::dvec3> filled;  ///< Points that the level fills.
+};
 
 /// The largest distance to the mesh of points that a level fills and the mesh does not, where it exceeds
 /// `atLeast`.
-double deepestHollow(const std::vector<glm::dvec3>& filled, const MeshSpace& space, double atLeast) {
+double deepestHollow(const std::vector<glm::dvec3>& filled, const MeshSpace& space, const Choice& isChosen,
+                     double atLeast) {
   double deepest = atLeast;
   for (const glm::dvec3& point : filled) {
     const double distance = space.tree.distance(point);
-    if (distance > deepest && !space.isInside(point)) deepest = distance;
+    if (distance > deepest && !space.isInside(point) && isChosen({point, distance, distance}))
+      deepest = distance;
   }
   return deepest;
+}
+
+GapFigures measureGaps(const LevelPlaces& places, const MeshSpace& space, const Choice& isChosen) {
+  GapFigures figures;
+  std::vector<double> gaps;
+  for (const Place& place : places.samples) {
+    if (isChosen(place)) gaps.push_back(place.gap);
+  }
+  std::sort(gaps.begin(), gaps.end());
+  figures.samples = gaps.size();
+  if (!gaps.empty()) {
+    for (const double gap : gaps) figures.mean += gap / static_cast<double>(gaps.size());
+    figures.p95 = gaps[gaps.size() * 95 / 100];
+    figures.max = gaps.back();
+  }
+  for (const Place& place : places.corners) {
+    if (place.gap > figures.max && isChosen(place)) figures.max = place.gap;
+  }
+  figures.max = deepestHollow(places.filled, space, isChosen, figures.max);
+  return figures;
+}
+
+/// Of each region, and of what is in none.
+std::vector<GapFigures> measureRegions(const LevelPlaces& places, const MeshSpace& space,
+                                       const RegionMap& regions) {
+  std::vector<GapFigures> all;
+  if (regions.isEmpty()) return all;
+  for (std::size_t i = 0; i < regions.count(); ++i) {
+    all.push_back(measureGaps(places, space, [&regions, i](const Place& place) {
+      return regions.holds(i, place.point, place.distance);
+    }));
+  }
+  all.push_back(measureGaps(places, space, [&regions](const Place& place) {
+    for (std::size_t i = 0; i < regions.count(); ++i) {
+      if (regions.holds(i, place.point, place.distance)) return false;
+    }
+    return true;
+  }));
+  return all;
 }
 
 // Of an open mesh, whose holes are bridged, about.
@@ -120,6 +166,8 @@ Result<LevelMeasures> measureLevels(const LevelSet& levelSet, const SurfaceMesh&
   using namespace levels;
   Result<WorkMesh> work = makeWorkMesh(mesh);
   if (!work) return fail(work.error().message);
+  const Result<RegionMap> regions = RegionMap::create(definition.regions, mesh, *work);
+  if (!regions) return fail(regions.error().message);
   const MeshSpace space = makeMeshSpace(std::move(*work), definition.interior);
   LevelMeasures measures;
   measures.diagonal = space.mesh.diagonal;
@@ -135,13 +183,18 @@ Result<LevelMeasures> measureLevels(const LevelSet& levelSet, const SurfaceMesh&
     LevelFigures figures;
     countParts(level, figures);
     const LevelSurface surface(level, glm::dvec3(space.mesh.origin));
-    const LevelSurface::Filling filling = surface.filling(definition.volumeSamples);
+    LevelSurface::Filling filling = surface.filling(definition.volumeSamples);
     figures.unionVolume = filling.volume;
     if (measures.meshVolume > 0.0) figures.volumeRatio = figures.unionVolume / measures.meshVolume;
     const Gaps exposed(surface, space, static_cast<double>(levelSet.hullMargin()));
-    measureGaps(surface, exposed, definition.surfaceSamples, figures);
-    figures.maxGap = std::max(figures.maxGap, deepestHollow(filling.points, space, figures.maxGap));
-    measures.levels.push_back(figures);
+    const LevelPlaces places{exposed.at(surface.samples(definition.surfaceSamples)),
+                             exposed.at(surface.corners()), std::move(filling.points)};
+    const GapFigures gaps = measureGaps(places, space, [](const Place&) { return true; });
+    figures.meanGap = gaps.mean;
+    figures.p95Gap = gaps.p95;
+    figures.maxGap = gaps.max;
+    figures.regionGaps = measureRegions(places, space, *regions);
+    measures.levels.push_back(std::move(figures));
   }
   return measures;
 }

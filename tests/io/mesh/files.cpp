@@ -76,12 +76,58 @@ std::string gltfJson(const std::string& node, const std::string& uri) {
 
 }  // namespace
 
+std::string gltfSkinnedBox() {
+  std::string bytes = buffer();
+  for (std::size_t i = 0; i < kCorners.size(); ++i)
+    append(bytes, std::array<std::uint8_t, 4>{static_cast<std::uint8_t>(i / 4), 0, 0, 0});
+  for (std::size_t i = 0; i < kCorners.size(); ++i)
+    append(bytes, std::array<float, 4>{1.0F, 0.0F, 0.0F, 0.0F});
+  // Bones at rest; Assimp crashes without them.
+  for (int bone = 0; bone < 2; ++bone) {
+    for (int i = 0; i < 16; ++i) append(bytes, i % 5 == 0 ? 1.0F : 0.0F);
+  }
+  return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,1,2]}],)"
+         R"("nodes":[{"name":"box","mesh":0,"skin":0},{"name":"low"},{"name":"high"}],"skins":[{"joints":[1,2],"inverseBindMatrices":4}],)"
+         R"("meshes":[{"primitives":[{"attributes":{"POSITION":0,"JOINTS_0":2,"WEIGHTS_0":3},"indices":1}]}],)"
+         R"("accessors":[{"bufferView":0,"componentType":5126,"count":8,"type":"VEC3","min":[0,0,0],"max":[1,2,3]},)"
+         R"({"bufferView":1,"componentType":5123,"count":36,"type":"SCALAR"},)"
+         R"({"bufferView":2,"componentType":5121,"count":8,"type":"VEC4"},)"
+         R"({"bufferView":3,"componentType":5126,"count":8,"type":"VEC4"},)"
+         R"({"bufferView":4,"componentType":5126,"count":2,"type":"MAT4"}],)"
+         R"("bufferViews":[{"buffer":0,"byteLength":96},{"buffer":0,"byteOffset":96,"byteLength":72},)"
+         R"({"buffer":0,"byteOffset":168,"byteLength":32},{"buffer":0,"byteOffset":200,"byteLength":128},{"buffer":0,"byteOffset":328,"byteLength":128}],)"
+         R"("buffers":[{"byteLength":456,"uri":"data:application/octet-stream;base64,)" +
+         base64(bytes) + "\"}]}";
+}
+
 std::string objBox() {
   std::string text = "o box\n";
   for (const Corner& corner : kCorners) text += "v " + words(corner) + "\n";
   for (const Corners& t : kTriangles) {
     text += "f " + std::to_string(t[0] + 1) + " " + std::to_string(t[1] + 1) + " " +
             std::to_string(t[2] + 1) + "\n";
+  }
+  return text;
+}
+
+std::string objTool() {
+  std::string text = "mtllib missing.mtl\n";
+  const std::array<std::array<const char*, 2>, 3> pieces{
+      {{"body", "steel"}, {"handle", "rubber"}, {"tip", "rubber"}}};
+  std::size_t count = 0;
+  for (const auto& [object, material] : pieces) {
+    text += std::string("o ") + object + "\n";
+    for (const Corner& c : kCorners) {
+      const auto x = static_cast<float>(2 * (count / kCorners.size()));
+      text += "v " + words({x + c[0], c[1] / 2, c[2] / 3}) + "\n";
+    }
+    text += std::string("usemtl ") + material + "\n";
+    for (const Corners& t : kTriangles) {
+      text += "f";
+      for (const std::uint16_t corner : t) text += " " + std::to_string(count + corner + 1);
+      text += "\n";
+    }
+    count += kCorners.size();
   }
   return text;
 }

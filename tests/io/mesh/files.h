@@ -22,6 +22,13 @@ namespace scatter::test {
 [[nodiscard]] std::string gltfBox(const std::string& node = "");
 [[nodiscard]] std::string glbBox();
 
+/// glTF: the corners at z = 0 follow the bone "low", those at z = 3 the bone "high".
+[[nodiscard]] std::string gltfSkinnedBox();
+
+/// An obj with three cubes of 1, at x = 0, 2 and 4: the objects "body", "handle" and "tip", of which the last
+/// two are of the material "rubber", the first is of "steel".
+[[nodiscard]] std::string objTool();
+
 void writeText(const std::filesystem::path& file, const std::string& text);
 
 }  // namespace scatter::test

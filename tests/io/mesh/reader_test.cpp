@@ -159,6 +159,73 @@ TEST_F(MeshReader, JoinsAllMeshesOfAFile) {
   EXPECT_EQ(file->mesh.triangles.size(), 13U);
 }
 
+/// "KIND name first-last …" of each group, kinds counted from 0.
+std::vector<std::string> groupsOf(const MeshFile& file) {
+  std::vector<std::string> texts;
+  for (const MeshGroup& group : file.groups) {
+    std::string text = std::to_string(static_cast<int>(group.kind)) + " " + group.name;
+    for (const auto& [first, last] : group.runs)
+      text += " " + std::to_string(first) + "-" + std::to_string(last);
+    texts.push_back(text);
+  }
+  return texts;
+}
+
+TEST_F(MeshReader, KnowsMaterialsAndObjectsByName) {
+  const auto obj = read("tool.obj", test::objTool());
+  ASSERT_TRUE(obj.has_value()) << obj.error().message;
+  EXPECT_THAT(groupsOf(*obj), testing::UnorderedElementsAre("0 steel 0-12", "0 rubber 12-36", "1 body 0-12",
+                                                            "1 handle 12-24", "1 tip 24-36"));
+  const auto gltf = read("named.gltf", test::gltfBox(R"("name":"hull",)"));
+  ASSERT_TRUE(gltf.has_value()) << gltf.error().message;
+  EXPECT_THAT(groupsOf(*gltf), testing::Contains("1 hull 0-12"));
+  const auto dae = read("box.dae", test::daeBox());
+  ASSERT_TRUE(dae.has_value());
+  EXPECT_FALSE(dae->groups.empty());
+}
+
+TEST_F(MeshReader, AnObjectIsAllThatIsUnderItsNode) {
+  const std::string two =
+      R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[)"
+      R"({"name":"tank","mesh":0,"children":[1]},{"name":"turret","mesh":0,"children":[2]},)"
+      R"({"name":"turret","mesh":0}],)";
+  const std::string box = test::gltfBox();
+  const auto file = read("tank.gltf", two + box.substr(box.find("\"meshes\"")));
+  ASSERT_TRUE(file.has_value()) << file.error().message;
+  EXPECT_THAT(groupsOf(*file), testing::IsSupersetOf({"1 tank 0-36", "1 turret 12-36"}));
+}
+
+TEST_F(MeshReader, VertexGroupsAreTheTrianglesThatFollowABone) {
+  const auto file = read("skinned.gltf", test::gltfSkinnedBox());
+  ASSERT_TRUE(file.has_value()) << file.error().message;
+  const auto group = [&file](const std::string& name) {
+    std::size_t count = 0;
+    for (const MeshGroup& one : file->groups) {
+      if (one.kind != MeshGroupKind::kVertexGroup || one.name != name) continue;
+      for (const auto& [first, last] : one.runs) count += last - first;
+    }
+    return count;
+  };
+  // The two of the end, and of the eight on the sides those with two corners there.
+  EXPECT_EQ(group("low"), 6U);
+  EXPECT_EQ(group("high"), 6U);
+}
+
+TEST_F(MeshReader, TellsHowItsUnitAndAxesWereTurned) {
+  MeshOptions options;
+  options.unit = 0.01;
+  options.up = UpAxis::kZ;
+  const auto obj = read("box.obj", test::objBox(), options);
+  ASSERT_TRUE(obj.has_value());
+  expectNear(obj->fromFile * Vec3(1.0F, 2.0F, 3.0F), Vec3(0.01F, 0.03F, -0.02F));
+  const auto fbx = read("box.fbx", test::fbxBox());
+  ASSERT_TRUE(fbx.has_value());
+  expectNear(fbx->fromFile * Vec3(1.0F, 2.0F, 3.0F), Vec3(0.01F, 0.02F, 0.03F));
+  const auto dae = read("box.dae", test::daeBox("<unit meter=\"0.01\"/>"));
+  ASSERT_TRUE(dae.has_value());
+  EXPECT_EQ(dae->fromFile, Mat3(1.0F));
+}
+
 TEST_F(MeshReader, CutsConcavePolygons) {
   // An L of area 3 in one polygon.
   const auto file = read("l.obj", "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\nf 1 2 3 4 5 6\n");
