@@ -3,7 +3,6 @@
 #include <scatter/levels/measure_levels.h>
 #include <spdlog/fmt/fmt.h>
 #include <spdlog/fmt/ranges.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -17,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "build_progress.h"
 #include "command.h"
 #include "interrupt.h"
 #include "level_arguments.h"
@@ -75,29 +75,12 @@ Result<LevelBuildDef> definitionOf(const LevelsBuildArguments& arguments, const 
   return def;
 }
 
-/// A line on the terminal that is rewritten; nothing if there is no terminal.
-class StageLine {
- public:
-  StageLine() = default;
-  StageLine(const StageLine&) = delete;
-  StageLine& operator=(const StageLine&) = delete;
-  ~StageLine() {
-    if (isTerminal_) std::fputs("\r\033[K", stderr);
-  }
-
-  void update(std::string_view stage, double share) const {
+Result<BuiltLevels> build(const SurfaceMesh& mesh, const LevelBuildDef& definition, const std::string& file) {
+  BuildProgressLine line(file);
+  return buildLevels(mesh, definition, [&line](std::string_view stage, double share) {
     throwIfInterrupted();
-    if (isTerminal_) fmt::print(stderr, "\r\033[K{} {:.0f} %", stage, 100.0 * share);
-  }
-
- private:
-  bool isTerminal_ = isatty(STDERR_FILENO) == 1;
-};
-
-Result<BuiltLevels> build(const SurfaceMesh& mesh, const LevelBuildDef& definition) {
-  const StageLine line;
-  return buildLevels(mesh, definition,
-                     [&line](std::string_view stage, double share) { line.update(stage, share); });
+    line.update(stage, share);
+  });
 }
 
 /// What was built is proven before anything is written.
@@ -141,7 +124,7 @@ ExitStatus buildFile(const LevelsBuildArguments& arguments, const std::string& m
   Result<std::vector<MeshRegion>> regions = findRegions(arguments.regions, *file);
   if (!regions) return refuse(Error{mesh + ": " + regions.error().message});
   definition.regions = std::move(*regions);
-  const Result<BuiltLevels> built = build(file->mesh, definition);
+  const Result<BuiltLevels> built = build(file->mesh, definition, mesh);
   if (!built) return refuse(Error{mesh + ": " + built.error().message});
   Result<LevelCheck> check = prove(*built->levels, file->mesh);
   if (!check) return failed(Error{mesh + ": " + check.error().message});
