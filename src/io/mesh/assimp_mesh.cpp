@@ -314,9 +314,14 @@ glm::dmat4 rootFrame(const aiScene& scene, const std::string& extension, const M
 
 /// See MeshFile::fromFile.
 Mat3 fileAxes(const aiScene& scene, const std::string& extension, const MeshOptions& options) {
-  if (extension == "fbx") return Mat3(options.unit.value_or(fbxUnit(scene)) * glm::dmat3(fbxFrame(scene)));
-  if (saysUp(extension)) return Mat3(1.0F);
-  return Mat3(options.unit.value_or(1.0) * glm::dmat3(uprightFrom(options.up)));
+  glm::dmat3 axes(1.0);
+  if (extension == "fbx") {
+    axes = options.unit.value_or(fbxUnit(scene)) * glm::dmat3(fbxFrame(scene));
+  } else if (!saysUp(extension)) {
+    axes = options.unit.value_or(1.0) * glm::dmat3(uprightFrom(options.up));
+  }
+  const Mat3 single(axes);
+  return single;
 }
 
 }  // namespace
