@@ -217,7 +217,7 @@ TEST_F(Levels, WrongRegionsAreRefusedInOneLine) {
     arguments.insert(arguments.end(), options.begin(), options.end());
     expectRefused(build(arguments), part);
   };
-  refused({"--keep", "handel"}, "unknown region \"handel\"; did you mean \"handle\"? Known: body, handle, ");
+  refused({"--keep", "handel"}, R"(unknown region "handel"; did you mean "handle"? Known: body, handle, )");
   refused({"--keep", "material:handle"}, "Known: ");
   refused({"--keep", "box:1,2,3"}, "box:X0,Y0,Z0,X1,Y1,Z1");
   refused({"--keep", "box:1,2,3,4,5,6,7"}, "box:X0,Y0,Z0,X1,Y1,Z1");
@@ -226,7 +226,7 @@ TEST_F(Levels, WrongRegionsAreRefusedInOneLine) {
   refused({"--importance", "handle=0"}, "0.01 to 100");
   refused({"--importance", "handle=many"}, "0.01 to 100");
   refused({"--importance", "handle=2", "--importance", "handle=3"}, "twice");
-  refused({"--importance", "shaft=2"}, "unknown region \"shaft\"");
+  refused({"--importance", "shaft=2"}, R"(unknown region "shaft")");
   std::string twice = objTool();
   for (std::size_t at = twice.find("steel"); at != std::string::npos; at = twice.find("steel"))
     twice.replace(at, 5, "tip");

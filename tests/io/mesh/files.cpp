@@ -118,7 +118,8 @@ std::string objTool() {
   for (const auto& [object, material] : pieces) {
     text += std::string("o ") + object + "\n";
     for (const Corner& c : kCorners) {
-      const auto x = static_cast<float>(2 * (count / kCorners.size()));
+      const std::size_t piece = count / kCorners.size();
+      const auto x = 2.0F * static_cast<float>(piece);
       text += "v " + words({x + c[0], c[1] / 2, c[2] / 3}) + "\n";
     }
     text += std::string("usemtl ") + material + "\n";
