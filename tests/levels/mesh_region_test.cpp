@@ -158,6 +158,22 @@ TEST(MeshRegions, SheetsAndUnconnectedTrianglesHaveThemToo) {
   }
 }
 
+TEST(MeshRegions, FlatOnesGetBoxesAsThickAsHulls) {
+  const SurfaceMesh mesh = boxMesh(Vec3(1.0F, 0.5F, 0.8F));
+  const Bounds top{{-9.0F, 0.49F, -9.0F}, {9.0F, 9.0F, 9.0F}};
+  const auto built = buildLevels(mesh, withParts({1, 2}, {region(top, 1.0F, true)}));
+  ASSERT_TRUE(built.has_value());
+  expectNested(*built->levels, mesh);
+  float thinnest = 1.0F;
+  for (const ConvexPart& part : built->levels->finest().parts) {
+    const auto* box = std::get_if<Box>(&part.shape);
+    ASSERT_NE(box, nullptr);
+    thinnest = std::min({thinnest, box->halfExtents.x, box->halfExtents.y, box->halfExtents.z});
+  }
+  // Half of a ten-thousandth of the diagonal, which is 2.75 m.
+  EXPECT_NEAR(thinnest, 1.375e-4F, 1e-6F);
+}
+
 std::string refusalOf(const MeshRegion& wrong) {
   const auto built = buildLevels(row(), withParts({1, 2}, {wrong}));
   return built ? "" : built.error().message;

@@ -150,9 +150,11 @@ class Collector {
     if (depth > 0 || node.mNumMeshes > 0) addGroup(MeshGroupKind::kObject, node.mName, first);
   }
 
-  /// Of the triangles from `first` on.
+  /// Of the triangles from `first` on, unless Assimp has made up the name.
   void addGroup(MeshGroupKind kind, const aiString& name, std::size_t first) {
-    groups_.add(kind, name.C_Str(), first, result_.mesh.triangles.size());
+    const std::string text = name.C_Str();
+    if (text != AI_DEFAULT_MATERIAL_NAME && text != "defaultobject")
+      groups_.add(kind, text, first, result_.mesh.triangles.size());
   }
 
   void addMesh(const aiMesh& mesh, const glm::dmat4& frame) {

@@ -81,7 +81,8 @@ double ballVolume(double radius) {
   return 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
 }
 
-FittedPrimitive fitBox(std::span<const Ball> balls, const Quat& rotation, const Vec3& origin, double slack) {
+FittedPrimitive fitBox(std::span<const Ball> balls, const Quat& rotation, const Vec3& origin,
+                       const PrimitiveDef& definition) {
   Frame frame(balls, rotation);
   glm::dvec3 low(std::numeric_limits<double>::infinity());
   glm::dvec3 high = -low;
@@ -92,7 +93,7 @@ FittedPrimitive fitBox(std::span<const Ball> balls, const Quat& rotation, const 
   const Vec3 position = frame.place(0.5 * (low + high), origin);
   glm::dvec3 half{0.0};
   for (const Ball& ball : frame.balls) half = glm::max(half, glm::abs(ball.center) + ball.radius);
-  half += slack;
+  half = glm::max(half + definition.slack, glm::dvec3(0.5 * definition.thickness));
   const Box box{{toFloatAbove(half.x), toFloatAbove(half.y), toFloatAbove(half.z)}};
   return {{box, {position, rotation}}, 8.0 * half.x * half.y * half.z};
 }
@@ -188,8 +189,8 @@ std::vector<FittedPrimitive> fitPrimitives(std::span<const Ball> balls, const Tr
                                            const Vec3& origin, const PrimitiveDef& definition) {
   const glm::dmat3 axes = faceAxes(hull);
   const double slack = definition.slack;
-  std::vector<FittedPrimitive> fitted{fitBox(balls, toQuat(axes), origin, slack),
-                                      fitBox(balls, kNoRotation, origin, slack)};
+  std::vector<FittedPrimitive> fitted{fitBox(balls, toQuat(axes), origin, definition),
+                                      fitBox(balls, kNoRotation, origin, definition)};
   // Round parts take longer to fit: first see from the box whether they can be small enough.
   const glm::dvec3 half(std::get<Box>(fitted.front().part.shape).halfExtents);
   const double longest = std::max({half.x, half.y, half.z});

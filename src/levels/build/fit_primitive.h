@@ -23,6 +23,7 @@ struct FittedPrimitive {
 
 struct PrimitiveDef {
   double slack = 0.0;      ///< Left around what is held.
+  double thickness = 0.0;  ///< Of the thinnest box.
   double maxVolume = 0.0;  ///< Larger ones are of no interest.
 };
 

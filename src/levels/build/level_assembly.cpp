@@ -21,6 +21,7 @@ namespace {
 constexpr double kSpacing = 1.0 / 60.0;
 constexpr double kNegligibleGap = 1e-4;
 constexpr double kPrimitiveSlack = 2e-7;
+constexpr double kThinnestBox = 1e-4;  // as thin as hulls get
 /// By how much a primitive's gap may exceed the hull's.
 constexpr double kPrimitiveGap = 1e-3;
 
@@ -195,7 +196,8 @@ std::optional<PartDraft> LevelAssembler::primitiveAround(const Content& content,
                                                          const TriangleHull& hull,
                                                          HullBuilder& builder) const {
   const double diagonal = space_.mesh.diagonal;
-  const PrimitiveDef wanted{kPrimitiveSlack * diagonal, kPrimitiveVolume * volumeOf(hull)};
+  const PrimitiveDef wanted{kPrimitiveSlack * diagonal, kThinnestBox * diagonal,
+                            kPrimitiveVolume * volumeOf(hull)};
   for (const FittedPrimitive& fitted : fitPrimitives(content.balls, hull, space_.mesh.origin, wanted)) {
     TriangleHull outline;
     if (!builder.build(outlineOf(fitted.part, space_.mesh.origin, 0.0), {}, outline)) continue;

@@ -182,6 +182,9 @@ TEST_F(MeshReader, KnowsMaterialsAndObjectsByName) {
   const auto dae = read("box.dae", test::daeBox());
   ASSERT_TRUE(dae.has_value());
   EXPECT_FALSE(dae->groups.empty());
+  const auto nameless = read("nameless.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  ASSERT_TRUE(nameless.has_value());
+  EXPECT_THAT(groupsOf(*nameless), testing::IsEmpty());
 }
 
 TEST_F(MeshReader, AnObjectIsAllThatIsUnderItsNode) {
