@@ -80,6 +80,16 @@ Result<std::vector<LevelModel>> readLevelFile(const std::string& path) {
   return models;
 }
 
+bool isLevelFile(const std::string& path) {
+  if (fs::path(path).extension() != ".dae" && !isGltf(path)) return false;
+  const Result<PhysicsDocument> document = readDocument(path);
+  if (!document || document->bodies.size() != 1 || !document->joints.empty() || !document->fields.empty())
+    return false;
+  const DocumentBody& body = document->bodies.front();
+  const bool isStill = body.linearVelocity == Vec3(0.0F) && body.angularVelocity == Vec3(0.0F);
+  return isStill && document->models[body.model].levels != nullptr;
+}
+
 Result<void> checkLevelFileName(const std::string& path) {
   const fs::path file(path);
   if (file.extension() != ".dae" && !isGltf(file)) {

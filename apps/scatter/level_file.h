@@ -23,6 +23,10 @@ struct LevelModel {
 /// shape are left out with a note. Fails if there are none.
 [[nodiscard]] Result<std::vector<LevelModel>> readLevelFile(const std::string& path);
 
+/// Whether it is a COLLADA or glTF physics file of one body, which has levels, and in which nothing happens:
+/// what writeLevelFile() makes.
+[[nodiscard]] bool isLevelFile(const std::string& path);
+
 /// Writes a model as a COLLADA or glTF physics file, chosen by the extension.
 [[nodiscard]] Result<void> writeLevelFile(const Model& model, const std::string& path);
 

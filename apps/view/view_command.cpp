@@ -3,6 +3,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -10,9 +11,11 @@
 #include <vector>
 
 #include "command.h"
+#include "level_file.h"
 #include "messages.h"
 #include "run_arguments.h"
 #include "view_summary.h"
+#include "viewer/levels_viewer.h"
 #include "viewer/renderers.h"
 #include "viewer/replay.h"
 #include "viewer/viewer.h"
@@ -23,9 +26,11 @@ namespace {
 
 /// Of each pixel, where a graphics card draws.
 constexpr int kSamples = 4;
+constexpr std::array<const char*, 3> kShown{"automatic", "scene", "levels"};
 
 struct Arguments {
   RunArguments run;
+  std::string show = kShown.front();
   std::vector<std::string> worlds{worldChoices().front().name};
   std::string renderer = viewer::rendererNames().front();
   std::string size = "1280x720";
@@ -118,8 +123,36 @@ ExitStatus replay(const Arguments& arguments) {
   return ExitStatus::kOk;
 }
 
+ExitStatus viewLevels(const Arguments& arguments) {
+  auto script = readScript(arguments);
+  if (!script) return refuse(script.error());
+  auto models = readLevelFile(arguments.run.scene);
+  if (!models) return refuse(models.error());
+  viewer::LevelsViewerDef def{.models = {},
+                              .out = arguments.out,
+                              .loops = arguments.loops,
+                              .script = std::move(*script),
+                              .panels = !arguments.noPanels};
+  for (LevelModel& model : *models) {
+    if (model.mesh.triangles.empty())
+      printNote(arguments.run.scene + ": " + model.name + " has no mesh, so that no gaps are shown");
+    def.models.push_back({model.name, std::move(model.levels), std::move(model.mesh)});
+  }
+  const auto renderer = openWindow(arguments, arguments.run.scene);
+  if (!renderer) return refuse(renderer.error());
+  const auto seen = viewer::runLevelsViewer(**renderer, def);
+  if (!seen) return failed(seen.error());
+  fmt::print("{} loops\n", seen->loops);
+  return ExitStatus::kOk;
+}
+
+bool wantsLevels(const Arguments& arguments) {
+  return arguments.show == "levels" || (arguments.show != "scene" && isLevelFile(arguments.run.scene));
+}
+
 ExitStatus view(const Arguments& arguments) {
   if (Recording::isOne(arguments.run.scene)) return replay(arguments);
+  if (wantsLevels(arguments)) return viewLevels(arguments);
   const auto def = makeDef(arguments);
   if (!def) return refuse(def.error());
   const auto renderer = openWindow(arguments, def->worlds.front().scene);
@@ -147,6 +180,12 @@ Command addViewCommand(CLI::App& program) {
   CLI::App* command = program.add_subcommand(kViewName, kViewSummary);
   auto arguments = std::make_shared<Arguments>();
   addRunArguments(*command, arguments->run);
+  command
+      ->add_option("--show", arguments->show,
+                   "Of a physics file: what happens in it (scene) or the levels of its models (levels); "
+                   "automatically levels if it has one body with levels and nothing happens")
+      ->check(CLI::IsMember(std::vector<std::string>(kShown.begin(), kShown.end())))
+      ->capture_default_str();
   command->add_option("--worlds", arguments->worlds, "One world, or two side by side; see `scatter list`")
       ->delimiter(',')
       ->type_name("NAME,NAME")

@@ -42,4 +42,15 @@ Color distinctColor(std::uint64_t number) {
   return ofHue(hue, 0.45F, number % 2 == 0 ? 0.85F : 0.70F);
 }
 
+Color gapColor(float share) {
+  static constexpr std::array<glm::vec3, 5> kStops{{{0.16F, 0.30F, 0.72F},
+                                                    {0.13F, 0.62F, 0.70F},
+                                                    {0.42F, 0.75F, 0.30F},
+                                                    {0.97F, 0.82F, 0.22F},
+                                                    {0.86F, 0.16F, 0.12F}}};
+  const float place = std::clamp(share, 0.0F, 1.0F) * static_cast<float>(kStops.size() - 1);
+  const auto stop = std::min(static_cast<std::size_t>(place), kStops.size() - 2);
+  return {glm::mix(kStops[stop], kStops[stop + 1], place - static_cast<float>(stop)), 1.0F};
+}
+
 }  // namespace scatter::viewer

@@ -21,6 +21,9 @@ inline constexpr float kMostCost = 200.0F;
 /// yellow, red, white. It does not depend on what others took, so that worlds can be compared.
 [[nodiscard]] Color costColor(float units);
 
+/// Of a share of the largest gap: from blue, where there is none, over green and yellow to red.
+[[nodiscard]] Color gapColor(float share);
+
 inline constexpr Color kContactColor{1.0F, 0.85F, 0.2F, 1.0F};
 inline constexpr Color kCreditColor{0.95F, 0.35F, 0.9F, 1.0F};
 inline constexpr Color kBoundsColor{0.45F, 0.55F, 0.65F, 1.0F};

@@ -148,22 +148,7 @@ void ReplayWindow::take(const InputEvent& event) {
   if (event.kind == InputEvent::Kind::kKeyDown && !event.takenByPanels && !event.control && !event.alt) {
     if (const Command* command = commands_.find(event.key)) command->run();
   }
-  takePointer(event);
-}
-
-void ReplayWindow::takePointer(const InputEvent& event) {
-  using Kind = InputEvent::Kind;
-  if (event.kind == Kind::kMouseUp) buttons_[static_cast<std::size_t>(event.button)] = false;
-  if (event.kind == Kind::kMouseDown && !event.takenByPanels) {
-    buttons_[static_cast<std::size_t>(event.button)] = true;
-  }
-  if (event.kind == Kind::kWheel && !event.takenByPanels) camera_.zoomByNotches(event.wheel);
-  if (event.kind != Kind::kMouseMove) return;
-  const glm::vec2 moved = (event.position - pointer_) / static_cast<float>(std::max(1, renderer_.size().y));
-  pointer_ = event.position;
-  // There is nothing to be held here, so that the left button turns, too.
-  if (buttons_[0] || buttons_[1]) camera_.turnByDrag(moved);
-  if (buttons_[2]) camera_.pan(-moved.x, moved.y);
+  pointer_.take(event, renderer_.size().y);
 }
 
 Layout ReplayWindow::layout() const {

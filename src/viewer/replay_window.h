@@ -5,12 +5,12 @@
 #include <scatter/lab/run_history.h>
 #include <scatter/recording/recording.h>
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "viewer/camera_pointer.h"
 #include "viewer/camera_rig.h"
 #include "viewer/commands.h"
 #include "viewer/cutaway.h"
@@ -43,7 +43,6 @@ class ReplayWindow {
 
   void readInput();
   void take(const InputEvent& event);
-  void takePointer(const InputEvent& event);
   void draw();
   void showPanels();
   [[nodiscard]] Layout layout() const;
@@ -60,6 +59,7 @@ class ReplayWindow {
   SceneView scene_;
   ReplayTime time_;
   CameraRig camera_;
+  CameraPointer pointer_{camera_};
   Cutaway cutaway_;
   DebugViewSet views_;
   Commands commands_;
@@ -70,8 +70,6 @@ class ReplayWindow {
   bool closing_ = false;
 
   std::string error_;
-  glm::vec2 pointer_{0.0F};
-  std::array<bool, 3> buttons_{};
   double aimed_ = 0.0;  ///< When the camera was, by the clock.
 };
 

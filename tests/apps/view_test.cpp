@@ -64,6 +64,19 @@ TEST_F(View, DoesWhatItsScriptSaysInTwoWorlds) {
   EXPECT_TRUE(fs::exists(folder / "seen" / "standard" / "summary.json"));
 }
 
+TEST_F(View, ShowsTheLevelsOfAModelUnlessTheSceneIsAskedFor) {
+  const std::string mug = std::string(SCATTER_MODELS) + "/mug.dae";
+  const Outcome levels = scatter({"view", mug, "--renderer", "null", "--loops", "4"});
+  ASSERT_EQ(levels.status, 0) << levels.errors;
+  EXPECT_EQ(levels.output, "4 loops\n");
+  const Outcome scene = scatter({"view", mug, "--renderer", "null", "--loops", "4", "--show", "scene"});
+  ASSERT_EQ(scene.status, 0) << scene.errors;
+  EXPECT_THAT(scene.output, HasSubstr("hybrid: 3 frames"));
+  EXPECT_THAT(mistake({"duel", "--renderer", "null", "--show", "levels"}), HasSubstr("duel"));
+  EXPECT_THAT(mistake({"none.dae", "--renderer", "null"}), HasSubstr("none.dae"));
+  EXPECT_THAT(mistake({mug, "--renderer", "null", "--show", "all"}), HasSubstr("--show"));
+}
+
 TEST_F(View, RefusesWhatIsWrongInOneLine) {
   EXPECT_THAT(mistake({"duel", "--renderer", "crayon"}), HasSubstr("crayon"));
   EXPECT_THAT(mistake({"duel", "--renderer", "null", "--size", "big"}), HasSubstr("such as 1280x720"));

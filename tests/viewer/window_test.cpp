@@ -1,5 +1,4 @@
 #include <gmock/gmock.h>
-#include <png.h>
 #include <scatter/bullet/bullet_physics.h>
 #include <scatter/io/file.h>
 #include <scatter/lab/run.h>
@@ -16,6 +15,7 @@
 
 #include "trials.h"
 #include "viewer/debug_views.h"
+#include "viewer/png_file.h"
 #include "viewer/renderers.h"
 #include "viewer/replay.h"
 #include "viewer/view_presets.h"
@@ -28,20 +28,8 @@ namespace {
 namespace fs = std::filesystem;
 
 using test::kSanitized;
+using test::readPng;
 using testing::HasSubstr;
-
-Image readPng(const fs::path& file) {
-  png_image png{};
-  png.version = PNG_IMAGE_VERSION;
-  Image image;
-  if (png_image_begin_read_from_file(&png, file.c_str()) == 0) return image;
-  png.format = PNG_FORMAT_RGB;
-  image.width = static_cast<int>(png.width);
-  image.height = static_cast<int>(png.height);
-  image.rgb.resize(PNG_IMAGE_SIZE(png));
-  png_image_finish_read(&png, nullptr, image.rgb.data(), 0, nullptr);
-  return image;
-}
 
 /// Pixels that differ by more than what rounding does.
 int differentPixels(const Image& a, const Image& b) {
