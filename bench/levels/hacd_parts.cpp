@@ -1,5 +1,3 @@
-#include "hacd_parts.h"
-
 #include <HACD/hacdHACD.h>
 
 #include <cstdint>
@@ -11,6 +9,7 @@
 #include <vector>
 
 #include "io/mesh/isolated_call.h"
+#include "parts.h"
 
 namespace scatter::bench {
 namespace {
@@ -104,28 +103,23 @@ Value take(const std::string& bytes, std::size_t& at) {
 
 }  // namespace
 
-Result<HacdResult> decompose(const SurfaceMesh& mesh, int parts, int maxVertices, int limitSeconds) {
+Result<Decomposition> decomposeByHacd(const SurfaceMesh& mesh, const DecompositionDef& definition) {
   const io::IsolationLimits limits{.memoryBytes = std::uint64_t{8} << 30U,
-                                   .processorSeconds = limitSeconds,
+                                   .processorSeconds = definition.limitSeconds,
                                    .answerBytes = std::uint64_t{1} << 30U};
-  const Result<std::string> bytes = io::callIsolated([&] { return run(mesh, parts, maxVertices); }, limits);
-  if (!bytes) return fail("HACD " + bytes.error().message);
+  const Result<std::string> bytes =
+      io::callIsolated([&] { return run(mesh, definition.parts, definition.maxVertices); }, limits);
+  if (!bytes) return fail(bytes.error().message);
   std::size_t at = 0;
-  HacdResult result;
-  result.seconds = take<double>(*bytes, at);
+  const auto seconds = take<double>(*bytes, at);
+  std::vector<ConvexHull> hulls;
   while (at < bytes->size()) {
     ConvexHull hull;
     for (auto count = take<std::uint32_t>(*bytes, at); count > 0; --count)
       hull.vertices.push_back(take<Vec3>(*bytes, at));
-    const ConvexPart part{std::move(hull), {}};
-    const std::vector<Level> single{Level{{part}}};
-    if (LevelSet::create({.name = "part", .levels = single, .hullMargin = 0.0F, .mass = {}}))
-      result.level.parts.push_back(part);
-    else
-      ++result.flatParts;
+    hulls.push_back(std::move(hull));
   }
-  if (result.level.parts.empty()) return fail("HACD gave no part with a volume");
-  return result;
+  return decompositionOf(std::move(hulls), seconds);
 }
 
 }  // namespace scatter::bench

@@ -220,8 +220,9 @@ std::vector<LevelsWindow::Cell> LevelsWindow::cells() const {
   const std::size_t rows = hasGaps && count > 1 ? 2 : 1;
   std::vector<Cell> cells;
   for (std::size_t i = 0; i < columns * rows; ++i) {
+    const std::size_t row = i / columns;
     const Area area{all.left + all.width * static_cast<float>(i % columns) / static_cast<float>(columns),
-                    all.top + all.height * static_cast<float>(i / columns) / static_cast<float>(rows),
+                    all.top + all.height * static_cast<float>(row) / static_cast<float>(rows),
                     all.width / static_cast<float>(columns), all.height / static_cast<float>(rows)};
     const bool isGap = hasGaps && (count == 1 ? i == 1 : i >= columns);
     cells.push_back({first + (count == 1 ? 0 : i % columns), isGap, area});

@@ -105,6 +105,7 @@ std::vector<PageCommand> readmeCommands() {
       {"scatter diff A B", "run duel --frames 5 --record run.rec", expectNoDifference},
       {"scatter export FILE OUT", "run duel --frames 5 --record run.rec", expectExport},
       {"scatter levels build MESH -o FILE", "levels build ship.obj -o ship.dae", leaves("ship.dae")},
+      {"scatter view ship.dae", "view ship.dae --renderer null --loops 2", says("2 loops")},
       {"scatter convert A B", "convert ship.dae ship.glb", leaves("ship.glb")},
       {"scatter bench worlds", "bench worlds --scenes duel --frames 10 --repeat 1", says("duel")},
       {"scatter bench fidelity SCENE", "bench fidelity duel --budgets 4 --repeat 1 --frames 10",

@@ -1,0 +1,125 @@
+#include <fcntl.h>
+#include <scatter/io/file.h>
+#include <scatter/io/mesh_file.h>
+#include <spawn.h>
+#include <spdlog/fmt/fmt.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <set>
+#include <system_error>
+#include <utility>
+
+#include "parts.h"
+
+extern char** environ;
+
+namespace scatter::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder for files in between.
+class WorkFolder {
+ public:
+  WorkFolder() {
+    std::string name = (fs::temp_directory_path() / "scatter-parts-XXXXXX").string();
+    if (mkdtemp(name.data()) != nullptr) path_ = name;
+  }
+  WorkFolder(const WorkFolder&) = delete;
+  WorkFolder& operator=(const WorkFolder&) = delete;
+  ~WorkFolder() {
+    std::error_code ignored;
+    if (!path_.empty()) fs::remove_all(path_, ignored);
+  }
+  [[nodiscard]] const fs::path& path() const { return path_; }  ///< Empty if there is none.
+
+ private:
+  fs::path path_;
+};
+
+std::string objOf(const SurfaceMesh& mesh) {
+  std::string text;
+  for (const Vec3& v : mesh.vertices) text += fmt::format("v {:.9g} {:.9g} {:.9g}\n", v.x, v.y, v.z);
+  for (const auto& t : mesh.triangles) text += fmt::format("f {} {} {}\n", t[0] + 1, t[1] + 1, t[2] + 1);
+  return text;
+}
+
+std::string filledIn(std::string command, const std::string& place, const std::string& value) {
+  for (std::size_t at = command.find(place); at != std::string::npos; at = command.find(place, at))
+    command.replace(at, place.size(), value);
+  return command;
+}
+
+double childSeconds() {
+  rusage usage{};
+  getrusage(RUSAGE_CHILDREN, &usage);
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+/// Whether the shell could do it.
+bool runInShell(const std::string& command, const fs::path& folder) {
+  posix_spawn_file_actions_t actions{};
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+  posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&actions, 1, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_adddup2(&actions, 1, 2);
+  std::string shell = "/bin/sh";
+  std::string option = "-c";
+  std::string text = command;
+  char* arguments[]{shell.data(), option.data(), text.data(), nullptr};
+  pid_t process = 0;
+  const int failure = posix_spawn(&process, shell.c_str(), &actions, nullptr, arguments, environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (failure != 0) return false;
+  int status = 0;
+  while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+/// One for each object of the file.
+std::vector<ConvexHull> hullsOf(const MeshFile& file) {
+  std::vector<ConvexHull> hulls;
+  for (const MeshGroup& group : file.groups) {
+    if (group.kind != MeshGroupKind::kObject) continue;
+    std::set<std::uint32_t> vertices;
+    for (const auto& [first, last] : group.runs) {
+      for (std::uint32_t i = first; i < last; ++i)
+        vertices.insert(file.mesh.triangles[i].begin(), file.mesh.triangles[i].end());
+    }
+    ConvexHull hull;
+    for (const std::uint32_t vertex : vertices) hull.vertices.push_back(file.mesh.vertices[vertex]);
+    hulls.push_back(std::move(hull));
+  }
+  return hulls;
+}
+
+}  // namespace
+
+Result<Decomposition> decomposeByProgram(const std::string& command, const SurfaceMesh& mesh,
+                                         const DecompositionDef& definition) {
+  const WorkFolder folder;
+  if (folder.path().empty()) return fail("cannot make a folder in " + fs::temp_directory_path().string());
+  if (auto written = writeFile(folder.path() / "mesh.obj", objOf(mesh)); !written)
+    return fail(written.error().message);
+  std::string line = filledIn(command, "{mesh}", "mesh.obj");
+  line = filledIn(line, "{hulls}", "hulls.obj");
+  line = filledIn(line, "{parts}", std::to_string(definition.parts));
+  const double before = childSeconds();
+  const bool ended =
+      runInShell(fmt::format("ulimit -t {}; {}", definition.limitSeconds, line), folder.path());
+  const double seconds = childSeconds() - before;
+  const auto hulls = readMesh(folder.path() / "hulls.obj");
+  if (!ended || !hulls) return fail(fmt::format("left no hulls after {:.0f} s: {}", seconds, line));
+  return decompositionOf(hullsOf(*hulls), seconds);
+}
+
+}  // namespace scatter::bench
