@@ -11,9 +11,11 @@
 #include <assimp/Importer.hpp>
 #include <cmath>
 #include <cstddef>
+#include <fstream>
 #include <functional>
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -314,6 +316,18 @@ glm::dmat4 rootFrame(const aiScene& scene, const std::string& extension, const M
   return frame;
 }
 
+/// An extension of glTF that Assimp does not know, and would read as something else; null if there is none.
+/// Who uses one names it in a list.
+const char* unknownExtension(const fs::path& path, const std::string& extension) {
+  if (extension != "gltf" && extension != "glb") return nullptr;
+  std::ifstream stream(path, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  for (const char* name : {"KHR_mesh_quantization", "EXT_meshopt_compression"}) {
+    if (text.find('"' + std::string(name) + '"') != std::string::npos) return name;
+  }
+  return nullptr;
+}
+
 /// See MeshFile::fromFile.
 Mat3 fileAxes(const aiScene& scene, const std::string& extension, const MeshOptions& options) {
   glm::dmat3 axes(1.0);
@@ -344,6 +358,11 @@ std::vector<std::string> assimpExtensions() {
 
 Result<MeshFile> readWithAssimp(const fs::path& path, const std::string& extension,
                                 const MeshOptions& options) {
+  if (const char* name = unknownExtension(path, extension)) {
+    return fail(std::string("uses ") + name +
+                ", which is not known here; convert it, as with `gltf-transform dequantize IN OUT` (npm: "
+                "@gltf-transform/cli)");
+  }
   Assimp::Importer importer;
   keepFormat(importer, extension);
   importer.SetIOHandler(new OwnFolder(path, options.maxFileBytes));  // The importer owns it.
