@@ -21,7 +21,7 @@ namespace {
 constexpr double kSpacing = 1.0 / 60.0;
 constexpr double kNegligibleGap = 1e-4;
 constexpr double kPrimitiveSlack = 2e-7;
-constexpr double kThinnestBox = 1e-4;  // as thin as hulls get
+constexpr double kThinnestBox = 2e-6;  // metres: files take none thinner
 /// By how much a primitive's gap may exceed the hull's.
 constexpr double kPrimitiveGap = 1e-3;
 
@@ -196,8 +196,7 @@ std::optional<PartDraft> LevelAssembler::primitiveAround(const Content& content,
                                                          const TriangleHull& hull,
                                                          HullBuilder& builder) const {
   const double diagonal = space_.mesh.diagonal;
-  const PrimitiveDef wanted{kPrimitiveSlack * diagonal, kThinnestBox * diagonal,
-                            kPrimitiveVolume * volumeOf(hull)};
+  const PrimitiveDef wanted{kPrimitiveSlack * diagonal, kThinnestBox, kPrimitiveVolume * volumeOf(hull)};
   for (const FittedPrimitive& fitted : fitPrimitives(content.balls, hull, space_.mesh.origin, wanted)) {
     TriangleHull outline;
     if (!builder.build(outlineOf(fitted.part, space_.mesh.origin, 0.0), {}, outline)) continue;
