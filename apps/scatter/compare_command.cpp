@@ -26,6 +26,7 @@ struct CompareArguments {
   std::optional<std::string> out;
   bool resume = false;
   bool anew = false;
+  bool without3d = false;
   RecordArguments record;
   std::string commandLine;
 };
@@ -61,13 +62,16 @@ ExitStatus reportContactChecks(const Comparison& comparison) {
 }
 
 // Those of runs that were finished before, and are taken as they are, have been told of then.
-ExitStatus reportRecordings(const Comparison& comparison, ExitStatus status) {
+ExitStatus reportRecordings(const Comparison& comparison, bool asked, ExitStatus status) {
   for (const ComparedWorld& world : comparison.worlds) {
     for (const Run& run : world.repeats) {
       if (!run.recording) {
         continue;
       }
-      fmt::print("{}", formatRecording(run));
+      // The report's own are its matter, unless they failed.
+      if (asked) {
+        fmt::print("{}", formatRecording(run));
+      }
       status = checkRecording(run, status);
     }
   }
@@ -94,6 +98,7 @@ ExitStatus compare(const CompareArguments& arguments) {
                                                .repeat = arguments.repeat,
                                                .commandLine = arguments.commandLine,
                                                .out = out,
+                                               .recordRuns = !arguments.without3d && hasReportPage(),
                                                .resume = arguments.resume,
                                                .anew = arguments.anew},
                                               arguments.run.quiet, started);
@@ -108,7 +113,7 @@ ExitStatus compare(const CompareArguments& arguments) {
   for (const ComparedWorld& world : comparison->worlds) {
     fmt::print("every frame: {}/{}/frames.csv\n", out, world.label());
   }
-  return reportRecordings(*comparison, reportContactChecks(*comparison));
+  return reportRecordings(*comparison, arguments.record.file.has_value(), reportContactChecks(*comparison));
 }
 
 }  // namespace
@@ -140,6 +145,8 @@ Command addCompareCommand(CLI::App& program, std::string commandLine) {
       ->add_flag("--anew", arguments->anew,
                  "Give up the runs of a comparison that was cut short in that folder")
       ->excludes(resume);
+  command->add_flag("--no-3d", arguments->without3d,
+                    "Record nothing for the report: it is smaller, and plays nothing");
   addRecordArguments(*command, arguments->record, /*several=*/true);
   return {command, [arguments] { return compare(*arguments); }};
 }

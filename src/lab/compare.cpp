@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <system_error>
 #include <utility>
 
 namespace scatter {
@@ -120,6 +121,17 @@ std::vector<std::size_t> orderOf(int repeat, std::size_t worlds) {
   return order;
 }
 
+// Of a run that was made before, only what lies in its folder is known to be its own.
+std::optional<std::filesystem::path> recordingOf(const ComparedWorld& world,
+                                                 const std::optional<std::filesystem::path>& inFolder) {
+  const Run& first = world.repeats.front();
+  if (first.recording) {
+    return first.recording->frames > 0 ? std::optional(first.recording->file) : std::nullopt;
+  }
+  std::error_code ignored;
+  return inFolder && std::filesystem::exists(*inFolder, ignored) ? inFolder : std::nullopt;
+}
+
 Result<std::optional<lab::ComparisonFolder>> openComparisonFolder(const CompareOptions& options) {
   if (!options.out) {
     return std::nullopt;
@@ -180,6 +192,8 @@ class ComparisonRunner {
     // Repeats are the same run: one of them speaks for all.
     if (repeat > 0) {
       options.record.reset();
+    } else if (folder_ && !options.record) {
+      recordInFolder(world, options);
     }
     report_.label = options.label;
     Result<void> begun;
@@ -203,6 +217,18 @@ class ComparisonRunner {
                   options.label + " world, is not whole: " + run->summary.stopped + keptRuns());
     }
     return run;
+  }
+
+  // What an earlier run has left there is not this one's.
+  void recordInFolder(std::size_t world, RunOptions& options) const {
+    const std::filesystem::path file = folder_->recordingFile(world);
+    std::error_code ignored;
+    std::filesystem::remove(file, ignored);
+    if (!comparison_.options.recordRuns) {
+      return;
+    }
+    std::filesystem::create_directories(file.parent_path(), ignored);
+    options.record = RecordOptions{.file = file};
   }
 
   [[nodiscard]] std::string keptRuns() const {
@@ -236,7 +262,10 @@ Result<Comparison> compareWorlds(const CompareOptions& options,
     return tl::unexpected(ran.error());
   }
   const ComparedWorld& first = comparison.worlds.front();
-  for (ComparedWorld& world : comparison.worlds) {
+  for (std::size_t i = 0; i < comparison.worlds.size(); ++i) {
+    ComparedWorld& world = comparison.worlds[i];
+    world.recording = recordingOf(
+        world, *folder ? std::optional((*folder)->recordingFile(i)) : std::optional<std::filesystem::path>());
     world.typical = typicalRepeat(world.repeats);
     world.median = medianTable(world);
     world.physicsMs = ratios(world, first, &Summary::physicsMs);

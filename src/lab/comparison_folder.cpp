@@ -33,7 +33,7 @@ Json worldIdentity(const RunOptions& run) {
 
 void removeRunFiles(const fs::path& folder) {
   std::error_code ignored;
-  for (const char* name : {"summary.json", "frames.csv", "events.csv"}) {
+  for (const char* name : {"summary.json", "frames.csv", "events.csv", kRecordingName}) {
     fs::remove(folder / name, ignored);
   }
 }

@@ -11,6 +11,8 @@
 
 namespace scatter::lab {
 
+inline constexpr const char* kRecordingName = "run.rec";
+
 /// Where a comparison is kept while it goes on: a folder for each run, and comparison.json, which says what
 /// is compared and whether all of it is there.
 class ComparisonFolder {
@@ -22,6 +24,11 @@ class ComparisonFolder {
 
   /// Of a run: LABEL, or LABEL/repeat-1 and so on if there are several.
   [[nodiscard]] std::filesystem::path runFolder(std::size_t world, int repeat) const;
+
+  /// Where a world's first run is stored for the report.
+  [[nodiscard]] std::filesystem::path recordingFile(std::size_t world) const {
+    return runFolder(world, 0) / kRecordingName;
+  }
 
   /// A run that is there already; none if it is still to be made. Fails on one that does not belong here.
   [[nodiscard]] Result<std::optional<Run>> finishedRun(std::size_t world, int repeat) const;

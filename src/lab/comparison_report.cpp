@@ -6,6 +6,7 @@
 
 #include "io/atomic_file.h"
 #include "lab/comparison_folder.h"
+#include "lab/page/page_bundle.h"
 #include "lab/report_html.h"
 #include "lab/run_files.h"
 #include "lab/summary_json.h"
@@ -84,11 +85,7 @@ Result<void> writeFiguresAndReport(const Comparison& comparison, const fs::path&
   if (!figures) {
     return tl::unexpected(figures.error());
   }
-  const auto html = lab::reportHtml(comparison, *figures, figureFolder);
-  if (!html) {
-    return tl::unexpected(html.error());
-  }
-  return writeFile(folder / "report.html", *html);
+  return writeFile(folder / "report.html", lab::reportHtml(comparison, *figures));
 }
 
 // What was written while it ran is copied, as that has the events; with one repeat it is in its place.
@@ -136,6 +133,10 @@ Result<void> writeComparison(const Comparison& comparison, const fs::path& folde
     return written;
   }
   return staged->commit();
+}
+
+bool hasReportPage() {
+  return lab::pageBundle().exists();
 }
 
 }  // namespace scatter

@@ -97,12 +97,7 @@ std::vector<double> budgetsOf(const Comparison& comparison) {
 lab::ComparisonRow overBudgetRow(const Comparison& comparison, double budget) {
   std::vector<double> values;
   for (const ComparedWorld& world : comparison.worlds) {
-    std::vector<double> repeats;
-    for (const Run& run : world.repeats) {
-      const auto& times = run.table.values("physics_cpu_ms");
-      repeats.push_back(static_cast<double>(timeStatistics(times, budget).framesOverBudget));
-    }
-    values.push_back(medianOf(std::move(repeats)));
+    values.push_back(lab::framesOver(world, budget));
   }
   return valueRow("frames over " + lab::readableNumber(budget) + " ms (CPU)", values, wholeNumber);
 }
@@ -171,6 +166,15 @@ void addLines(const lab::ComparisonRow& row, std::vector<std::vector<std::string
 }
 
 }  // namespace
+
+double lab::framesOver(const ComparedWorld& world, double budgetMs) {
+  std::vector<double> repeats;
+  for (const Run& run : world.repeats) {
+    const auto& times = run.table.values("physics_cpu_ms");
+    repeats.push_back(static_cast<double>(timeStatistics(times, budgetMs).framesOverBudget));
+  }
+  return medianOf(std::move(repeats));
+}
 
 std::vector<lab::ComparisonRow> lab::comparisonRows(const Comparison& comparison) {
   std::vector<lab::ComparisonRow> rows;

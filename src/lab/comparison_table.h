@@ -25,4 +25,7 @@ struct ComparisonRow {
 /// How the worlds with budgets kept them, one sentence or two each.
 [[nodiscard]] std::vector<std::string> budgetNotes(const Comparison& comparison);
 
+/// How many of a world's frames took more processor time than that, the median over its repeats.
+[[nodiscard]] double framesOver(const ComparedWorld& world, double budgetMs);
+
 }  // namespace scatter::lab

@@ -1,7 +1,5 @@
 #include "lab/figure_panels.h"
 
-#include <scatter/world/step_report.h>
-
 #include "lab/text.h"
 
 #include <algorithm>
@@ -56,6 +54,14 @@ std::string stagesTitle(const FigureData& data, std::size_t world, const FrameRa
 
 const char* worldColor(std::size_t world) {
   return kWorldColors[world % kWorldColors.size()];
+}
+
+const char* stageName(Stage stage) {
+  return kStageLooks[static_cast<std::size_t>(stage)].name;
+}
+
+const char* stageColor(Stage stage) {
+  return kStageLooks[static_cast<std::size_t>(stage)].color;
 }
 
 std::string coloured(const std::string& look, const char* rgb) {

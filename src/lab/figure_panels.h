@@ -2,6 +2,8 @@
 
 #include "lab/figure_script.h"
 
+#include <scatter/world/step_report.h>
+
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -10,6 +12,12 @@ namespace scatter::lab {
 
 /// The colour of a world's curves, the same in every figure.
 [[nodiscard]] const char* worldColor(std::size_t world);
+
+/// How a stage is called and coloured in every figure.
+/// @{
+[[nodiscard]] const char* stageName(Stage stage);
+[[nodiscard]] const char* stageColor(Stage stage);
+/// @}
 
 [[nodiscard]] std::string coloured(const std::string& look, const char* rgb);
 

@@ -1,10 +1,12 @@
 #include "lab/report_html.h"
 
-#include <scatter/io/file.h>
-
 #include "lab/comparison_table.h"
+#include "lab/html.h"
 #include "lab/names.h"
+#include "lab/page/page_bundle.h"
+#include "lab/page/page_data.h"
 #include "lab/text.h"
+#include "lab/verdict.h"
 
 #include <string>
 
@@ -12,25 +14,11 @@ namespace scatter::lab {
 
 namespace {
 
-constexpr const char* kStyle =
-    "body{font:16px/1.5 system-ui,'DejaVu Sans',Arial,sans-serif;color:#222;max-width:1040px;margin:2em auto;"
-    "padding:0 1em}h1{margin-bottom:.2em}h2{margin-top:2em}table{border-collapse:collapse;margin:1em 0}"
-    "td,th{padding:.25em .9em;border-bottom:1px solid "
-    "#ddd;text-align:right;font-variant-numeric:tabular-nums}"
-    "td:first-child,th:first-child{text-align:left}figure{margin:2em 0}figure svg{width:100%;height:auto}"
-    "figcaption{color:#444;max-width:60em}dt{font-weight:600;margin-top:.5em}dd{margin-left:1.5em;"
-    "overflow-wrap:anywhere}code{background:#f3f3f3;padding:.1em .3em;overflow-wrap:anywhere}";
-
-std::string escaped(std::string text) {
-  text = replaceAll(std::move(text), "&", "&amp;");
-  text = replaceAll(std::move(text), "<", "&lt;");
-  text = replaceAll(std::move(text), ">", "&gt;");
-  return replaceAll(std::move(text), "\"", "&quot;");
-}
-
-std::string element(const std::string& tag, const std::string& text) {
-  return '<' + tag + '>' + escaped(text) + "</" + tag + ">\n";
-}
+// Of a page without its bundle, which has a style of its own.
+constexpr const char* kPlainStyle =
+    "body{font:16px/1.5 system-ui,sans-serif;max-width:1040px;margin:2em auto;padding:0 1em}"
+    "td,th{padding:.25em .9em;text-align:right}td:first-child,th:first-child{text-align:left}"
+    ".table{overflow-x:auto}figure img{width:100%}dd,code{overflow-wrap:anywhere}";
 
 // Of pair switching: what decides about levels.
 std::string describePairs(const SwitchingDef& switching) {
@@ -145,7 +133,7 @@ std::string peakNote(const Comparison& comparison) {
 }
 
 std::string tableHtml(const Comparison& comparison) {
-  std::string text = "<table>\n<tr><th></th>";
+  std::string text = "<div class=\"table\">\n<table>\n<tr><th></th>";
   for (const ComparedWorld& world : comparison.worlds) {
     text += "<th>" + escaped(world.label()) + "</th>";
   }
@@ -158,7 +146,7 @@ std::string tableHtml(const Comparison& comparison) {
     text += rowHtml(row);
   }
   text +=
-      "</table>\n<p>" +
+      "</table>\n</div>\n<p>" +
       escaped(
           comparisonNote(comparison) +
           " CPU ms: processor time of the physics thread in a frame; wall ms also holds what other programs "
@@ -171,35 +159,28 @@ std::string tableHtml(const Comparison& comparison) {
   return text;
 }
 
-// Inlined pictures share one name space: every id gets the figure's name in front.
-Result<std::string> inlineSvg(const std::filesystem::path& file, const std::string& name) {
-  auto svg = readFile(file);
-  if (!svg) {
-    return svg;
-  }
-  const std::size_t begin = svg->find("<svg");
-  if (begin == std::string::npos) {
-    return fail("the figure " + file.string() + " is no SVG picture; see that gnuplot works");
-  }
-  std::string text = svg->substr(begin);
-  for (const char* quote : {"'", "\""}) {
-    text = replaceAll(std::move(text), std::string("id=") + quote, std::string("id=") + quote + name + '-');
-    text = replaceAll(std::move(text), std::string("href=") + quote + '#',
-                      std::string("href=") + quote + '#' + name + '-');
-  }
-  return replaceAll(std::move(text), "url(#", "url(#" + name + '-');
+// The page draws the figure in the place of the picture, which stands beside it as a file.
+std::string figureHtml(const Figure& figure, bool isDrawn) {
+  const std::string name = escaped(figure.name);
+  const std::string picture =
+      "<img src=\"figures/" + name + ".svg\" alt=\"" + escaped(figure.title) + "\">\n";
+  return "<figure id=\"" + name + "\">\n" + element("h3", figure.title) +
+         (isDrawn ? "<noscript>" + picture + "</noscript>\n" : picture) + "<figcaption>" +
+         escaped(figure.caption) + " For print: <a href=\"figures/" + name +
+         ".svg\">SVG</a> <a href=\"figures/" + name + ".png\">PNG</a></figcaption>\n</figure>\n";
 }
 
-Result<std::string> figuresHtml(const std::vector<Figure>& figures, const std::filesystem::path& folder) {
+// Around the peak the page's own plots are looked at more closely.
+bool isDetail(const Figure& figure) {
+  return figure.name.ends_with("_peak");
+}
+
+std::string figuresHtml(const std::vector<Figure>& figures, bool isDrawn) {
   std::string text;
   for (const Figure& figure : figures) {
-    auto svg = inlineSvg(folder / (figure.name + ".svg"), figure.name);
-    if (!svg) {
-      return svg;
+    if (!isDrawn || !isDetail(figure)) {
+      text += figureHtml(figure, isDrawn);
     }
-    text += "<figure id=\"" + escaped(figure.name) + "\">\n" + *svg + "<figcaption>" +
-            escaped(figure.caption) + " <a href=\"figures/" + figure.name +
-            ".svg\">SVG</a> <a href=\"figures/" + figure.name + ".png\">PNG</a></figcaption>\n</figure>\n";
   }
   return text;
 }
@@ -254,7 +235,7 @@ std::string conditions(const Comparison& comparison) {
   const Summary& summary = comparison.worlds.front().run().summary;
   const BuildInfo& build = summary.build;
   const MachineInfo& machine = summary.machine;
-  std::string text = "<h2>How it was measured</h2>\n<dl>\n";
+  std::string text = "<h2>How it was measured, and how to repeat it</h2>\n<dl>\n";
   if (!comparison.options.commandLine.empty()) {
     text += "<dt>Command</dt>\n<dd><code>" + escaped(comparison.options.commandLine) + "</code></dd>\n";
   }
@@ -289,21 +270,46 @@ std::string dataLinks(const Comparison& comparison) {
   return text + "<li>all ratios: <a href=\"comparison.json\">comparison.json</a></li>\n</ul>\n";
 }
 
+std::string licencesHtml(const PageBundle& bundle) {
+  return "<h2>Licences</h2>\n<details>\n<summary>Of the libraries that this page holds</summary>\n<pre>" +
+         escaped(std::string(bundle.licences)) + "</pre>\n</details>\n";
+}
+
+// Where the page puts what moves. Until then, and without scripts, the text is all there.
+constexpr const char* kStage =
+    "<div id=\"stage\"></div>\n<noscript><p>The moving picture and the plots need JavaScript; all figures "
+    "and the "
+    "table are there without it.</p></noscript>\n";
+constexpr const char* kTrial = "<h2>Can you tell which is which?</h2>\n<div id=\"trial\"></div>\n";
+constexpr const char* kLessPage =
+    "<p>This report has no moving picture and no plots to zoom into, because the program that wrote it was "
+    "built "
+    "without its page, for which nodejs and npm are needed. The figures are files beside it, in the folder "
+    "<code>figures</code>.</p>\n";
+
 }  // namespace
 
-Result<std::string> reportHtml(const Comparison& comparison, const std::vector<Figure>& figures,
-                               const std::filesystem::path& figureFolder) {
-  const auto pictures = figuresHtml(figures, figureFolder);
-  if (!pictures) {
-    return pictures;
+std::string reportHtml(const Comparison& comparison, const std::vector<Figure>& figures) {
+  const PageBundle bundle = pageBundle();
+  const bool isDrawn = bundle.exists();
+  const std::string style = isDrawn ? std::string(bundle.style) : kPlainStyle;
+  std::string text =
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n" +
+      element("title", "Scatter: scene " + comparison.options.runs.front().scene) + "<style>" + style +
+      "</style>\n</head>\n<body>\n" + element("h1", verdict(comparison)) +
+      element("p", verdictDetails(comparison)) + (isDrawn ? kStage : kLessPage) + introduction(comparison) +
+      "<h2>In numbers</h2>\n" + tableHtml(comparison) + "<h2>Frame by frame</h2>\n" +
+      figuresHtml(figures, isDrawn);
+  if (isDrawn && comparison.worlds.size() > 1) {
+    text += kTrial;
   }
-  const std::string title = "Scatter: scene " + comparison.options.runs.front().scene;
-  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-         "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n" +
-         element("title", title) + "<style>" + kStyle + "</style>\n</head>\n<body>\n" + element("h1", title) +
-         introduction(comparison) + "<h2>In numbers</h2>\n" + tableHtml(comparison) +
-         "<h2>Frame by frame</h2>\n" + *pictures + conditions(comparison) + dataLinks(comparison) +
-         "</body>\n</html>\n";
+  text += conditions(comparison) + dataLinks(comparison);
+  if (isDrawn) {
+    text +=
+        licencesHtml(bundle) + pageData(comparison) + "<script>" + std::string(bundle.script) + "</script>\n";
+  }
+  return text + "</body>\n</html>\n";
 }
 
 }  // namespace scatter::lab

@@ -3,14 +3,14 @@
 #include <scatter/lab/comparison.h>
 #include <scatter/lab/figures.h>
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
 namespace scatter::lab {
 
-/// A page that needs no other file: the figures, read as SVG from `figureFolder`, are in it.
-[[nodiscard]] Result<std::string> reportHtml(const Comparison& comparison, const std::vector<Figure>& figures,
-                                             const std::filesystem::path& figureFolder);
+/// A page that says in its first line what was compared and what came out. It needs no other file: its plots,
+/// the worlds in 3D and what they are made from are in it. Without PageBundle it has neither and says so, and
+/// shows the figures' files, "figures/NAME.svg".
+[[nodiscard]] std::string reportHtml(const Comparison& comparison, const std::vector<Figure>& figures);
 
 }  // namespace scatter::lab

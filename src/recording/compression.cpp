@@ -10,6 +10,7 @@ namespace {
 
 // Higher levels search longer for repeats, of which differences of poses have none.
 constexpr int kLevel = 1;
+constexpr int kSlowLevel = 15;
 
 void pack(std::string_view stream, ByteWriter& out) {
   std::string packed(ZSTD_compressBound(stream.size()), '\0');
@@ -49,6 +50,12 @@ std::optional<std::vector<std::string>> unpackStreams(std::string_view packed, s
     streams.push_back(std::move(*stream));
   }
   return in.left() == 0 ? std::optional(std::move(streams)) : std::nullopt;
+}
+
+std::string compressWell(std::string_view bytes) {
+  std::string packed(ZSTD_compressBound(bytes.size()), '\0');
+  packed.resize(ZSTD_compress(packed.data(), packed.size(), bytes.data(), bytes.size(), kSlowLevel));
+  return packed;
 }
 
 }  // namespace scatter::recording

@@ -16,4 +16,7 @@ namespace scatter::recording {
 [[nodiscard]] std::optional<std::vector<std::string>> unpackStreams(std::string_view packed,
                                                                     std::size_t count, std::size_t most);
 
+/// Bytes as one zstd frame, which says how long they were. Slow, and small.
+[[nodiscard]] std::string compressWell(std::string_view bytes);
+
 }  // namespace scatter::recording

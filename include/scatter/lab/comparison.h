@@ -22,6 +22,11 @@ struct CompareOptions {
   /// there are several; and comparison.json, which says that the comparison is not complete. Nothing is
   /// written without it.
   std::optional<std::filesystem::path> out{};
+
+  /// With `out`: each world's first run is stored in its folder, as run.rec, unless it has
+  /// RunOptions::record. The report plays it.
+  bool recordRuns = false;
+
   bool resume = false;  ///< Finished runs of the same comparison in `out` are taken as they are.
   bool anew = false;    ///< Finished runs of a comparison in `out` that was cut short are given up.
 };
@@ -63,6 +68,9 @@ struct ComparedWorld {
   TimeRatios physicsMs;  ///< To the first world; all 1 for itself.
   TimeRatios physicsCpuMs;
 
+  /// Of the first repeat, if it was recorded.
+  std::optional<std::filesystem::path> recording{};
+
   [[nodiscard]] const Run& run() const { return repeats[typical]; }
   [[nodiscard]] const std::string& label() const { return run().options.label; }
 };
@@ -87,8 +95,11 @@ struct Comparison {
 /// Writes LABEL/frames.csv, LABEL/events.csv and LABEL/summary.json of each world's typical repeat
 /// (events.csv only if the run kept its events or has been written with CompareOptions::out),
 /// comparison.json, worlds.csv (times, ratios and fidelity of all worlds), figures/*.svg and *.png, and
-/// report.html, whole or not at all; files of other names in an existing folder are left alone. Call
-/// prepareOutputFolder() before a long run to know that this will work.
+/// report.html, which needs no other file, whole or not at all; files of other names in an existing folder
+/// are left alone. Call prepareOutputFolder() before a long run to know that this will work.
 [[nodiscard]] Result<void> writeComparison(const Comparison& comparison, const std::filesystem::path& folder);
+
+/// Whether the reports of this build play recordings.
+[[nodiscard]] bool hasReportPage();
 
 }  // namespace scatter

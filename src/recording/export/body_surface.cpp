@@ -83,6 +83,13 @@ SurfaceMesh surfaceOf(const BodyDef& def) {
   return def.mesh && !def.mesh->triangles.empty() ? *def.mesh : std::visit(SurfaceOfShape{}, def.shape);
 }
 
+SurfaceMesh collisionSurfaceOf(const BodyDef& def, int level) {
+  if (const auto* levels = std::get_if<std::shared_ptr<const LevelSet>>(&def.shape)) {
+    return surfaceOf((*levels)->level(level).parts);
+  }
+  return std::visit(SurfaceOfShape{}, def.shape);
+}
+
 const void* modelOf(const BodyDef& def) {
   return def.mesh ? def.mesh.get() : std::visit(ModelOfShape{}, def.shape);
 }

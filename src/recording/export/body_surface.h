@@ -12,6 +12,9 @@ namespace scatter::recording {
 /// large square. Empty if there is nothing to be seen.
 [[nodiscard]] SurfaceMesh surfaceOf(const BodyDef& def);
 
+/// What a body collides with; of one with levels, at that level, 1 the coarsest.
+[[nodiscard]] SurfaceMesh collisionSurfaceOf(const BodyDef& def, int level);
+
 /// What bodies with the same surface share; null of those that share none.
 [[nodiscard]] const void* modelOf(const BodyDef& def);
 
