@@ -1,13 +1,15 @@
 // What bodies look like: geometries with coarser versions of each for bodies that are small in the picture.
 import { MeshoptSimplifier } from 'meshoptimizer/simplifier';
 import * as THREE from 'three';
+import { mergeVertices } from 'three/addons/utils/BufferGeometryUtils.js';
 import { unpack } from './data.js';
 
 // A body gets the first version whose limit its radius, in pixels, is above.
 const DETAILS = [
-  { pixels: 60, triangles: Infinity },
-  { pixels: 12, triangles: 160 },
-  { pixels: 0, triangles: 40 },
+  { pixels: 110, triangles: Infinity },
+  { pixels: 30, triangles: 140 },
+  { pixels: 9, triangles: 36 },
+  { pixels: 0, triangles: 14 },
 ];
 
 export function detailFor(pixels, details) {
@@ -24,32 +26,62 @@ function simplified(positions, indices, triangles) {
   return sloppy.length > 0 ? sloppy : indices;
 }
 
-function geometryOf(positions, indices) {
-  const geometry = new THREE.BufferGeometry();
-  geometry.setAttribute('position', new THREE.BufferAttribute(positions, 3));
-  geometry.setIndex(new THREE.BufferAttribute(indices, 1));
-  return geometry;
-}
-
 function withDetails(positions, indices) {
   const details = [];
   for (const { triangles } of DETAILS) {
     const chosen = simplified(positions, indices, triangles);
-    if (details.length === 0 || chosen.length < 0.8 * details.at(-1).index.count) {
-      details.push(compacted(positions, chosen));
+    if (details.length === 0 || chosen.length < 0.8 * details.at(-1).indices.length) {
+      details.push(faceted(positions, chosen));
     }
   }
   return details;
 }
 
-// Without the vertices that no triangle has any more.
-function compacted(positions, indices) {
-  const [remap, count] = MeshoptSimplifier.compactMesh(indices.slice());
-  const kept = new Float32Array(3 * count);
-  remap.forEach((to, from) => {
-    if (to < count) kept.set(positions.subarray(3 * from, 3 * from + 3), 3 * to);
-  });
-  return geometryOf(kept, indices.map((index) => remap[index]));
+function normalOf(positions, [a, b, c]) {
+  const [p, q, r] = [a, b, c].map((vertex) => new THREE.Vector3().fromArray(positions, 3 * vertex));
+  return q.sub(p).cross(r.sub(p)).normalize();
+}
+
+/**
+ * Each triangle with a last vertex of its own, which holds the normal of the face: what OpenGL colours flat faces by. Vertices
+ * that no triangle has are left out.
+ */
+function faceted(positions, indices) {
+  const places = [];
+  const normals = [];
+  const owned = new Map();
+  const result = new Uint32Array(indices.length);
+  const add = (vertex, normal) => {
+    places.push(positions[3 * vertex], positions[3 * vertex + 1], positions[3 * vertex + 2]);
+    normals.push(...(normal?.toArray() ?? [0, 1, 0]));
+    return places.length / 3 - 1;
+  };
+  const copyOf = (vertex) => {
+    if (!owned.has(vertex)) owned.set(vertex, { place: add(vertex, null), isTaken: false });
+    return owned.get(vertex);
+  };
+  for (let i = 0; i < indices.length; i += 3) {
+    const triangle = indices.slice(i, i + 3);
+    const normal = normalOf(positions, triangle);
+    const copies = [...triangle].map(copyOf);
+    const free = copies.findIndex((copy) => !copy.isTaken);
+    const last = free < 0 ? 2 : free;
+    if (free < 0) {
+      copies[last] = { place: add(triangle[last], normal) };
+    } else {
+      copies[last].isTaken = true;
+      normal.toArray(normals, 3 * copies[last].place);
+    }
+    for (let corner = 1; corner <= 3; ++corner) result[i + corner - 1] = copies[(last + corner) % 3].place;
+  }
+  return { positions: new Float32Array(places), normals: new Float32Array(normals), indices: result };
+}
+
+function facetedOf(geometry) {
+  geometry.deleteAttribute('normal');
+  geometry.deleteAttribute('uv');
+  const merged = mergeVertices(geometry);
+  return faceted(merged.attributes.position.array, merged.index.array);
 }
 
 function radiusOf(positions) {
@@ -71,15 +103,8 @@ export class Shapes {
     this.look = look;
     this.bytes = unpack(look);
     this.meshes = new Map();
-    this.box = { details: [new THREE.BoxGeometry(2, 2, 2)], radius: Math.sqrt(3) };
-    this.sphere = {
-      details: [new THREE.IcosahedronGeometry(1, 3), new THREE.IcosahedronGeometry(1, 1), new THREE.IcosahedronGeometry(1, 0)],
-      radius: 1,
-    };
-  }
-
-  isPlane(shape) {
-    return this.look.shapes[shape].is === 'plane';
+    this.box = { details: [facetedOf(new THREE.BoxGeometry(2, 2, 2))], radius: Math.sqrt(3) };
+    this.sphere = { details: [4, 2, 1, 0].map((detail) => facetedOf(new THREE.IcosahedronGeometry(1, detail))), radius: 1 };
   }
 
   isBox(shape) {

@@ -18,7 +18,7 @@ async function start() {
   const now = h('section');
   stage.after(now);
   makeNow(now, page, player);
-  const axis = makePlots(page, player);
+  const axis = makePlots(page, player, stage);
   const place = document.getElementById('trial');
   const trial = place && makeTrial(place, page, shapes, player);
   listenToKeys(player);

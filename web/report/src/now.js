@@ -6,7 +6,6 @@ const FIRST = [
   'touching_finest_pairs', 'withheld_pairs', 'requests', 'switches_coarser', 'switches_finer', 'awake_bodies', 'kinetic_energy',
   'max_penetration',
 ];
-const SHOWN_EVERY = 100;  // milliseconds, while it plays
 
 function valueAt(world, column, row) {
   return world.columns.get(column)?.values[row - 1];
@@ -79,15 +78,13 @@ export function makeNow(place, page, player) {
     bars.element, h('div', { className: 'tables' }, stages.element, first.element), more);
   const parts = [bars, stages, first, rest];
   let shownRow = null;
-  let shownAt = 0;
   const show = () => {
     const { row } = player;
-    if (row === shownRow || (player.isPlaying && performance.now() - shownAt < SHOWN_EVERY)) return;
+    if (row === shownRow) return;
     shownRow = row;
-    shownAt = performance.now();
     heading.textContent = `Frame ${row}: what it cost`;
     for (const part of parts) if (part !== rest || more.open) part.show(row);
   };
   more.addEventListener('toggle', () => rest.show(player.row));
-  player.onChange(show);
+  player.onChangeUnhurried(show);
 }

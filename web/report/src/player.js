@@ -1,5 +1,7 @@
 // The one time cursor of the page. Frames count from 0, before the first step.
 
+const UNHURRIED = 120;  // milliseconds
+
 /** Plays, and tells its listeners which frame is shown. */
 export class Player {
   constructor(frames, stepSeconds) {
@@ -26,6 +28,16 @@ export class Player {
   /** `listener(player)` is called after every change. */
   onChange(listener) {
     this.listeners.push(listener);
+  }
+
+  /** The same for what is costly and need not follow each picture while it plays. */
+  onChangeUnhurried(listener) {
+    let calledAt = 0;
+    this.onChange(() => {
+      if (this.isPlaying && performance.now() - calledAt < UNHURRIED) return;
+      listener(this);
+      calledAt = performance.now();
+    });
   }
 
   seek(frame) {

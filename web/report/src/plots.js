@@ -89,7 +89,7 @@ class Axis {
     this.plots = new Set();
     this.whole = [1, Math.max(page.frames, 2)];
     this.range = this.whole;
-    player.onChange(() => this.showCursor());
+    player.onChangeUnhurried(() => this.showCursor());
   }
 
   zoom(from, to) {
@@ -226,17 +226,15 @@ function zoomButtons(axis) {
     button('Around the dearest frame', () => around(page.peakFrame)), button('All frames', () => axis.zoom(...axis.whole)));
 }
 
-/** Fills the figures that the page has. */
-export function makePlots(page, player) {
+/** Fills the figures that the page has; the first stands below the worlds in 3D. */
+export function makePlots(page, player, stage) {
   const axis = new Axis(page, player);
-  let isFirst = true;
+  const first = document.getElementById('overview');
+  if (first) stage.append(first);
+  stage.append(h('p', { className: 'hint' }, 'Point at a plot to see that frame everywhere on the page, click to go there, drag to zoom all plots, double-click for all frames.'), zoomButtons(axis));
   for (const [name, make] of Object.entries(PLOTS)) {
     const figure = document.getElementById(name);
     if (!figure) continue;
-    if (isFirst) {
-      figure.before(h('p', { className: 'hint' }, 'Point at a plot to see that frame everywhere on the page, click to go there, drag to zoom all plots, double-click for all frames.'), zoomButtons(axis));
-      isFirst = false;
-    }
     const plots = make(page).map((plot) => new Plot(axis, plot));
     figure.querySelector('figcaption').before(...plots.map((plot) => plot.element));
   }

@@ -44,7 +44,7 @@ export function transport(player, jumps) {
   });
   const time = h('output', { className: 'time' });
   const speeds = choice('Speed ', SPEEDS, 1, (speed) => player.setSpeed(speed));
-  player.onChange(() => {
+  player.onChangeUnhurried(() => {
     play.textContent = player.isPlaying ? '❚❚ Pause' : '▶ Play';
     slider.value = player.shown;
     time.textContent = `frame ${Math.round(player.shown)} of ${player.frames}, ${(player.shown * player.stepSeconds).toFixed(2)} s`;
@@ -116,14 +116,14 @@ export function makeStage(place, page, player, shapes) {
   views.onFollow = (follows) => {
     follow.disabled = follows;
   };
-  player.onChange(() => {
+  player.onChangeUnhurried(() => {
     page.worlds.forEach((world, i) => {
       const ended = motions[i] && player.shown > motions[i].last;
       const ms = world.columns.get('physics_cpu_ms').values[player.row - 1];
       captions[i].cost.textContent = ended ? endOf(world, motions[i]) : player.shown < 1 || ms === undefined ? '' : `${ms.toFixed(2)} ms`;
     });
   });
-  views.element.classList.toggle('one', page.worlds.length === 1);
+  views.element.classList.add(page.worlds.length === 1 ? 'one' : page.worlds.length > 2 ? 'many' : 'two');
   place.append(views.element, transport(player, jumps), h('div', { className: 'row looks' },
     page.worlds.length > 1 ? page.worlds.map((world, i) => checkbox(world.label, true, (shown) => views.showPane(i, shown))) : [],
     choice('Colours ', [[true, 'levels'], [false, 'kinds of bodies']], true, redraw('byLevel')),

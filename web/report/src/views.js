@@ -3,10 +3,11 @@ import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { h, whenNear } from './dom.js';
 
-// While it plays, a machine that cannot keep up draws fewer pixels. Seconds between two pictures.
-const TOO_SLOW = 1 / 32;
+// While it plays, a machine that cannot keep up draws fewer pixels and coarser bodies. Seconds between two pictures.
+const TOO_SLOW = 1 / 34;
 const FAST_ENOUGH = 1 / 50;
 const LEAST_PIXELS = 0.5;
+const LEAST_DETAIL = 0.15;
 
 function isSoftware() {
   const gl = document.createElement('canvas').getContext('webgl2');
@@ -16,30 +17,33 @@ function isSoftware() {
   return /swiftshader|llvmpipe|software|basic render/i.test(name);
 }
 
-/** Chooses how many pixels are drawn for one of the page's. */
-class Sharpness {
+/** Chooses how well is drawn, so that it plays smoothly; a picture that stands still is drawn as well as can be. */
+class Quality {
   constructor() {
     this.best = Math.min(window.devicePixelRatio, 2);
-    this.ratio = this.best;
-    this.slow = 0;
-    this.last = null;
+    this.rest();
+    this.playing = 1;
   }
 
-  /** To be told of each picture while it plays; says whether the ratio has changed. */
+  /** To be told of each picture while it plays. */
   note(now) {
     const seconds = this.last === null ? null : (now - this.last) / 1000;
     this.last = now;
-    if (seconds === null || seconds > 1) return false;
-    this.slow = 0.9 * this.slow + 0.1 * seconds;
-    const before = this.ratio;
-    if (this.slow > TOO_SLOW) this.ratio = Math.max(LEAST_PIXELS, this.ratio * 0.85);
-    else if (this.slow < FAST_ENOUGH) this.ratio = Math.min(this.best, this.ratio * 1.05);
-    if (before !== this.ratio) this.slow = (TOO_SLOW + FAST_ENOUGH) / 2;
-    return before !== this.ratio;
+    if (seconds !== null && seconds < 1) {
+      this.mean = 0.85 * this.mean + 0.15 * seconds;
+      const wanted = this.mean > TOO_SLOW ? 0.88 : this.mean < FAST_ENOUGH ? 1.04 : 1;
+      this.playing = Math.min(Math.max(this.playing * wanted, LEAST_DETAIL), 1);
+      if (wanted < 1) this.mean = 0.5 * (TOO_SLOW + FAST_ENOUGH);
+    }
+    this.pixelRatio = this.best * Math.max(LEAST_PIXELS, this.playing);
+    this.detail = this.playing;
   }
 
   rest() {
     this.last = null;
+    this.mean = 0.5 * (TOO_SLOW + FAST_ENOUGH);
+    this.pixelRatio = this.best;
+    this.detail = 1;
   }
 }
 
@@ -54,9 +58,9 @@ export class Views {
     this.canvas = h('canvas', { ariaLabel: 'The worlds in 3D' });
     this.element = h('div', { className: 'views' }, this.canvas, ...this.panes.map((pane) => pane.element));
     const software = isSoftware();
-    this.renderer = new THREE.WebGLRenderer({ canvas: this.canvas, antialias: !software, powerPreference: 'high-performance' });
+    this.renderer = new THREE.WebGLRenderer({ canvas: this.canvas, antialias: !software, stencil: false, powerPreference: 'high-performance' });
     this.renderer.setScissorTest(true);
-    this.sharpness = new Sharpness();
+    this.quality = new Quality();
     this.camera = new THREE.PerspectiveCamera(45, 1, 0.1, 10000);
     this.controls = new OrbitControls(this.camera, this.element);
     this.controls.addEventListener('start', () => this.follow(false));
@@ -100,13 +104,12 @@ export class Views {
   }
 
   drawNow(now) {
-    if (this.player.isPlaying) this.sharpness.note(now);
-    else this.sharpness.rest();
+    if (this.player.isPlaying) this.quality.note(now);
+    else this.quality.rest();
     if (this.follows) this.watchAction();
     const area = this.canvas.getBoundingClientRect();
     if (area.width === 0 || area.height === 0) return;
-    const ratio = this.player.isPlaying ? this.sharpness.ratio : this.sharpness.best;
-    this.renderer.setPixelRatio(ratio);
+    this.renderer.setPixelRatio(this.quality.pixelRatio);
     this.renderer.setSize(area.width, area.height, false);
     this.camera.userData.target = this.controls.target;
     for (const pane of this.panes) if (pane.isShown && pane.view) this.drawPane(pane, area);
@@ -122,7 +125,7 @@ export class Views {
     this.camera.updateMatrixWorld();
     this.renderer.setViewport(x, y, box.width, box.height);
     this.renderer.setScissor(x, y, box.width, box.height);
-    view.show(this.player.shown, this.looks, this.camera, box.height * this.renderer.getPixelRatio());
+    view.show(this.player.shown, this.looks, this.camera, box.height * this.quality.pixelRatio * this.quality.detail);
     this.renderer.render(view.scene, this.camera);
   }
 

@@ -7,42 +7,99 @@ import { isAsleep, isPresent, levelOf } from './motion.js';
 const CONTACT_COLOR = [1, 0.85, 0.2];
 const BACKGROUND = 0x10151d;
 
-function material(isStatic) {
-  return new THREE.MeshLambertMaterial({ flatShading: true, side: isStatic ? THREE.DoubleSide : THREE.FrontSide });
-}
+// A machine without a graphics card takes long for each instance, each triangle and each thing that is done for a pixel. So all
+// bodies are one mesh, which is made anew for each picture, and each face has one colour, the light in it.
+const VERTEX = `
+  uniform mat4 modelViewMatrix;
+  uniform mat4 projectionMatrix;
+  in vec3 position;
+  in vec4 color;
+  flat out vec4 face;
+  void main() {
+    face = color;
+    gl_Position = projectionMatrix * (modelViewMatrix * vec4(position, 1.0));
+  }`;
+const FRAGMENT = `
+  precision mediump float;
+  flat in vec4 face;
+  out vec4 pixel;
+  void main() {
+    pixel = face;
+  }`;
 
-/** Instances of one geometry in its details. */
-class Crowd {
-  constructor(scene, shape, capacity, isStatic) {
-    this.shape = shape;
-    this.isStatic = isStatic;
-    this.meshes = shape.details.map((geometry) => {
-      const mesh = new THREE.InstancedMesh(geometry, material(isStatic), capacity);
-      mesh.instanceColor = new THREE.InstancedBufferAttribute(new Float32Array(3 * capacity), 3);
-      mesh.instanceMatrix.setUsage(THREE.DynamicDrawUsage);
-      mesh.frustumCulled = false;
-      mesh.count = 0;
-      scene.add(mesh);
-      return mesh;
-    });
+const TO_LIGHT = new THREE.Vector3(0.45, 0.8, 0.4).normalize();
+
+/** Bodies as one mesh. */
+class Batch {
+  constructor(scene, side) {
+    this.geometry = new THREE.BufferGeometry();
+    this.mesh = new THREE.Mesh(this.geometry, new THREE.RawShaderMaterial({
+      vertexShader: VERTEX, fragmentShader: FRAGMENT, glslVersion: THREE.GLSL3, side,
+    }));
+    this.mesh.frustumCulled = false;
+    scene.add(this.mesh);
+    this.grow(1024, 4096);
+    this.clear();
   }
 
   clear() {
-    for (const mesh of this.meshes) mesh.count = 0;
+    this.vertices = 0;
+    this.corners = 0;
   }
 
-  add(matrix, color, pixels) {
-    const mesh = this.meshes[this.isStatic ? 0 : detailFor(pixels, this.meshes.length)];
-    const i = mesh.count++;
-    matrix.toArray(mesh.instanceMatrix.array, 16 * i);
-    mesh.instanceColor.array.set(color, 3 * i);
+  grow(vertices, corners) {
+    const { positions, colors, indices } = this;
+    this.positions = new Float32Array(3 * vertices);
+    this.colors = new Uint32Array(vertices);
+    this.indices = new Uint32Array(corners);
+    if (positions) {
+      this.positions.set(positions);
+      this.colors.set(colors);
+      this.indices.set(indices);
+    }
+    this.geometry.dispose();
+    const dynamic = (array, size, normalized) => new THREE.BufferAttribute(array, size, normalized).setUsage(THREE.DynamicDrawUsage);
+    this.geometry.setAttribute('position', dynamic(this.positions, 3, false));
+    this.geometry.setAttribute('color', dynamic(new Uint8Array(this.colors.buffer), 4, true));
+    this.geometry.setIndex(dynamic(this.indices, 1, false));
+  }
+
+  /** A geometry of Shapes at a place; `turn` is its rotation alone. */
+  add({ positions, normals, indices }, place, turn, [red, green, blue]) {
+    const count = positions.length / 3;
+    if (this.vertices + count > this.colors.length || this.corners + indices.length > this.indices.length) {
+      this.grow(2 * (this.vertices + count), 2 * (this.corners + indices.length));
+    }
+    const [a, b, c, , d, e, f, , g, h, i, , x, y, z] = place;
+    // The light on a face is what its normal has of these two directions, in the body's axes.
+    const upX = turn[1], upY = turn[5], upZ = turn[9];
+    const sunX = turn[0] * TO_LIGHT.x + turn[1] * TO_LIGHT.y + turn[2] * TO_LIGHT.z;
+    const sunY = turn[4] * TO_LIGHT.x + turn[5] * TO_LIGHT.y + turn[6] * TO_LIGHT.z;
+    const sunZ = turn[8] * TO_LIGHT.x + turn[9] * TO_LIGHT.y + turn[10] * TO_LIGHT.z;
+    let at = 3 * this.vertices;
+    for (let vertex = 0; vertex < count; ++vertex) {
+      const px = positions[3 * vertex], py = positions[3 * vertex + 1], pz = positions[3 * vertex + 2];
+      this.positions[at++] = a * px + d * py + g * pz + x;
+      this.positions[at++] = b * px + e * py + h * pz + y;
+      this.positions[at++] = c * px + f * py + i * pz + z;
+      const nx = normals[3 * vertex], ny = normals[3 * vertex + 1], nz = normals[3 * vertex + 2];
+      const sun = sunX * nx + sunY * ny + sunZ * nz;
+      const light = 255 * (0.46 + 0.2 * (upX * nx + upY * ny + upZ * nz) + 0.34 * (sun > 0 ? sun : 0.3 * sun));
+      this.colors[this.vertices + vertex] = (red * light) | ((green * light) << 8) | ((blue * light) << 16) | 0xff000000;
+    }
+    for (let corner = 0; corner < indices.length; ++corner) this.indices[this.corners + corner] = this.vertices + indices[corner];
+    this.vertices += count;
+    this.corners += indices.length;
   }
 
   finish() {
-    for (const mesh of this.meshes) {
-      mesh.visible = mesh.count > 0;
-      mesh.instanceMatrix.needsUpdate = mesh.count > 0;
-      mesh.instanceColor.needsUpdate = mesh.count > 0;
+    this.mesh.visible = this.corners > 0;
+    this.geometry.setDrawRange(0, this.corners);
+    const { position, color } = this.geometry.attributes;
+    for (const [attribute, length] of [[position, 3 * this.vertices], [color, 4 * this.vertices], [this.geometry.index, this.corners]]) {
+      attribute.clearUpdateRanges();
+      attribute.addUpdateRange(0, length);
+      attribute.needsUpdate = true;
     }
   }
 }
@@ -84,20 +141,14 @@ class ContactPoints {
   }
 }
 
-function lights() {
-  const sun = new THREE.DirectionalLight(0xffffff, 2.2);
-  sun.position.set(0.45, 0.8, 0.4);
-  return [new THREE.HemisphereLight(0xdfe8ff, 0x555048, 1.5), sun];
-}
-
 export class WorldView {
   constructor(shapes, motion) {
     this.shapes = shapes;
     this.motion = motion;
     this.scene = new THREE.Scene();
     this.scene.background = new THREE.Color(BACKGROUND);
-    this.scene.add(...lights());
-    this.crowds = new Map();
+    this.moving = new Batch(this.scene, THREE.FrontSide);
+    this.fixed = new Batch(this.scene, THREE.DoubleSide);
     this.contacts = new ContactPoints(this.scene);
     this.edges = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: 0x6b7684 }));
     this.edges.frustumCulled = false;
@@ -105,14 +156,7 @@ export class WorldView {
     this.kinds = kindColors(motion.bodies);
     this.levels = Math.max(...motion.bodies.map((body) => body.levels));
     this.sampled = {};
-    this.capacities = this.countShapes();
     this.colors = this.bodyColors();
-  }
-
-  countShapes() {
-    const counts = new Map();
-    for (const { shape } of this.motion.bodies) counts.set(shape, (counts.get(shape) ?? 0) + 1);
-    return counts;
   }
 
   // Of each body by its level, from 1, and by its kind, awake and asleep.
@@ -123,44 +167,43 @@ export class WorldView {
       if (!known.has(key)) {
         const own = this.kinds[i];
         const byLevel = levels > 1 ? Array.from({ length: levels }, (_, level) => levelColor(level + 1, levels)) : [own];
-        const linear = (color) => new THREE.Color().setRGB(...color, THREE.SRGBColorSpace).toArray();
-        const both = (color) => [linear(color), linear(paler(color))];
+        const both = (color) => [color, paler(color)];
         known.set(key, { kind: both(own), levels: byLevel.map(both) });
       }
       return known.get(key);
     });
   }
 
-  crowd(shape, level, isStatic) {
-    const key = `${shape} ${level} ${isStatic}`;
-    if (!this.crowds.has(key)) {
-      this.crowds.set(key, new Crowd(this.scene, this.shapes.of(shape, level), this.capacities.get(shape), isStatic));
-    }
-    return this.crowds.get(key);
-  }
-
   /** Puts all bodies where they are. `looks`: { byLevel, sleep, collisionShapes, contacts }. */
   show(frame, looks, camera, height) {
     const { states, poses, contacts } = this.motion.sample(frame, this.sampled);
-    for (const crowd of this.crowds.values()) crowd.clear();
+    this.moving.clear();
+    this.fixed.clear();
+    frustum.setFromProjectionMatrix(matrix.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse));
     const pixelsAtOne = height / (2 * Math.tan((camera.fov * Math.PI) / 360));
     const hidden = [];
     this.motion.bodies.forEach((body, i) => {
       if (!isPresent(states[i])) return;
-      position.fromArray(poses, 7 * i);
+      const level = levelOf(states[i]);
+      const shape = this.shapes.of(body.shape, looks.collisionShapes ? level : 0);
+      const size = shape.radius * Math.max(...body.scale);
+      ball.center.fromArray(poses, 7 * i);
+      ball.radius = size;
+      if (!frustum.intersectsSphere(ball)) return;
       rotation.fromArray(poses, 7 * i + 3);
-      matrix.compose(position, rotation, scale.fromArray(body.scale));
+      matrix.compose(ball.center, rotation, scale.fromArray(body.scale));
       if (body.isStatic && this.shapes.isBox(body.shape) && hides(matrix, camera)) {
         hidden.push(matrix.clone());
         return;
       }
-      const level = levelOf(states[i]);
-      const crowd = this.crowd(body.shape, looks.collisionShapes ? level : 0, body.isStatic);
-      const size = crowd.shape.radius * Math.max(...body.scale);
-      const pixels = (size * pixelsAtOne) / Math.max(position.distanceTo(camera.position), size);
-      crowd.add(matrix, this.colorOf(i, level, states[i], looks), pixels);
+      const pixels = (size * pixelsAtOne) / Math.max(ball.center.distanceTo(camera.position), size);
+      const detail = body.isStatic ? 0 : detailFor(pixels, shape.details.length);
+      const batch = body.isStatic ? this.fixed : this.moving;
+      batch.add(shape.details[detail], matrix.elements, turn.makeRotationFromQuaternion(rotation).elements,
+        this.colorOf(i, level, states[i], looks));
     });
-    for (const crowd of this.crowds.values()) crowd.finish();
+    this.moving.finish();
+    this.fixed.finish();
     this.contacts.show(looks.contacts ? contacts : null, this.levels);
     this.showEdges(hidden);
   }
@@ -213,6 +256,9 @@ const position = new THREE.Vector3();
 const rotation = new THREE.Quaternion();
 const scale = new THREE.Vector3();
 const matrix = new THREE.Matrix4();
+const turn = new THREE.Matrix4();
+const ball = new THREE.Sphere();
+const frustum = new THREE.Frustum();
 const inverse = new THREE.Matrix4();
 const ray = new THREE.Ray();
 const hit = new THREE.Vector3();
