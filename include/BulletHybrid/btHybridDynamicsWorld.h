@@ -227,6 +227,9 @@ public:
 	btHybridPairView viewPair(const btBroadphasePair& pair) const;
 	btHybridRequestView viewRequest(const btHybridRigidBody* body) const;
 
+	/// Adds all pairs that are coarser than they could be; none without pair switching. Much cheaper than viewing each pair.
+	void viewCoarserPairs(btAlignedObjectArray<btHybridCoarserPair>& pairs) const;
+
 	int getNumHybrids() const
 	{
 		return m_hybrids.size();

@@ -40,6 +40,14 @@ struct btHybridPairView
 	}
 };
 
+/// Two bodies that meet at a coarser level than they could.
+struct btHybridCoarserPair
+{
+	const btCollisionObject* m_objectA;
+	const btCollisionObject* m_objectB;
+	int m_level;
+};
+
 /// Contacts of a pair.
 struct btHybridManifoldView
 {

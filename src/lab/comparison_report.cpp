@@ -85,7 +85,7 @@ Result<void> writeFiguresAndReport(const Comparison& comparison, const fs::path&
   if (!figures) {
     return tl::unexpected(figures.error());
   }
-  return writeFile(folder / "report.html", lab::reportHtml(comparison, *figures));
+  return writeFile(folder / "report.html", lab::reportHtml(comparison, *figures, lab::pageBundle()));
 }
 
 // What was written while it ran is copied, as that has the events; with one repeat it is in its place.

@@ -22,12 +22,13 @@ void FrameSampler::sample(const World& world, const FrameData* data, FrameSample
   out.number = world.frame();
   const Physics& physics = world.physics();
   const LevelSwitching& switching = physics.switching();
+  switching.coarsestLevels(coarsest_);
   out.bodies.reserve(world.objects().size());
   for (const auto& object : world.objects()) {
     const BodyId body = object->body();
     const BodyState state = physics.state(body);
     out.bodies.push_back({.body = body,
-                          .level = static_cast<std::uint8_t>(std::clamp(switching.level(body), 0, 127)),
+                          .level = static_cast<std::uint8_t>(std::clamp(levelOf(switching, body), 0, 127)),
                           .asleep = state.asleep,
                           .pose = state.pose,
                           .bits = physics.stateBits(body)});
@@ -41,6 +42,10 @@ void FrameSampler::sample(const World& world, const FrameData* data, FrameSample
   for (std::size_t i = 0; i < data->channels().size(); ++i) {
     out.values.push_back(data->framesBegun() > 0 ? bitsOf(*data, static_cast<ChannelId>(i)) : 0);
   }
+}
+
+int FrameSampler::levelOf(const LevelSwitching& switching, BodyId body) const {
+  return coarsest_.empty() ? switching.level(body) : coarsest_[static_cast<std::size_t>(body)];
 }
 
 void FrameSampler::findAdded(const World& world, FrameSample& out) {

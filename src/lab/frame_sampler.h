@@ -23,6 +23,7 @@ class FrameSampler {
   [[nodiscard]] std::uint64_t movingBodies() const { return movingBodies_; }
 
  private:
+  [[nodiscard]] int levelOf(const LevelSwitching& switching, BodyId body) const;
   void findAdded(const World& world, FrameSample& out);
   void addContacts(const World& world, FrameSample& out);
 
@@ -30,6 +31,7 @@ class FrameSampler {
   std::uint64_t movingBodies_ = 0;
   std::vector<BodyId> roster_;
   std::unordered_set<BodyId> known_;
+  std::vector<std::uint8_t> coarsest_;
   Observation observed_;
 };
 

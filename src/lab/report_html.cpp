@@ -3,7 +3,6 @@
 #include "lab/comparison_table.h"
 #include "lab/html.h"
 #include "lab/names.h"
-#include "lab/page/page_bundle.h"
 #include "lab/page/page_data.h"
 #include "lab/text.h"
 #include "lab/verdict.h"
@@ -289,8 +288,8 @@ constexpr const char* kLessPage =
 
 }  // namespace
 
-std::string reportHtml(const Comparison& comparison, const std::vector<Figure>& figures) {
-  const PageBundle bundle = pageBundle();
+std::string reportHtml(const Comparison& comparison, const std::vector<Figure>& figures,
+                       const PageBundle& bundle) {
   const bool isDrawn = bundle.exists();
   const std::string style = isDrawn ? std::string(bundle.style) : kPlainStyle;
   std::string text =

@@ -108,6 +108,7 @@ class Planner {
   void takeQuiet(int pair);
   void takeQuiet(const QuietPairs& pairs);
 
+  [[nodiscard]] bool hasCoarserPairs() const { return numBelowFinest_ > 0; }
   [[nodiscard]] bool isAtFinest(int index) const { return pair(index).view.level == pair(index).view.finest; }
 
   /// Whether a pair has the level that it should have, and no contacts.

@@ -101,6 +101,11 @@ class LevelSwitching {
   /// or if neither has levels.
   [[nodiscard]] virtual int pairLevel(BodyId /*a*/, BodyId /*b*/) const { return 0; }
 
+  /// With pair switching, of each body the coarsest level over its pairs, the finest if it is in none, at the
+  /// index of its id; 0 where there is no body. Emptied where each body has one level for all its pairs: then
+  /// level() is what is in use.
+  virtual void coarsestLevels(std::vector<std::uint8_t>& levels) const { levels.clear(); }
+
   /// What the last step was allowed to cost, in units; 0 without a budget. Repeats the run exactly when given
   /// as BudgetDef::recorded.
   [[nodiscard]] virtual double budgetUnits() const { return 0.0; }

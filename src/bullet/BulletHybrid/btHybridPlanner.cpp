@@ -212,6 +212,17 @@ void btHybridPlanner::viewObstacle(const btCollisionObject* object, btHybridRequ
 	request.m_retrySteps = btMax(int(pair(index).blockedSteps), 1);
 }
 
+void btHybridPlanner::viewCoarserPairs(btAlignedObjectArray<btHybridCoarserPair>& pairs) const
+{
+	for (int i = 0; i < countPairs() && hasCoarserPairs(); i++)
+	{
+		if (pair(i).view.level == 0 || isAtFinest(i))
+			continue;
+		const btHybridCoarserPair coarser = {objectOf(body(i, 0)), objectOf(body(i, 1)), pair(i).view.level};
+		pairs.push_back(coarser);
+	}
+}
+
 void btHybridPlanner::findCredited(btAlignedObjectArray<btHybridLevelBodies*>& objects) const
 {
 	for (int i = 0; i < countPairs(); i++)

@@ -68,6 +68,8 @@ public:
 
 	btHybridPairView viewPair(int pair) const;
 
+	void viewCoarserPairs(btAlignedObjectArray<btHybridCoarserPair>& pairs) const;
+
 	/// Objects of pairs on credit, two for each; not those of grounds.
 	void findCredited(btAlignedObjectArray<btHybridLevelBodies*>& objects) const;
 

@@ -50,6 +50,12 @@ btHybridPairView btHybridDynamicsWorld::viewPair(const btBroadphasePair& pair) c
 	return view;
 }
 
+void btHybridDynamicsWorld::viewCoarserPairs(btAlignedObjectArray<btHybridCoarserPair>& pairs) const
+{
+	if (m_planner)
+		m_planner->viewCoarserPairs(pairs);
+}
+
 btHybridRequestView btHybridDynamicsWorld::viewRequest(const btHybridRigidBody* body) const
 {
 	btHybridRequestView view;

@@ -2,6 +2,7 @@
 
 #include <BulletHybrid/btHybridDynamicsWorld.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -63,6 +64,27 @@ int BulletSwitching::level(BodyId body) const {
 
 int BulletSwitching::levelCount(BodyId body) const {
   return bodies_.at(body).levelCount();
+}
+
+void BulletSwitching::coarsestLevels(std::vector<std::uint8_t>& levels) const {
+  levels.clear();
+  if (!switchesByPair()) return;
+  levels.push_back(0);
+  for (const auto& body : bodies_.all()) {
+    levels.push_back(static_cast<std::uint8_t>(body ? body->levelCount() : 0));
+  }
+  btAlignedObjectArray<btHybridCoarserPair> pairs;
+  engine_.switching()->viewCoarserPairs(pairs);
+  for (int i = 0; i < pairs.size(); ++i) {
+    for (const btCollisionObject* object : {pairs[i].m_objectA, pairs[i].m_objectB}) {
+      const BulletBody& body = BulletBody::of(*object);
+      std::uint8_t& coarsest = levels[static_cast<std::size_t>(body.id())];
+      // Bodies without levels that switch take part with their finest.
+      if (body.switching() != nullptr) {
+        coarsest = std::min(coarsest, static_cast<std::uint8_t>(pairs[i].m_level));
+      }
+    }
+  }
 }
 
 bool BulletSwitching::requestLevel(BodyId body, int level, Scope scope) {

@@ -27,6 +27,7 @@ class BulletSwitching final : public LevelSwitching {
   void retractRequest(BodyId body) override;
   void retractAllRequests() override;
   [[nodiscard]] int pairLevel(BodyId a, BodyId b) const override;
+  void coarsestLevels(std::vector<std::uint8_t>& levels) const override;
   [[nodiscard]] double budgetUnits() const override { return budgetUnits_; }
   [[nodiscard]] BudgetState budgetState() const override;
   bool setBudget(const BudgetDef& budget) override;

@@ -178,15 +178,16 @@ class Plot {
   // A click sets the frame, a drag zooms, and a finger, which has no hover, sets the frame wherever it goes.
   listen(over) {
     const { axis } = this;
-    over.addEventListener('click', () => {
+    const seekTo = ({ clientX }) => axis.player.seek(Math.round(this.chart.posToVal(clientX - over.getBoundingClientRect().left, 'x')));
+    over.addEventListener('click', (event) => {
       if (this.selected) this.selected = false;
-      else axis.player.seek(this.chart.posToVal(this.chart.cursor.left, 'x'));
+      else seekTo(event);
     });
     over.addEventListener('dblclick', () => axis.zoom(...axis.whole));
     over.addEventListener('mouseleave', () => axis.player.hover(null));
     over.style.touchAction = 'pan-y';
     over.addEventListener('pointermove', (event) => {
-      if (event.pointerType === 'touch') axis.player.seek(this.chart.posToVal(event.offsetX, 'x'));
+      if (event.pointerType === 'touch') seekTo(event);
     });
   }
 

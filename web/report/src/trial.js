@@ -80,7 +80,6 @@ class TrialView {
     this.views.panes.forEach((pane, i) => {
       pane.view = this.sides[round.swapped ? 1 - i : i];
     });
-    this.views.watcher = this.sides[0];
     this.player.seek(round.start);
     this.player.play();
   }

@@ -142,18 +142,20 @@ export class Views {
     this.watchAction(1);
   }
 
-  // The first world's action: a camera that knew of the others would tell which is which.
+  // Of all worlds alike: a camera that preferred one would tell which it is.
   watchAction(share = 0.08) {
-    const view = this.panes.find((pane) => pane.view)?.view;
-    if (!view) return;
-    const { center, radius } = view.action(this.player.shown);
+    const seen = this.panes.filter((pane) => pane.view && pane.isShown).map(({ view }) => view);
+    if (seen.length === 0) return;
+    const actions = seen.map((view) => view.action(this.player.shown));
+    const center = actions.reduce((sum, action) => sum.addScaledVector(action.center, 1 / actions.length), new THREE.Vector3());
+    const radius = Math.max(...actions.map((action) => action.radius + 0.5 * action.center.distanceTo(center)));
     const jumped = Math.abs(this.player.shown - (this.watched ?? -1000)) > 15;
     this.watched = this.player.shown;
     const part = jumped ? 1 : share;
     const half = (this.camera.fov * Math.PI) / 360;
     const fit = radius / Math.sin(Math.min(half, Math.atan(Math.tan(half) * this.aspect())));
     const offset = this.camera.position.clone().sub(this.controls.target);
-    const distance = offset.length() + part * (Math.max(fit, 2 * view.typicalRadius()) - offset.length());
+    const distance = offset.length() + part * (Math.max(fit, 2 * seen[0].typicalRadius()) - offset.length());
     this.controls.target.lerp(center, part);
     this.camera.position.copy(this.controls.target).add(offset.setLength(distance));
     this.camera.near = distance / 100;

@@ -4,6 +4,9 @@ import { css, kindColors, levelColor, paler } from './colors.js';
 import { detailFor } from './geometry.js';
 import { isAsleep, isPresent, levelOf } from './motion.js';
 
+// Bodies whose radius is less than such a part of the picture's are specks.
+const SPECKS = 18;
+const MOST_WATCHED = 400;
 const CONTACT_COLOR = [1, 0.85, 0.2];
 const BACKGROUND = 0x10151d;
 
@@ -156,6 +159,9 @@ export class WorldView {
     this.kinds = kindColors(motion.bodies);
     this.levels = Math.max(...motion.bodies.map((body) => body.levels));
     this.sampled = {};
+    const moving = motion.bodies.map((body, i) => (body.isStatic ? -1 : i)).filter((i) => i >= 0);
+    const each = Math.ceil(moving.length / MOST_WATCHED);
+    this.watched = moving.filter((_, place) => place % each === 0);
     this.colors = this.bodyColors();
   }
 
@@ -176,7 +182,7 @@ export class WorldView {
 
   /** Puts all bodies where they are. `looks`: { byLevel, sleep, collisionShapes, contacts }. */
   show(frame, looks, camera, height) {
-    const { states, poses, contacts } = this.motion.sample(frame, this.sampled);
+    const { states, poses, contacts } = this.sample(frame);
     this.moving.clear();
     this.fixed.clear();
     frustum.setFromProjectionMatrix(matrix.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse));
@@ -228,18 +234,22 @@ export class WorldView {
     this.edges.geometry.setAttribute('position', new THREE.Float32BufferAttribute(corners, 3));
   }
 
-  /** What is worth looking at: the middle of the bodies that move, and how far most are from it. */
+  sample(frame) {
+    if (this.sampledFrame !== frame) this.motion.sample(frame, this.sampled);
+    this.sampledFrame = frame;
+    return this.sampled;
+  }
+
+  /** What is worth looking at: the middle of the bodies that move, and how far most are from it, as long as they can be seen from there. */
   action(frame) {
-    const { states, poses } = this.motion.sample(frame, this.sampled);
+    const { states, poses } = this.sample(frame);
     const places = [];
-    this.motion.bodies.forEach((body, i) => {
-      if (isPresent(states[i]) && !body.isStatic) places.push(poses.subarray(7 * i, 7 * i + 3));
-    });
+    for (const i of this.watched) if (isPresent(states[i])) places.push(poses.subarray(7 * i, 7 * i + 3));
     if (places.length === 0) return { center: new THREE.Vector3(), radius: 5 };
     const middle = [0, 1, 2].map((axis) => ranked(places.map((place) => place[axis]), 0.5));
-    const center = new THREE.Vector3(...middle);
     const far = ranked(places.map(([x, y, z]) => Math.hypot(x - middle[0], y - middle[1], z - middle[2])), 0.8);
-    return { center, radius: far + this.typicalRadius() };
+    const typical = this.typicalRadius();
+    return { center: new THREE.Vector3(...middle), radius: Math.min(far + typical, SPECKS * typical) };
   }
 
   typicalRadius() {
