@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # build.sh PRESET [TARGET…]: configures and builds in build/PRESET. Says nothing if nothing is to be done, a line now
-# and then while it works, and everything if it fails.
+# and then while it works, what it has to leave out, and everything if it fails.
 set -euo pipefail
 
 root=$(cd "$(dirname "$0")/.." && pwd)
@@ -47,6 +47,8 @@ show_progress() {
   local line steps total next=0 shown=no
   while IFS= read -r line; do
     printf '%s\n' "$line" >> "$log"
+    # What a build has to leave out, it says in a line of its own.
+    [[ $line != "scatter: "* ]] || echo "$line" >&2
     if [[ $line =~ ^\[([0-9]+)/([0-9]+)\] ]]; then
       steps=${BASH_REMATCH[1]} total=${BASH_REMATCH[2]}
       if [[ -t 2 ]]; then

@@ -27,6 +27,8 @@ missing_packages() {
   local installed
   installed=$(dpkg-query -W -f '${db:Status-Status} ${Package}\n' "${wanted[@]}" 2> /dev/null || true)
   for package in "${wanted[@]}"; do
+    # Node's own packages bring npm with them, and exclude Debian's.
+    [[ $package == npm ]] && command -v npm > /dev/null && continue
     grep -qxF "installed $package" <<< "$installed" || echo "$package"
   done
 }

@@ -175,14 +175,11 @@ class Plot {
     };
   }
 
-  // A click sets the frame, a drag zooms, and a finger, which has no hover, sets the frame wherever it goes.
+  // A click sets the frame (uPlot keeps the one that ends a drag to itself), a drag zooms, and a finger, which has no hover, sets the frame wherever it goes.
   listen(over) {
     const { axis } = this;
     const seekTo = ({ clientX }) => axis.player.seek(Math.round(this.chart.posToVal(clientX - over.getBoundingClientRect().left, 'x')));
-    over.addEventListener('click', (event) => {
-      if (this.selected) this.selected = false;
-      else seekTo(event);
-    });
+    over.addEventListener('click', seekTo);
     over.addEventListener('dblclick', () => axis.zoom(...axis.whole));
     over.addEventListener('mouseleave', () => axis.player.hover(null));
     over.style.touchAction = 'pan-y';
@@ -199,7 +196,6 @@ class Plot {
   noteSelection(chart) {
     const { left, width } = chart.select;
     if (width <= 0) return;
-    this.selected = true;
     this.axis.zoom(chart.posToVal(left, 'x'), chart.posToVal(left + width, 'x'));
     chart.setSelect({ left: 0, width: 0, top: 0, height: 0 }, false);
   }

@@ -82,7 +82,8 @@ function legend(motions) {
     chips.push(h('span', { className: 'chip' }, h('span', { className: 'swatch', style: `background:${levelCss(level, levels)}` }), name));
   }
   return h('p', { className: 'legend' }, ...chips,
-    h('span', { className: 'chip' }, 'paler: asleep'), h('span', { className: 'chip' }, 'other colours: bodies without levels'));
+    h('span', { className: 'chip' }, 'paler: asleep'), h('span', { className: 'chip' }, 'other colours: bodies without levels'),
+    'A body has the colour of the coarsest level at which it meets, or may soon meet, another one.');
 }
 
 // The first frame in which the most kinetic energy is on its way to be lost: the crash.

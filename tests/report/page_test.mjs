@@ -12,6 +12,10 @@ if (!browserFile) {
   console.log('SKIPPED: there is no Chromium, so that nobody has looked at the report\'s page; install the package chromium');
   process.exit(77);
 }
+if (!existsSync(join(modules, 'playwright-core'))) {
+  console.log('SKIPPED: npm could not get playwright-core when the program was built, so that nobody has looked at the report\'s page');
+  process.exit(77);
+}
 const { chromium } = createRequire(join(modules, 'x.js'))('playwright-core');
 
 const FRAMES = 420;
@@ -156,6 +160,7 @@ async function lookAtTwoWorlds(report, width, colorScheme) {
   });
 
   await check('a drag zooms all plots', async () => {
+    const before = await stateOf(page);
     const box = await page.locator('#overview .u-over').boundingBox();
     await page.mouse.move(box.x + box.width * 0.25, box.y + 40);
     await page.mouse.down();
@@ -163,7 +168,8 @@ async function lookAtTwoWorlds(report, width, colorScheme) {
     await page.mouse.up();
     await page.locator('#stages').scrollIntoViewIfNeeded();
     await page.waitForFunction(() => [...window.scatter.axis.plots].at(-1).chart);
-    const { ranges } = await stateOf(page);
+    const { ranges, position } = await stateOf(page);
+    assert.equal(position, before.position);
     assert.ok(ranges.length > 1);
     for (const range of ranges) {
       assert.deepEqual(range, ranges[0]);
