@@ -57,7 +57,7 @@ std::string verdictDetails(const Comparison& comparison) {
   return "The dearest of " + framesOf(comparison) + " took " +
          inEachWorld(comparison,
                      [](const ComparedWorld& world) { return milliseconds(world, &TimeStatistics::peak); }) +
-         ". More than " + readableNumber(budget) + " ms, which is the time for a picture, took " +
+         ". Frames that took more than the budget of " + readableNumber(budget) + " ms: " +
          inEachWorld(
              comparison,
              [budget](const ComparedWorld& world) { return fixedNumber(framesOver(world, budget), 0); }) +

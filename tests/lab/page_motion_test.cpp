@@ -64,6 +64,7 @@ TEST(CompareWorlds, RecordsTheFirstRunOfEachWorldInItsFolder) {
   options.resume = true;
   EXPECT_EQ(compareWorlds(options).value().worlds[1].recording, comparison->worlds[1].recording);
   options.resume = false;
+  options.anew = true;
   options.recordRuns = false;
   EXPECT_FALSE(compareWorlds(options).value().worlds[1].recording);
   EXPECT_FALSE(std::filesystem::exists(*comparison->worlds[1].recording));

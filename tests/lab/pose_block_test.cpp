@@ -85,7 +85,9 @@ TEST(PoseBlock, KeepsWhereBodiesAreAndWhetherTheyAreThere) {
       const auto& n = found.numbers;
       EXPECT_LE(glm::distance(Vec3(n[0], n[1], n[2]), body.pose.position), kQuantum);
       const Quat turn = glm::normalize(Quat(n[6], n[3], n[4], n[5]));
-      EXPECT_GT(std::abs(glm::dot(turn, body.pose.rotation)), 0.9999999F);
+      // Twice the sine of half the angle between them.
+      const Quat other = glm::dot(turn, body.pose.rotation) < 0.0F ? -body.pose.rotation : body.pose.rotation;
+      EXPECT_LT(2.0F * glm::length(turn - other), 3.0e-4F);
     }
   }
 }

@@ -1,6 +1,7 @@
 // What bodies look like: geometries with coarser versions of each for bodies that are small in the picture.
 import { MeshoptSimplifier } from 'meshoptimizer/simplifier';
 import * as THREE from 'three';
+import { ConvexGeometry } from 'three/addons/geometries/ConvexGeometry.js';
 import { mergeVertices } from 'three/addons/utils/BufferGeometryUtils.js';
 import { unpack } from './data.js';
 
@@ -17,21 +18,46 @@ export function detailFor(pixels, details) {
   return details - 1;
 }
 
+/** About so many triangles that look like these, as { positions, indices }. */
 function simplified(positions, indices, triangles) {
   const target = 3 * triangles;
-  if (indices.length <= 1.3 * target) return indices;
-  const [careful] = MeshoptSimplifier.simplify(indices, positions, 3, target, 0.1, ['Prune']);
-  if (careful.length <= 1.5 * target && careful.length > 0) return careful;
-  const [sloppy] = MeshoptSimplifier.simplifySloppy(indices, positions, 3, null, target, 0.3);
-  return sloppy.length > 0 ? sloppy : indices;
+  if (indices.length <= 1.3 * target) return { positions, indices };
+  const isFine = ([found]) => found.length > 0 && found.length <= 1.5 * target;
+  const careful = MeshoptSimplifier.simplify(indices, positions, 3, target, 0.1, ['Prune']);
+  if (isFine(careful)) return { positions, indices: careful[0] };
+  const sloppy = MeshoptSimplifier.simplifySloppy(indices, positions, 3, null, target, 0.5);
+  if (isFine(sloppy)) return { positions, indices: sloppy[0] };
+  return hullOf(positions, triangles);
+}
+
+// Of parts that lie apart nothing can be merged: what is left is the hull of the points that are furthest out.
+function hullOf(positions, triangles) {
+  const outermost = new Set();
+  const directions = triangles > 20 ? 20 : 8;
+  for (let i = 0; i < directions; ++i) {
+    // Evenly over the sphere, along a spiral.
+    const y = 1 - (2 * i + 1) / directions;
+    const side = Math.sqrt(1 - y * y);
+    const [x, z] = [side * Math.cos(2.4 * i), side * Math.sin(2.4 * i)];
+    let best = 0;
+    let most = -Infinity;
+    for (let vertex = 0; vertex < positions.length; vertex += 3) {
+      const reach = x * positions[vertex] + y * positions[vertex + 1] + z * positions[vertex + 2];
+      if (reach > most) [best, most] = [vertex, reach];
+    }
+    outermost.add(best);
+  }
+  const points = [...outermost].map((vertex) => new THREE.Vector3().fromArray(positions, vertex));
+  const merged = mergedOf(new ConvexGeometry(points));
+  return { positions: merged.attributes.position.array, indices: merged.index.array };
 }
 
 function withDetails(positions, indices) {
   const details = [];
   for (const { triangles } of DETAILS) {
     const chosen = simplified(positions, indices, triangles);
-    if (details.length === 0 || chosen.length < 0.8 * details.at(-1).indices.length) {
-      details.push(faceted(positions, chosen));
+    if (details.length === 0 || chosen.indices.length < 0.8 * details.at(-1).indices.length) {
+      details.push(faceted(chosen.positions, chosen.indices));
     }
   }
   return details;
@@ -77,10 +103,14 @@ function faceted(positions, indices) {
   return { positions: new Float32Array(places), normals: new Float32Array(normals), indices: result };
 }
 
-function facetedOf(geometry) {
+function mergedOf(geometry) {
   geometry.deleteAttribute('normal');
   geometry.deleteAttribute('uv');
-  const merged = mergeVertices(geometry);
+  return mergeVertices(geometry);
+}
+
+function facetedOf(geometry) {
+  const merged = mergedOf(geometry);
   return faceted(merged.attributes.position.array, merged.index.array);
 }
 
