@@ -1,5 +1,5 @@
 // The worlds in 3D with what plays them, and what the shown frame has cost.
-import { h } from './dom.js';
+import { h, readable } from './dom.js';
 import { Motion } from './motion.js';
 import { Views } from './views.js';
 import { levelCss, WorldView } from './world_view.js';
@@ -73,8 +73,12 @@ export function listenToKeys(player) {
   });
 }
 
+function mostLevels(motions) {
+  return Math.max(1, ...motions.flatMap((motion) => motion.bodies.map((body) => body.levels)));
+}
+
 function legend(motions) {
-  const levels = Math.max(1, ...motions.map((motion) => Math.max(...motion.bodies.map((body) => body.levels))));
+  const levels = mostLevels(motions);
   if (levels === 1) return h('p', { className: 'legend' }, 'No body in this scene has levels of detail; colours tell kinds apart. Bodies that sleep are paler.');
   const chips = [];
   for (let level = levels; level >= 1; --level) {
@@ -121,13 +125,13 @@ export function makeStage(place, page, player, shapes) {
     page.worlds.forEach((world, i) => {
       const ended = motions[i] && player.shown > motions[i].last;
       const ms = world.columns.get('physics_cpu_ms').values[player.row - 1];
-      captions[i].cost.textContent = ended ? endOf(world, motions[i]) : player.shown < 1 || ms === undefined ? '' : `${ms.toFixed(2)} ms`;
+      captions[i].cost.textContent = ended ? endOf(world, motions[i]) : player.shown < 1 || ms === undefined ? '' : `${readable(ms)} ms`;
     });
   });
   views.element.classList.add(page.worlds.length === 1 ? 'one' : page.worlds.length > 2 ? 'many' : 'two');
   place.append(views.element, transport(player, jumps), h('div', { className: 'row looks' },
     page.worlds.length > 1 ? page.worlds.map((world, i) => checkbox(world.label, true, (shown) => views.showPane(i, shown))) : [],
-    choice('Colours ', [[true, 'levels'], [false, 'kinds of bodies']], true, redraw('byLevel')),
+    mostLevels(playable) === 1 ? null : choice('Colours ', [[true, 'levels'], [false, 'kinds of bodies']], true, redraw('byLevel')),
     choice('Shapes ', [[false, 'as they look'], [true, 'as they collide']], false, redraw('collisionShapes')),
     playable.some((motion) => motion.hasContacts) ? checkbox('contacts', true, redraw('contacts')) : null,
     button('Nearer', 'Also: the wheel', () => views.zoom(1.4)), button('Farther', 'Also: the wheel', () => views.zoom(1 / 1.4)), follow),
@@ -138,7 +142,7 @@ export function makeStage(place, page, player, shapes) {
 function hintOf(page, motions) {
   const notes = ['Drag turns the camera, the wheel goes nearer, the right button moves sideways. Keys: space plays and pauses, ← and → go a frame on or back, with shift ten. All views, plots and tables show the same frame.'];
   const step = Math.max(...motions.map((motion) => motion.step));
-  if (step > 1) notes.push(`Of this long run every ${step}th frame is in the page; between them bodies move evenly.`);
+  if (step > 1) notes.push(`Of this long run one frame of ${step} is in the page; between them bodies move evenly.`);
   if (page.repeat > 1) {
     const clocked = page.worlds.filter((world) => world.byClock && world.typicalRepeat !== 1).map((world) => world.label);
     if (clocked.length > 0) {

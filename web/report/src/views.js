@@ -156,7 +156,9 @@ export class Views {
     const fit = radius / Math.sin(Math.min(half, Math.atan(Math.tan(half) * this.aspect())));
     const offset = this.camera.position.clone().sub(this.controls.target);
     const distance = offset.length() + part * (Math.max(fit, 2 * seen[0].typicalRadius()) - offset.length());
-    this.controls.target.lerp(center, part);
+    // What is fast is not left behind.
+    const lag = this.controls.target.clone().sub(center).multiplyScalar(1 - part).clampLength(0, 0.3 * radius);
+    this.controls.target.copy(center).add(lag);
     this.camera.position.copy(this.controls.target).add(offset.setLength(distance));
     this.camera.near = distance / 100;
     this.camera.far = distance * 100;

@@ -249,7 +249,7 @@ export class WorldView {
     const middle = [0, 1, 2].map((axis) => ranked(places.map((place) => place[axis]), 0.5));
     const far = ranked(places.map(([x, y, z]) => Math.hypot(x - middle[0], y - middle[1], z - middle[2])), 0.8);
     const typical = this.typicalRadius();
-    return { center: new THREE.Vector3(...middle), radius: Math.min(far + typical, SPECKS * typical) };
+    return { center: new THREE.Vector3(...middle), radius: Math.min(Math.max(far + typical, 2 * typical), SPECKS * typical) };
   }
 
   typicalRadius() {
