@@ -11,8 +11,8 @@
 namespace scatter::lab {
 
 /// A page that says in its first line what was compared and what came out. It needs no other file: its plots,
-/// the worlds in 3D and what they are made from are in it. With an empty bundle it has neither and says so, and
-/// shows the figures' files, "figures/NAME.svg".
+/// the worlds in 3D and what they are made from are in it. With an empty bundle it has neither and says so,
+/// and shows the figures' files, "figures/NAME.svg".
 [[nodiscard]] std::string reportHtml(const Comparison& comparison, const std::vector<Figure>& figures,
                                      const PageBundle& bundle);
 

@@ -171,7 +171,7 @@ class Plot {
           },
         })),
       ],
-      hooks: { setCursor: [(chart) => this.noteCursor(chart)], setSelect: [(chart) => this.noteSelection(chart)] },
+      hooks: { ready: [() => this.showCursor(this.axis.player.row)], setCursor: [(chart) => this.noteCursor(chart)], setSelect: [(chart) => this.noteSelection(chart)] },
     };
   }
 

@@ -134,13 +134,13 @@ export function makeStage(place, page, player, shapes) {
     mostLevels(playable) === 1 ? null : choice('Colours ', [[true, 'levels'], [false, 'kinds of bodies']], true, redraw('byLevel')),
     choice('Shapes ', [[false, 'as they look'], [true, 'as they collide']], false, redraw('collisionShapes')),
     playable.some((motion) => motion.hasContacts) ? checkbox('contacts', true, redraw('contacts')) : null,
-    button('Nearer', 'Also: the wheel', () => views.zoom(1.4)), button('Farther', 'Also: the wheel', () => views.zoom(1 / 1.4)), follow),
+    button('Nearer', 'Also, after a click into the picture: the wheel', () => views.zoom(1.4)), button('Farther', 'Also, after a click into the picture: the wheel', () => views.zoom(1 / 1.4)), follow),
   legend(playable), h('p', { className: 'hint' }, hintOf(page, playable)));
   return views;
 }
 
 function hintOf(page, motions) {
-  const notes = ['Drag turns the camera, the wheel goes nearer, the right button moves sideways. Keys: space plays and pauses, ← and → go a frame on or back, with shift ten. All views, plots and tables show the same frame.'];
+  const notes = ['Drag turns the camera, the right button moves sideways, after a click the wheel goes nearer. Keys: space plays and pauses, ← and → go a frame on or back, with shift ten. All views, plots and tables show the same frame.'];
   const step = Math.max(...motions.map((motion) => motion.step));
   if (step > 1) notes.push(`Of this long run one frame of ${step} is in the page; between them bodies move evenly.`);
   if (page.repeat > 1) {

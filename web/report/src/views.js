@@ -65,7 +65,14 @@ export class Views {
     this.controls = new OrbitControls(this.camera, this.element);
     this.controls.addEventListener('start', () => this.follow(false));
     this.controls.addEventListener('change', () => this.draw());
-    this.controls.zoomToCursor = false;
+    // The wheel scrolls the page until somebody has turned to the picture.
+    this.controls.enableZoom = false;
+    this.element.addEventListener('pointerdown', () => {
+      this.controls.enableZoom = true;
+    });
+    this.element.addEventListener('pointerleave', () => {
+      this.controls.enableZoom = false;
+    });
     this.element.style.touchAction = 'pan-y';  // A page that cannot be scrolled on a phone is a trap.
     this.follows = true;
     this.pictures = 0;
