@@ -29,7 +29,7 @@ std::string base64(std::string_view bytes) {
 }  // namespace
 
 std::size_t PageBlobs::add(std::string_view bytes) {
-  html_ += "<script type=\"application/octet-stream\" id=\"blob-" + std::to_string(count_) + "\">" +
+  html_ += R"(<script type="application/octet-stream" id="blob-)" + std::to_string(count_) + "\">" +
            base64(recording::compressWell(bytes)) + "</script>\n";
   return count_++;
 }

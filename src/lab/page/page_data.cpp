@@ -97,7 +97,7 @@ std::string pageData(const Comparison& comparison) {
   // Within a script nothing is escaped, and "</script>" would end it.
   const std::string text =
       replaceAll(page.dump(-1, ' ', true, Json::error_handler_t::replace), "<", "\\u003c");
-  return "<script type=\"application/json\" id=\"page-data\">" + text + "</script>\n" + blobs.html();
+  return R"(<script type="application/json" id="page-data">)" + text + "</script>\n" + blobs.html();
 }
 
 }  // namespace scatter::lab
