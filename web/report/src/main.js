@@ -20,7 +20,7 @@ async function start() {
   makeNow(now, page, player);
   const axis = makePlots(page, player, stage);
   const place = document.getElementById('trial');
-  const trial = place && makeTrial(place, page, shapes, player);
+  const trial = place && makeTrial(place, page, shapes, player, views);
   listenToKeys(player);
   player.tell();
   // Who looks for how the page works, or tests it, finds its parts here.

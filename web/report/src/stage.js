@@ -98,6 +98,14 @@ export function impactFrame(page) {
   return best + 1;
 }
 
+function makeViews(panes, player, looks) {
+  try {
+    return new Views(panes, player, looks);
+  } catch {
+    return null;
+  }
+}
+
 /** Fills `place`; returns the Views, or null if there is nothing to be played. */
 export function makeStage(place, page, player, shapes) {
   const motions = motionsOf(page);
@@ -109,9 +117,14 @@ export function makeStage(place, page, player, shapes) {
   }
   const captions = page.worlds.map(captionOf);
   const looks = { byLevel: true, sleep: true, collisionShapes: false, contacts: true };
-  const views = new Views(page.worlds.map((world, i) => ({
+  const panes = page.worlds.map((world, i) => ({
     view: motions[i] ? new WorldView(shapes, motions[i]) : null, caption: captions[i].element, note: world.noMotion,
-  })), player, looks);
+  }));
+  const views = makeViews(panes, player, looks);
+  if (!views) {
+    place.append(h('p', {}, 'The worlds cannot be shown in 3D, as this browser has no WebGL; all else works without it.'), transport(player, jumps));
+    return null;
+  }
   const redraw = (name) => (value) => {
     looks[name] = value;
     views.draw();

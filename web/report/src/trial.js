@@ -91,10 +91,10 @@ class TrialView {
 }
 
 /** Fills `place` with a trial of the first and the last world that can be played. */
-export function makeTrial(place, page, shapes, mainPlayer) {
-  const playable = page.worlds.filter((world) => world.motion);
+export function makeTrial(place, page, shapes, mainPlayer, views) {
+  const playable = views ? page.worlds.filter((world) => world.motion) : [];
   if (playable.length < 2) {
-    place.append(h('p', {}, 'For this, two worlds are needed that can be played.'));
+    place.append(h('p', {}, 'For this, two worlds are needed that can be played in 3D.'));
     return null;
   }
   const state = { trial: null };
@@ -108,7 +108,8 @@ export function makeTrial(place, page, shapes, mainPlayer) {
 
   function begin() {
     mainPlayer.pause();
-    state.view?.views.renderer.dispose();
+    state.view?.end();
+    state.view?.views.dispose();
     state.trial = new Trial(page);
     state.view = new TrialView(page, shapes, pairs[select.selectedIndex]);
     state.view.views.element.classList.add('two');

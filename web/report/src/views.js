@@ -86,6 +86,14 @@ export class Views {
     player.onChange(() => this.draw());
   }
 
+  /** Gives the graphics memory back; nothing may be drawn afterwards. */
+  dispose() {
+    this.isNear = false;
+    this.draw = () => {};
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
+  }
+
   /** Whether the camera goes where something happens. */
   follow(follows) {
     if (follows === this.follows) return;

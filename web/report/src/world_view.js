@@ -1,10 +1,10 @@
-// One world in 3D: instances of its bodies' shapes at a frame.
+// One world in 3D: its bodies at a frame.
 import * as THREE from 'three';
 import { css, kindColors, levelColor, paler } from './colors.js';
 import { detailFor } from './geometry.js';
 import { isAsleep, isPresent, levelOf } from './motion.js';
 
-// Bodies whose radius is less than such a part of the picture's are specks.
+// The camera shows at most a ball of so many radii of a typical body, which would be a speck else.
 const SPECKS = 18;
 const MOST_WATCHED = 400;
 const CONTACT_COLOR = [1, 0.85, 0.2];
