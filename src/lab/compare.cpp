@@ -192,8 +192,8 @@ class ComparisonRunner {
     // Repeats are the same run: one of them speaks for all.
     if (repeat > 0) {
       options.record.reset();
-    } else if (folder_ && !options.record) {
-      recordInFolder(world, options);
+    } else if (folder_ && !options.record && comparison_.options.recordRuns) {
+      options.record = RecordOptions{.file = folder_->recordingFile(world)};
     }
     report_.label = options.label;
     Result<void> begun;
@@ -216,19 +216,19 @@ class ComparisonRunner {
       return fail("run " + std::to_string(report_.run + 1) + " of " + std::to_string(report_.runs) + ", " +
                   options.label + " world, is not whole: " + run->summary.stopped + keptRuns());
     }
+    if (folder_ && repeat == 0) {
+      removeEarlierRecording(world, options);
+    }
     return run;
   }
 
-  // What an earlier run has left there is not this one's.
-  void recordInFolder(std::size_t world, RunOptions& options) const {
+  // What an earlier run has left there must not be taken for this one's.
+  void removeEarlierRecording(std::size_t world, const RunOptions& options) const {
     const std::filesystem::path file = folder_->recordingFile(world);
     std::error_code ignored;
-    std::filesystem::remove(file, ignored);
-    if (!comparison_.options.recordRuns) {
-      return;
+    if (!options.record || options.record->file != file) {
+      std::filesystem::remove(file, ignored);
     }
-    std::filesystem::create_directories(file.parent_path(), ignored);
-    options.record = RecordOptions{.file = file};
   }
 
   [[nodiscard]] std::string keptRuns() const {
