@@ -2,7 +2,7 @@
 set(SCATTER_REPORT_PAGE_DIR ${CMAKE_CURRENT_LIST_DIR})
 function(scatter_report_page source)
   set(here ${SCATTER_REPORT_PAGE_DIR})
-  file(GLOB parts CONFIGURE_DEPENDS ${here}/src/*)
+  file(GLOB parts CONFIGURE_DEPENDS ${here}/src/* ${here}/licences/*)
   add_custom_command(OUTPUT ${source}
     COMMAND ${CMAKE_COMMAND} -DSOURCE=${here} -DFOLDER=${PROJECT_BINARY_DIR}/report_page -DBUNDLE=${source}
             -DWANTED=${SCATTER_REPORT_PAGE} -DHAS_NPM=${SCATTER_HAS_REPORT_PAGE} -DNPM=${SCATTER_NPM} -DNODE=${SCATTER_NODE}

@@ -17,7 +17,7 @@ const { outputFiles, metafile } = buildSync({
   format: 'iife',
   target: ['chrome100', 'firefox110', 'safari16'],
   nodePaths: [modules],
-  legalComments: 'none',  // The licences stand in the page, whole.
+  legalComments: 'eof',  // Of what packages have taken from others; their own licences stand in the page, whole.
   metafile: true,
   outdir: 'out',
   write: false,
@@ -52,7 +52,8 @@ function literal(text) {
   return pieces.map((piece) => `R"page~(${piece})page~"`).join('\n');
 }
 
-const licences = packagesUsed().map(licenceOf).join('\n');
+const carried = readFileSync(join(here, 'licences', 'zstd.txt'), 'utf8');
+const licences = [...packagesUsed().map(licenceOf), carried].join('\n');
 writeFileSync(output, `#include "lab/page/page_bundle.h"
 
 namespace scatter::lab {
