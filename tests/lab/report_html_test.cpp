@@ -81,7 +81,7 @@ TEST(ReportHtml, HoldsTheBundleAndAllNumbers) {
     // All columns but the hash, of four bytes a number.
     const std::size_t columns = comparison.worlds[world].median.columns().size() - 1;
     EXPECT_EQ(said["data"]["columns"].size(), columns);
-    EXPECT_EQ(said["data"]["bytes"], 4U * 20U * columns);
+    EXPECT_EQ(said["data"]["bytes"], 80 * columns);
     EXPECT_THAT(html, HasSubstr("id=\"blob-" + std::to_string(said["data"]["blob"].get<int>()) + "\""));
     EXPECT_THAT(said["noMotion"].get<std::string>(), HasSubstr("was not recorded"));
   }
