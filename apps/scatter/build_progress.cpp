@@ -11,14 +11,11 @@
 #include <utility>
 
 #include "messages.h"
+#include "progress_line.h"
 
 namespace scatter::app {
 
 namespace {
-
-constexpr double kTerminalSeconds = 0.1;
-constexpr double kLogSeconds = 5.0;
-constexpr const char* kClearLine = "\r\033[K";
 
 /// An estimate from less would jump about.
 constexpr double kLeastSeconds = 2.0;

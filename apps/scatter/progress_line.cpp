@@ -11,14 +11,6 @@
 
 namespace scatter::app {
 
-namespace {
-
-constexpr double kTerminalSeconds = 0.1;
-constexpr double kLogSeconds = 5.0;
-constexpr const char* kClearLine = "\r\033[K";
-
-}  // namespace
-
 ProgressLine::ProgressLine(bool quiet)
     : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0), lastShown_(wallSeconds()) {}
 

@@ -6,6 +6,13 @@
 
 namespace scatter::app {
 
+/// How often a line of progress is written, seconds: on a terminal, and into a log.
+inline constexpr double kTerminalSeconds = 0.1;
+inline constexpr double kLogSeconds = 5.0;
+
+/// Goes back to the start of a terminal's line and clears it.
+inline constexpr const char* kClearLine = "\r\033[K";
+
 /// Tells on standard error how far long work is: one line that is rewritten on a terminal, else a line
 /// every few seconds. Work that is done sooner says nothing.
 class ProgressLine {

@@ -26,11 +26,11 @@ namespace {
 
 /// Of each pixel, where a graphics card draws.
 constexpr int kSamples = 4;
-constexpr std::array<const char*, 3> kShown{"automatic", "scene", "levels"};
+constexpr std::array<const char*, 3> kShowChoices{"automatic", "scene", "levels"};
 
 struct Arguments {
   RunArguments run;
-  std::string show = kShown.front();
+  std::string show = kShowChoices.front();
   std::vector<std::string> worlds{worldChoices().front().name};
   std::string renderer = viewer::rendererNames().front();
   std::string size = "1280x720";
@@ -184,7 +184,7 @@ Command addViewCommand(CLI::App& program) {
       ->add_option("--show", arguments->show,
                    "Of a physics file: what happens in it (scene) or the levels of its models (levels); "
                    "automatically levels if it has one body with levels and nothing happens")
-      ->check(CLI::IsMember(std::vector<std::string>(kShown.begin(), kShown.end())))
+      ->check(CLI::IsMember(std::vector<std::string>(kShowChoices.begin(), kShowChoices.end())))
       ->capture_default_str();
   command->add_option("--worlds", arguments->worlds, "One world, or two side by side; see `scatter list`")
       ->delimiter(',')

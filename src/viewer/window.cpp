@@ -16,8 +16,8 @@ namespace {
 
 constexpr float kCrowdReach = 1.15F;  // by the radius of the action
 constexpr float kCrowdShade = 0.35F;
-constexpr float kReach = 2000.0F;   // metres, of what is named under the pointer
-constexpr float kFlySpeed = 0.02F;  // of the distance to what is looked at, a loop
+constexpr float kNamedReach = 2000.0F;  // metres, of what is named under the pointer
+constexpr float kFlySpeed = 0.02F;      // of the distance to what is looked at, a loop
 
 class Stopwatch {
  public:
@@ -234,7 +234,7 @@ std::string Window::hoveredName() const {
   if (busy || !state_->panelsShown || playback_.past() || !layout().isPicture(pointer_)) return {};
   const Pointed pointed = pointedAt(pointer_);
   const auto hit = panes_[pointed.pane]->experiment().hands().pick(
-      pointed.ray.origin, pointed.ray.origin + kReach * pointed.ray.direction);
+      pointed.ray.origin, pointed.ray.origin + kNamedReach * pointed.ray.direction);
   const bool moves = hit && hit->object->def().motion == Motion::kDynamic;
   return moves ? hit->object->name() : std::string();
 }

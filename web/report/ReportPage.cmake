@@ -2,6 +2,11 @@
 set(SCATTER_REPORT_PAGE_DIR ${CMAKE_CURRENT_LIST_DIR})
 function(scatter_report_page source)
   set(here ${SCATTER_REPORT_PAGE_DIR})
+  if(SCATTER_REPORT_PAGE STREQUAL "OFF")
+    # There from the start, for what reads sources and builds nothing.
+    file(COPY_FILE ${here}/no_page_bundle.cpp ${source} ONLY_IF_DIFFERENT)
+    return()
+  endif()
   file(GLOB parts CONFIGURE_DEPENDS ${here}/src/* ${here}/licences/*)
   add_custom_command(OUTPUT ${source}
     COMMAND ${CMAKE_COMMAND} -DSOURCE=${here} -DFOLDER=${PROJECT_BINARY_DIR}/report_page -DBUNDLE=${source}

@@ -19,7 +19,7 @@ constexpr float kLeastWeight = 0.01F;
 constexpr float kMostWeight = 100.0F;
 
 /// Of the diagonal: two distances to the same place differ by less.
-constexpr double kTolerance = 1e-9;
+constexpr double kOnBoundary = 1e-9;
 
 using Loop = std::vector<glm::dvec3>;
 
@@ -105,7 +105,7 @@ Result<RegionMap> RegionMap::create(const std::vector<MeshRegion>& regions, cons
                 " are the most");
   }
   RegionMap map;
-  map.tolerance_ = kTolerance * work.diagonal;
+  map.tolerance_ = kOnBoundary * work.diagonal;
   for (const MeshRegion& region : regions) {
     const std::string name = "region \"" + region.name + "\": ";
     if (auto sound = checkWeight(region.weight); !sound) return fail(name + sound.error().message);
