@@ -69,7 +69,7 @@ void LevelsWindow::addCommands() {
   addLevels();
   addLooks();
   addCamera();
-  addOutput();
+  addBarAndOutput(panelsShown_, closing_, outputs_, commands_);
 }
 
 void LevelsWindow::addLevels() {
@@ -132,15 +132,6 @@ void LevelsWindow::addCamera() {
                  Key::kB,
                  [this] { frame(); },
                  {}});
-}
-
-void LevelsWindow::addOutput() {
-  commands_.add({"panels", "Window", "panels", "Show or hide the bar", Key::kTab,
-                 [this] { panelsShown_ = !panelsShown_; }, [this] { return panelsShown_; }});
-  addScreenshot(outputs_, commands_);
-  addFilm(outputs_, commands_);
-  commands_.add(
-      {"close", "Window", "close", "Close the window", Key::kEscape, [this] { closing_ = true; }, {}});
 }
 
 Result<void> LevelsWindow::show(std::size_t model) {

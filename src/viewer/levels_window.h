@@ -41,7 +41,6 @@ class LevelsWindow {
   void addLevels();
   void addLooks();
   void addCamera();
-  void addOutput();
   [[nodiscard]] Result<void> show(std::size_t model);
   [[nodiscard]] Result<void> perform(const ScriptAction& action);
   void showOrClose(std::size_t model);

@@ -65,7 +65,7 @@ void ReplayWindow::addCommands() {
   addTime();
   addViews();
   addCamera();
-  addOutput();
+  addBarAndOutput(panelsShown_, closing_, outputs_, commands_);
 }
 
 void ReplayWindow::addTime() {
@@ -112,15 +112,6 @@ void ReplayWindow::addCamera() {
        Key::kB,
        [this] { camera_.frame(extentOf(scene_.actors(moment())).value_or(Ball{}), layout().aspect()); },
        {}});
-}
-
-void ReplayWindow::addOutput() {
-  commands_.add({"panels", "Window", "panels", "Show or hide the bar", Key::kTab,
-                 [this] { panelsShown_ = !panelsShown_; }, [this] { return panelsShown_; }});
-  addScreenshot(outputs_, commands_);
-  addFilm(outputs_, commands_);
-  commands_.add(
-      {"close", "Window", "close", "Close the window", Key::kEscape, [this] { closing_ = true; }, {}});
 }
 
 Result<void> ReplayWindow::perform(const ScriptAction& action) {

@@ -38,7 +38,6 @@ class ReplayWindow {
   void addTime();
   void addViews();
   void addCamera();
-  void addOutput();
   [[nodiscard]] Result<void> perform(const ScriptAction& action);
 
   void readInput();

@@ -31,4 +31,13 @@ void addFilm(Outputs& outputs, Commands& commands) {
                 [&outputs] { return outputs.filming(); }});
 }
 
+void addBarAndOutput(bool& barShown, bool& closing, Outputs& outputs, Commands& commands) {
+  commands.add({"panels", "Window", "panels", "Show or hide the bar", Key::kTab,
+                [&barShown] { barShown = !barShown; }, [&barShown] { return barShown; }});
+  addScreenshot(outputs, commands);
+  addFilm(outputs, commands);
+  commands.add(
+      {"close", "Window", "close", "Close the window", Key::kEscape, [&closing] { closing = true; }, {}});
+}
+
 }  // namespace scatter::viewer

@@ -13,4 +13,7 @@ void addScreenshot(Outputs& outputs, Commands& commands);
 void addFilm(Outputs& outputs, Commands& commands);
 /// @}
 
+/// Those of a window with a bar and no other panels: the bar, pictures, films, and the window's end.
+void addBarAndOutput(bool& barShown, bool& closing, Outputs& outputs, Commands& commands);
+
 }  // namespace scatter::viewer
