@@ -227,8 +227,9 @@ public:
 	btHybridPairView viewPair(const btBroadphasePair& pair) const;
 	btHybridRequestView viewRequest(const btHybridRigidBody* body) const;
 
-	/// Adds all pairs that are coarser than they could be; none without pair switching. Much cheaper than viewing each pair.
-	void viewCoarserPairs(btAlignedObjectArray<btHybridCoarserPair>& pairs) const;
+	/// Adds all objects of pairs that are coarser than they could be, each once, partners without levels too; none without pair
+	/// switching. Much cheaper than viewing each pair.
+	void viewCoarserObjects(btAlignedObjectArray<btHybridCoarserObject>& objects) const;
 
 	int getNumHybrids() const
 	{

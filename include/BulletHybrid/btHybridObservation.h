@@ -40,12 +40,11 @@ struct btHybridPairView
 	}
 };
 
-/// Two bodies that meet at a coarser level than they could.
-struct btHybridCoarserPair
+/// An object of a pair that is coarser than it could be.
+struct btHybridCoarserObject
 {
-	const btCollisionObject* m_objectA;
-	const btCollisionObject* m_objectB;
-	int m_level;
+	const btCollisionObject* m_object;
+	int m_level;  ///< the coarsest over all such pairs of it
 };
 
 /// Contacts of a pair.

@@ -382,10 +382,26 @@ void PartPair::learnAxis(ChildPair& child, const PartBody& a, const PartBody& b,
 void PartPair::findWakeful() {
   constexpr float kSteps = 8.0F;
   wakefulUntil_ = listedMotion_ + static_cast<double>(std::max(kSteps * lastMotion_, 0.05F * threshold_));
+  othersWake_ = std::numeric_limits<double>::max();
   wakeful_.clear();
-  wakeful_.reserve(children_.capacity());
   for (std::size_t i = 0; i < children_.size(); ++i) {
-    if (children_[i].touching || children_[i].wake < wakefulUntil_) wakeful_.push_back(static_cast<int>(i));
+    const ChildPair& child = children_[i];
+    if (child.touching || child.wake < wakefulUntil_) {
+      wakeful_.push_back({child.wake, static_cast<int>(i), child.touching});
+    } else {
+      othersWake_ = std::min(othersWake_, child.wake);
+    }
+  }
+}
+
+// Those that slept were not looked at.
+void PartPair::renewWakeful() {
+  static_cast<void>(wakeful());
+  for (WakefulChild& one : wakeful_) {
+    if (isAsleep(one)) continue;
+    const ChildPair& child = children_[static_cast<std::size_t>(one.index)];
+    one.wake = child.wake;
+    one.touching = child.touching;
   }
 }
 
@@ -393,28 +409,24 @@ void PartPair::findWakeful() {
 void PartPair::rest(float recycling) {
   const auto moment = static_cast<double>(std::min(recycling, 0.25F * threshold_));
   listEnd_ = std::max(listEnd_, motion_ + moment);
-  for (const int i : wakeful()) {
-    ChildPair& child = children_[static_cast<std::size_t>(i)];
-    if (!child.touching) child.wake = std::max(child.wake, listedMotion_ + moment);
+  const double wake = listedMotion_ + moment;
+  for (WakefulChild& one : wakeful_) {
+    if (one.touching || one.wake >= wake) continue;
+    one.wake = children_[static_cast<std::size_t>(one.index)].wake = wake;
   }
 }
 
 void PartPair::findSlack(bool ofAll) {
   touches_ = false;
-  listedSlack_ = ofAll ? std::numeric_limits<double>::max() : wakefulUntil_ - listedMotion_;
-  const auto take = [this](const ChildPair& child) {
-    if (!child.touching) listedSlack_ = std::min(listedSlack_, child.wake - listedMotion_);
-    touches_ = touches_ || child.touching;
-  };
-  if (ofAll) {
-    for (const ChildPair& child : children_) take(child);
-  } else {
-    for (const int i : wakeful_) take(children_[static_cast<std::size_t>(i)]);
+  listedSlack_ = (ofAll ? othersWake_ : wakefulUntil_) - listedMotion_;
+  for (const WakefulChild& one : wakeful_) {
+    if (!one.touching) listedSlack_ = std::min(listedSlack_, one.wake - listedMotion_);
+    touches_ = touches_ || one.touching;
   }
 }
 
 void PartPair::settle(const PartBody& a, const PartBody& b, const PairSteps& steps) {
-  static_cast<void>(wakeful());
+  renewWakeful();
   if (steps.recycling > 0.0F) rest(steps.recycling);
   listSlack_ = steps.midphase == PairMidphase::kNeighbourList ? listEnd_ - motion_ : -1.0;
   findSlack(false);

@@ -41,6 +41,14 @@ enum class ChildVerdict : std::uint8_t {
   kAskEngine,  ///< The engine's own detector must look.
 };
 
+/// Of a child pair that is wakeful, what tells whether it sleeps: side by side, as a pile's child pairs do not
+/// fit into a cache, and most that are wakeful sleep for the moment.
+struct WakefulChild {
+  double wake = 0.0;      ///< ChildPair::wake and `touching`, when it was last awake.
+  int index = 0;          ///< Of the child pair.
+  bool touching = false;
+};
+
 /// In A's frame. `distance` is from surface to surface, margins included; negative if deep.
 struct PartContact {
   Vec3 axis{0.0F};    ///< From A to B, of length 1.
@@ -97,20 +105,33 @@ class PartPair {
   [[nodiscard]] std::vector<ChildPair>& children() { return children_; }
   [[nodiscard]] std::span<const ChildPair> children() const { return children_; }
 
-  /// Indices of the child pairs that may have to be looked at, in ascending order: those that touch, and
-  /// those that are not asleep for a while to come. Good until the next advance().
-  [[nodiscard]] const std::vector<int>& wakeful() {
+  /// The child pairs that may have to be looked at, in ascending order: those that touch, and those that are
+  /// not asleep for a while to come. Good until the next advance().
+  [[nodiscard]] std::span<const WakefulChild> wakeful() {
     if (!(listedMotion_ < wakefulUntil_)) findWakeful();
     return wakeful_;
   }
 
+  /// Calls `use(index)` for each child pair that is to be looked at, in ascending order. Returns how many are
+  /// wakeful.
+  template <class Use>
+  int forEachAwake(Use&& use) {
+    for (const WakefulChild& one : wakeful()) {
+      if (isAsleep(one) || isAsleep(children_[static_cast<std::size_t>(one.index)])) continue;
+      use(one.index);
+    }
+    return static_cast<int>(wakeful_.size());
+  }
+
   /// What wakeful() told last.
-  [[nodiscard]] std::span<const int> lastWakeful() const { return wakeful_; }
+  [[nodiscard]] std::span<const WakefulChild> lastWakeful() const { return wakeful_; }
 
   /// Other child pairs than those that wakeful() has told are touching now.
   void forgetWakeful() { wakefulUntil_ = std::numeric_limits<double>::lowest(); }
 
-  [[nodiscard]] bool isAsleep(const ChildPair& child) const {
+  /// Of a ChildPair, or of a WakefulChild, which may be told to be awake although it has fallen asleep.
+  template <class Child>
+  [[nodiscard]] bool isAsleep(const Child& child) const {
     return !child.touching && child.wake > listedMotion_;
   }
 
@@ -172,13 +193,14 @@ class PartPair {
 
   /// Of its child pairs, room for growth included.
   [[nodiscard]] std::size_t childBytes() const {
-    return sizeof(ChildPair) * children_.capacity() + sizeof(int) * wakeful_.capacity();
+    return sizeof(ChildPair) * children_.capacity() + sizeof(WakefulChild) * wakeful_.capacity();
   }
 
  private:
   void follow(const PartBody& a, const PartBody& b);
   void enclose(const PartList& parts, PairMidphase midphase);
   void findWakeful();
+  void renewWakeful();
   void rest(float recycling);
   void findSlack(bool ofAll);
   [[nodiscard]] float listedDisplacement(const Frame& now) const;
@@ -192,8 +214,9 @@ class PartPair {
   void wakeAfter(ChildPair& child, float separation, float threshold) const;
 
   std::vector<ChildPair> children_;
-  std::vector<int> wakeful_;
+  std::vector<WakefulChild> wakeful_;
   double wakefulUntil_ = std::numeric_limits<double>::lowest();  ///< A motion of the listed parts.
+  double othersWake_ = 0.0;  ///< The least ChildPair::wake of those that are not wakeful.
   Frame frameB_;
   float threshold_ = 0.0F;
   float rounding_ = 0.0F;  ///< Taken off every proven distance.

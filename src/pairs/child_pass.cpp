@@ -20,12 +20,9 @@ void ChildPass::findAwake(std::vector<int>& awake) {
     return;
   }
   awake.clear();
-  const std::vector<int>& wakeful = parts_.wakeful();
-  for (const int i : wakeful) {
-    if (!parts_.isAsleep(parts_.children()[static_cast<std::size_t>(i)])) awake.push_back(i);
-  }
-  work_.childPairs += static_cast<int>(wakeful.size());
-  work_.childPairsAsleep += static_cast<int>(wakeful.size() - awake.size());
+  const int wakeful = parts_.forEachAwake([&awake](int index) { awake.push_back(index); });
+  work_.childPairs += wakeful;
+  work_.childPairsAsleep += wakeful - static_cast<int>(awake.size());
 }
 
 bool ChildPass::overlap(const ChildPair& child, const ChildLook* seen) {

@@ -32,10 +32,10 @@ class ContactRecycling {
   [[nodiscard]] bool look(SlideOf&& slideOf, Fetch&& fetch) {
     scratch_.touching.clear();
     scratch_.slides.clear();
-    for (const int i : parts_.wakeful()) {
-      if (!childAt(i).touching) continue;
-      fetch(childAt(i).contact);
-      scratch_.touching.push_back(i);
+    for (const WakefulChild& one : parts_.wakeful()) {
+      if (!one.touching || !childAt(one.index).touching) continue;
+      fetch(childAt(one.index).contact);
+      scratch_.touching.push_back(one.index);
     }
     bool isDone = parts_.hasNoNewcomers(*bodies_.a, *bodies_.b);
     for (const int i : scratch_.touching) {

@@ -39,13 +39,10 @@ class ChildForesight {
 
   /// Whether no child pair needs a detector that works on one thread alone.
   bool run() {
-    const std::vector<int>& wakeful = parts_.wakeful();
-    for (const int i : wakeful) {
-      if (!parts_.isAsleep(parts_.children()[static_cast<std::size_t>(i)])) foresight_.awake.push_back(i);
-    }
+    const int wakeful = parts_.forEachAwake([this](int index) { foresight_.awake.push_back(index); });
     PairWork& work = foresight_.work;
-    work.childPairs += static_cast<int>(wakeful.size());
-    work.childPairsAsleep += static_cast<int>(wakeful.size() - foresight_.awake.size());
+    work.childPairs += wakeful;
+    work.childPairsAsleep += wakeful - static_cast<int>(foresight_.awake.size());
     bool isApart = steps_.lazyManifolds;
     bool isDecided = true;
     for (const int i : foresight_.awake) {
@@ -124,21 +121,19 @@ namespace {
 // Whether two parts touch depends on no engine, but for what the engine's own detector has to say.
 void judgeAll(PartPair& parts, const PartBody& region, const PartBody& body, const PairSteps& steps,
               Foresight& foresight) {
-  const std::vector<int>& wakeful = parts.wakeful();
-  foresight.work.childPairs += static_cast<int>(wakeful.size());
-  for (const int i : wakeful) {
-    ChildPair& child = parts.children()[static_cast<std::size_t>(i)];
-    if (parts.isAsleep(child)) {
-      ++foresight.work.childPairsAsleep;
-      continue;
-    }
+  int awake = 0;
+  const int wakeful = parts.forEachAwake([&](int index) {
+    ++awake;
+    ChildPair& child = parts.children()[static_cast<std::size_t>(index)];
     ChildLook look;
     look.state = ChildLook::State::kMeasured;
     look.verdict = parts.judge(child, region, body, steps, look.contact, foresight.work);
-    if (look.verdict == ChildVerdict::kApart) continue;
-    foresight.awake.push_back(i);
+    if (look.verdict == ChildVerdict::kApart) return;
+    foresight.awake.push_back(index);
     foresight.looks.push_back(look);
-  }
+  });
+  foresight.work.childPairs += wakeful;
+  foresight.work.childPairsAsleep += wakeful - awake;
 }
 
 }  // namespace

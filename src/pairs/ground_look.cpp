@@ -338,19 +338,16 @@ void GroundLook::judge(const PartBody& region) {
                region.frame());
     return;
   }
-  std::vector<ChildPair>& children = pair_.parts.children();
-  const std::vector<int>& wakeful = pair_.parts.wakeful();
-  work_.childPairs += static_cast<int>(wakeful.size());
-  for (const int i : wakeful) {
-    ChildPair& child = children[static_cast<std::size_t>(i)];
-    if (pair_.parts.isAsleep(child)) {
-      ++work_.childPairsAsleep;
-      continue;
-    }
+  int awake = 0;
+  const int wakeful = pair_.parts.forEachAwake([&](int index) {
+    ++awake;
+    ChildPair& child = pair_.parts.children()[static_cast<std::size_t>(index)];
     PartContact contact;
     const ChildVerdict verdict = pair_.parts.judge(child, region, *body_, steps_, contact, work_);
-    consider(i, verdict, contact, region.frame());
-  }
+    consider(index, verdict, contact, region.frame());
+  });
+  work_.childPairs += wakeful;
+  work_.childPairsAsleep += wakeful - awake;
 }
 
 // A piece and a part of the body of which it is known how near they are.

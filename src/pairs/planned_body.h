@@ -23,6 +23,12 @@ class PlannedBody {
 
   /// Whether contacts act on it. They do not on a sensor.
   [[nodiscard]] virtual bool hasResponse() const = 0;
+
+ private:
+  friend class Planner;
+  static constexpr int kNowhere = -1;
+
+  int coarser_ = kNowhere;  ///< Inside Planner::findCoarser(): its place in what is found.
 };
 
 }  // namespace scatter::pairs

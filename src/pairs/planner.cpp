@@ -390,6 +390,24 @@ void Planner::finishPair(std::size_t pair) {
   if (known_[pair].step != step_ && planned.view.level > 0) budget_.learn(planned, planned.view.touching, {});
 }
 
+// A recording asks after every step, of a pile that is coarse all over: a body is found again by what it remembers.
+void Planner::findCoarser(std::vector<CoarserBody>& bodies) const {
+  bodies.clear();
+  for (std::size_t i = 0; numBelowFinest_ > 0 && i < planned_.size(); ++i) {
+    const PairView& view = planned_[i].view;
+    if (view.level == 0 || view.level >= view.finest) continue;
+    for (PlannedBody* body : known_[i].bodies) {
+      if (body->coarser_ == PlannedBody::kNowhere) {
+        body->coarser_ = static_cast<int>(bodies.size());
+        bodies.push_back({body, view.level});
+      }
+      int& level = bodies[static_cast<std::size_t>(body->coarser_)].level;
+      level = std::min(level, static_cast<int>(view.level));
+    }
+  }
+  for (const CoarserBody& found : bodies) found.body->coarser_ = PlannedBody::kNowhere;
+}
+
 void Planner::takeTime(double milliseconds) {
   if (budget_.isExceededBy(milliseconds)) lastCounts_.floorUnits = budget_.floorUnits(planned_);
   budget_.takeTime(milliseconds);

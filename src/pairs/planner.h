@@ -33,6 +33,12 @@ struct PlanInput {
   lod::StepLoad load{};
 };
 
+/// A body that meets others at a coarser level than it could, and the coarsest level in its pairs.
+struct CoarserBody {
+  PlannedBody* body;
+  int level;
+};
+
 /// Says what level every pair should have: keeps the table of all pairs that switch, shows it to policies and
 /// governor between broadphase and narrowphase, and follows what becomes of requests. For one thread.
 class Planner {
@@ -108,7 +114,9 @@ class Planner {
   void takeQuiet(int pair);
   void takeQuiet(const QuietPairs& pairs);
 
-  [[nodiscard]] bool hasCoarserPairs() const { return numBelowFinest_ > 0; }
+  /// All bodies of pairs that are coarser than they could be, after a step.
+  void findCoarser(std::vector<CoarserBody>& bodies) const;
+
   [[nodiscard]] bool isAtFinest(int index) const { return pair(index).view.level == pair(index).view.finest; }
 
   /// Whether a pair has the level that it should have, and no contacts.

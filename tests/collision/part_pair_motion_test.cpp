@@ -130,8 +130,8 @@ class MotionLaw {
   void check(int step, const PairSteps& steps) {
     const bool isAwake = pair_.advance(a_, b_, steps, scratch_, work_);
     std::vector<bool> inContact = findContacts();
-    std::vector<bool> isWakeful(pair_.children().size(), false);
-    for (const int i : pair_.wakeful()) isWakeful[static_cast<std::size_t>(i)] = true;
+    std::vector<bool> isLooked(pair_.children().size(), false);
+    pair_.forEachAwake([&isLooked](int child) { isLooked[static_cast<std::size_t>(child)] = true; });
     for (std::size_t i = 0; i < pair_.children().size(); ++i) {
       ChildPair& child = pair_.children()[i];
       const auto index = static_cast<std::size_t>(child.a * listB_.count() + child.b);
@@ -140,11 +140,11 @@ class MotionLaw {
       ++work_.childPairs;
       if (touches) {
         EXPECT_TRUE(isAwake) << "step " << step;
-        EXPECT_TRUE(isWakeful[i]) << "step " << step;
+        EXPECT_TRUE(isLooked[i]) << "step " << step;
         EXPECT_FALSE(pair_.isAsleep(child)) << "step " << step;
       }
       if (!isAwake) continue;
-      if (!isWakeful[i] || pair_.isAsleep(child)) {
+      if (!isLooked[i]) {
         ++work_.childPairsAsleep;
         continue;
       }

@@ -115,6 +115,24 @@ TEST(Planner, FollowsARequestToItsSwitch) {
   EXPECT_STREQ(last.asker.name, "program");
 }
 
+TEST(Planner, FindsBodiesOfCoarserPairsOnceEachWithTheirCoarsestLevel) {
+  PlannedRow row(5);
+  std::vector<CoarserBody> found;
+  row.step();
+  row.planner.findCoarser(found);
+  EXPECT_TRUE(found.empty());
+  row.bodies[1]->asked = 2;
+  row.bodies[3]->asked = 1;
+  row.planner.setAsks(true);
+  row.step();
+  for (int twice = 0; twice < 2; ++twice) {
+    row.planner.findCoarser(found);
+    ASSERT_EQ(found.size(), 5U) << "levels of the pairs: 2, 2, 1, 1";
+    const int expected[] = {2, 2, 1, 1, 1};
+    for (const CoarserBody& one : found) EXPECT_EQ(one.level, expected[one.body->index()]);
+  }
+}
+
 TEST(Planner, TellsThatARequestIsNotWantedAnyMore) {
   PlannedRow row(2);
   row.step();

@@ -9,10 +9,11 @@ namespace
 const size_t c_line = 64;
 
 // Pairs ahead at which each stage is fetched. Twice or half as many change implosions of 400 ships by less than runs differ.
-const size_t c_ahead[btHybridLookahead::NUM_STAGES] = {12, 7, 3};
+const size_t c_ahead[btHybridLookahead::NUM_STAGES] = {14, 10, 6, 3};
 
 // Of a pair: more would push out what is needed first.
-const size_t c_mostChildBytes = 24 * c_line;
+const size_t c_mostWakefulBytes = 8 * c_line;
+const size_t c_mostChildren = 16;
 const size_t c_mostContacts = 6;
 
 void fetch(const void* from, size_t bytes)
@@ -31,25 +32,40 @@ bool isLikelyQuiet(const scatter::pairs::Pair& pair)
 	return pair.quietUntil > scatter::pairs::Pair::kAwake;
 }
 
-void fetchChildren(const scatter::pairs::Pair& pair)
+void fetchWakeful(const scatter::pairs::Pair& pair)
+{
+	const auto wakeful = pair.parts.lastWakeful();
+	fetch(wakeful.data(), std::min(wakeful.size_bytes(), c_mostWakefulBytes));
+}
+
+// Calls use(child) for the first of those that are likely to be looked at.
+template <class Use>
+void forEachAwake(const scatter::pairs::Pair& pair, size_t most, const Use& use)
 {
 	const auto children = pair.parts.children();
-	const auto wakeful = pair.parts.lastWakeful();
-	fetch(children.data(), std::min(children.size_bytes(), c_mostChildBytes));
-	fetch(wakeful.data(), std::min(wakeful.size_bytes(), c_line));
+	size_t used = 0;
+	for (const scatter::WakefulChild& one : pair.parts.lastWakeful())
+	{
+		if (pair.parts.isAsleep(one) || size_t(one.index) >= children.size())
+			continue;
+		if (used++ == most)
+			return;
+		use(children[one.index]);
+	}
+}
+
+void fetchChildren(const scatter::pairs::Pair& pair)
+{
+	forEachAwake(pair, c_mostChildren, [](const scatter::ChildPair& child)
+	             { fetch(&child, sizeof(child)); });
 }
 
 void fetchContacts(const scatter::pairs::Pair& pair)
 {
-	const auto children = pair.parts.children();
-	const size_t end = std::min(children.size(), c_mostChildBytes / sizeof(children[0]));
-	size_t fetched = 0;
-	for (size_t i = 0; i < end && fetched < c_mostContacts; i++)
-		if (children[i].touching)
-		{
-			btHybridContacts::prefetch(children[i].contact);
-			fetched++;
-		}
+	forEachAwake(pair, c_mostContacts, [](const scatter::ChildPair& child)
+	             {
+		             if (child.touching)
+			             btHybridContacts::prefetch(child.contact); });
 }
 }  // namespace
 
@@ -64,11 +80,13 @@ void btHybridLookahead::fetch(const scatter::pairs::Pair& pair, Stage stage)
 		return ::fetch(&pair, sizeof(pair));
 	if (isLikelyQuiet(pair))
 		return;
-	if (pair.ahead && stage == CHILDREN)
+	if (pair.ahead && stage == WAKEFUL)
 		::fetch(pair.ahead, sizeof(*pair.ahead));
 	if (pair.ahead)
 		return;
-	if (stage == CHILDREN)
+	if (stage == WAKEFUL)
+		fetchWakeful(pair);
+	else if (stage == CHILDREN)
 		fetchChildren(pair);
 	else
 		fetchContacts(pair);

@@ -33,6 +33,7 @@ public:
 	enum Stage
 	{
 		PAIR,
+		WAKEFUL,
 		CHILDREN,
 		CONTACTS,
 		NUM_STAGES

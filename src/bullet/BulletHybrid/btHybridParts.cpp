@@ -254,15 +254,23 @@ bool isPart(const btCollisionShape* shape)
 }
 }  // namespace
 
+// How many parts a shape has; more than there may be if one of its leaves is none.
+static int countParts(const btCollisionShape* shape)
+{
+	const btCompoundShape* compound = asCompound(shape);
+	if (!compound)
+		return isPart(shape) ? 1 : c_mostParts + 1;
+	int count = 0;
+	for (int i = 0; i < compound->getNumChildShapes() && count <= c_mostParts; i++)
+		count += countParts(compound->getChildShape(i));
+	return count;
+}
+
+// Asked for every new pair.
 bool btHybridParts::isPartList(const btCollisionShape* shape)
 {
-	if (!shape->isCompound())
-		return isPart(shape);
-	const std::vector<Leaf> leaves = leavesOf(shape);
-	for (const Leaf& leaf : leaves)
-		if (!isPart(leaf.m_shape))
-			return false;
-	return !leaves.empty() && leaves.size() <= size_t(c_mostParts);
+	const int count = countParts(shape);
+	return count > 0 && count <= c_mostParts;
 }
 
 btHybridParts::Mark::Mark(const btCollisionShape* shape, const btTransform& transform, int index)

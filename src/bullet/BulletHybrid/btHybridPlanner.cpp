@@ -212,14 +212,14 @@ void btHybridPlanner::viewObstacle(const btCollisionObject* object, btHybridRequ
 	request.m_retrySteps = btMax(int(pair(index).blockedSteps), 1);
 }
 
-void btHybridPlanner::viewCoarserPairs(btAlignedObjectArray<btHybridCoarserPair>& pairs) const
+void btHybridPlanner::viewCoarserObjects(btAlignedObjectArray<btHybridCoarserObject>& objects) const
 {
-	for (int i = 0; i < countPairs() && hasCoarserPairs(); i++)
+	std::vector<scatter::pairs::CoarserBody> bodies;
+	findCoarser(bodies);
+	for (const scatter::pairs::CoarserBody& found : bodies)
 	{
-		if (pair(i).view.level == 0 || isAtFinest(i))
-			continue;
-		const btHybridCoarserPair coarser = {objectOf(body(i, 0)), objectOf(body(i, 1)), pair(i).view.level};
-		pairs.push_back(coarser);
+		const btHybridCoarserObject coarser = {objectOf(*found.body), found.level};
+		objects.push_back(coarser);
 	}
 }
 

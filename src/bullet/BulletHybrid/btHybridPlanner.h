@@ -68,7 +68,7 @@ public:
 
 	btHybridPairView viewPair(int pair) const;
 
-	void viewCoarserPairs(btAlignedObjectArray<btHybridCoarserPair>& pairs) const;
+	void viewCoarserObjects(btAlignedObjectArray<btHybridCoarserObject>& objects) const;
 
 	/// Objects of pairs on credit, two for each; not those of grounds.
 	void findCredited(btAlignedObjectArray<btHybridLevelBodies*>& objects) const;

@@ -50,10 +50,10 @@ btHybridPairView btHybridDynamicsWorld::viewPair(const btBroadphasePair& pair) c
 	return view;
 }
 
-void btHybridDynamicsWorld::viewCoarserPairs(btAlignedObjectArray<btHybridCoarserPair>& pairs) const
+void btHybridDynamicsWorld::viewCoarserObjects(btAlignedObjectArray<btHybridCoarserObject>& objects) const
 {
 	if (m_planner)
-		m_planner->viewCoarserPairs(pairs);
+		m_planner->viewCoarserObjects(objects);
 }
 
 btHybridRequestView btHybridDynamicsWorld::viewRequest(const btHybridRigidBody* body) const

@@ -73,17 +73,14 @@ void BulletSwitching::coarsestLevels(std::vector<std::uint8_t>& levels) const {
   for (const auto& body : bodies_.all()) {
     levels.push_back(static_cast<std::uint8_t>(body ? body->levelCount() : 0));
   }
-  btAlignedObjectArray<btHybridCoarserPair> pairs;
-  engine_.switching()->viewCoarserPairs(pairs);
-  for (int i = 0; i < pairs.size(); ++i) {
-    for (const btCollisionObject* object : {pairs[i].m_objectA, pairs[i].m_objectB}) {
-      const BulletBody& body = BulletBody::of(*object);
-      std::uint8_t& coarsest = levels[static_cast<std::size_t>(body.id())];
-      // Bodies without levels that switch take part with their finest.
-      if (body.switching() != nullptr) {
-        coarsest = std::min(coarsest, static_cast<std::uint8_t>(pairs[i].m_level));
-      }
-    }
+  btAlignedObjectArray<btHybridCoarserObject> coarser;
+  engine_.switching()->viewCoarserObjects(coarser);
+  for (int i = 0; i < coarser.size(); ++i) {
+    const BulletBody& body = BulletBody::of(*coarser[i].m_object);
+    // Bodies without levels that switch take part with their finest.
+    if (body.switching() == nullptr) continue;
+    std::uint8_t& coarsest = levels[static_cast<std::size_t>(body.id())];
+    coarsest = std::min(coarsest, static_cast<std::uint8_t>(coarser[i].m_level));
   }
 }
 
