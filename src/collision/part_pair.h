@@ -41,11 +41,11 @@ enum class ChildVerdict : std::uint8_t {
   kAskEngine,  ///< The engine's own detector must look.
 };
 
-/// Of a child pair that is wakeful, what tells whether it sleeps: side by side, as a pile's child pairs do not
-/// fit into a cache, and most that are wakeful sleep for the moment.
+/// Of a child pair that is wakeful, what tells whether it sleeps: side by side, as a pile's child pairs do
+/// not fit into a cache, and most that are wakeful sleep for the moment.
 struct WakefulChild {
-  double wake = 0.0;      ///< ChildPair::wake and `touching`, when it was last awake.
-  int index = 0;          ///< Of the child pair.
+  double wake = 0.0;  ///< ChildPair::wake and `touching`, when it was last awake.
+  int index = 0;      ///< Of the child pair.
   bool touching = false;
 };
 

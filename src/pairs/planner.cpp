@@ -390,7 +390,8 @@ void Planner::finishPair(std::size_t pair) {
   if (known_[pair].step != step_ && planned.view.level > 0) budget_.learn(planned, planned.view.touching, {});
 }
 
-// A recording asks after every step, of a pile that is coarse all over: a body is found again by what it remembers.
+// A recording asks after every step, of a pile that is coarse all over: a body is found again by what it
+// remembers.
 void Planner::findCoarser(std::vector<CoarserBody>& bodies) const {
   bodies.clear();
   for (std::size_t i = 0; numBelowFinest_ > 0 && i < planned_.size(); ++i) {
