@@ -1,5 +1,7 @@
 #include "run_arguments.h"
 
+#include <scatter/io/file.h>
+#include <scatter/lab/hand_script.h>
 #include <spdlog/fmt/fmt.h>
 
 #include <CLI/CLI.hpp>
@@ -163,6 +165,14 @@ Result<RunOptions> makeRun(const RunArguments& arguments, const EngineChoice& en
   return resolveRun(std::move(options));
 }
 
+Result<HandScript> readScript(const std::optional<std::string>& file) {
+  if (!file) {
+    return HandScript();
+  }
+  const auto text = readFile(*file);
+  return text ? HandScript::parse(*text, *file) : tl::unexpected(text.error());
+}
+
 }  // namespace
 
 void addFidelityArgument(CLI::App& command, std::optional<int>& every) {
@@ -203,6 +213,11 @@ void addRunArguments(CLI::App& command, RunArguments& arguments) {
           "thread alone [1]")
       ->check(CLI::Range(1, kMostThreads))
       ->type_name("N");
+  command
+      .add_option("--script", arguments.script,
+                  "Do by hand what FILE says, in every world, such as the hands.txt of a run in a window; see "
+                  "docs/window.md")
+      ->type_name("FILE");
   command.add_flag("--no-profiling", arguments.noProfiling, "Do not time the stages of a step");
   command.add_flag("--quiet", arguments.quiet, "No progress on standard error");
 }
@@ -212,6 +227,10 @@ Result<std::vector<RunOptions>> makeRuns(const RunArguments& arguments,
   const auto engine = choose(engineChoices(), "engine", arguments.engine);
   if (!engine) {
     return tl::unexpected(engine.error());
+  }
+  const auto script = readScript(arguments.script);
+  if (!script) {
+    return tl::unexpected(script.error());
   }
   const auto switching = chooseSwitching(arguments.switching);
   std::vector<WorldSpec> specs;
@@ -229,6 +248,7 @@ Result<std::vector<RunOptions>> makeRuns(const RunArguments& arguments,
     if (!run) {
       return tl::unexpected(run.error());
     }
+    run->hands = *script;
     specs.push_back(std::move(*spec));
     physics.push_back(run->physics);
     runs.push_back(std::move(*run));

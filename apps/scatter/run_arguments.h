@@ -31,6 +31,7 @@ struct RunArguments {
   std::optional<int> frames;
   std::optional<std::uint64_t> seed;
   std::optional<int> threads;
+  std::optional<std::string> script;  ///< A file.
   bool noProfiling = false;
   bool quiet = false;
 };

@@ -1,5 +1,3 @@
-#include <scatter/io/file.h>
-#include <scatter/lab/hand_script.h>
 #include <scatter/lab/output_folder.h>
 #include <spdlog/fmt/fmt.h>
 
@@ -27,13 +25,7 @@ struct RunCommandArguments {
   std::string world = worldChoices().front().name;
   std::optional<std::string> out;
   RecordArguments record;
-  std::optional<std::string> script;
 };
-
-Result<HandScript> readScript(const std::string& file) {
-  const auto text = readFile(file);
-  return text ? HandScript::parse(*text, file) : tl::unexpected(text.error());
-}
 
 ExitStatus run(const RunCommandArguments& arguments) {
   auto runs = makeRuns(arguments.run, {arguments.world});
@@ -45,11 +37,6 @@ ExitStatus run(const RunCommandArguments& arguments) {
   }
   RunOptions& options = runs->front();
   options.stop = [] { return interruptingSignal() != 0; };
-  if (arguments.script) {
-    auto script = readScript(*arguments.script);
-    if (!script) return refuse(script.error());
-    options.hands = std::move(*script);
-  }
   if (arguments.out) {
     options.out = *arguments.out;
     if (auto prepared = prepareOutputFolder(*options.out); !prepared) {
@@ -106,11 +93,6 @@ Command addRunCommand(CLI::App& program) {
                    "Write frames.csv, events.csv and summary.json into this folder, frame by frame")
       ->type_name("DIR");
   addRecordArguments(*command, arguments->record, /*several=*/false);
-  command
-      ->add_option(
-          "--script", arguments->script,
-          "Do by hand what FILE says, such as the hands.txt of a run in a window; see docs/window.md")
-      ->type_name("FILE");
   return {command, [arguments] { return run(*arguments); }};
 }
 

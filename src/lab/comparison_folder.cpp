@@ -28,7 +28,10 @@ Json worldIdentity(const RunOptions& run) {
   asked.seed = run.seed.value_or(1);
   asked.frames = static_cast<std::uint64_t>(run.frames);
   asked.budgetMs = run.budgetMs;
-  return {{"label", run.label}, {"fidelity_every", run.fidelityEvery}, {"options", runOptionsJson(asked)}};
+  return {{"label", run.label},
+          {"fidelity_every", run.fidelityEvery},
+          {"hands", run.hands.text()},
+          {"options", runOptionsJson(asked)}};
 }
 
 void removeRunFiles(const fs::path& folder) {

@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <fstream>
+
 #include "apps/program.h"
 
 namespace scatter::test {
@@ -42,6 +44,22 @@ TEST_F(ProgramTest, WorldsThatDoTheSameHaveTheSameStates) {
   ASSERT_EQ(scatter({"compare", "tower", "--frames", "30", "--out", "x"}).status, 0);
   EXPECT_EQ(columnOf(folder / "x/standard/frames.csv", "state_hash"),
             columnOf(folder / "x/hybrid/frames.csv", "state_hash"));
+}
+
+TEST_F(ProgramTest, HandsDoTheSameInRunAndInEveryWorldOfCompare) {
+  std::ofstream(folder / "hands.txt") << "3 gather 0 2 0\n";
+  const auto hashes = [this](const char* file) { return columnOf(folder / file, "state_hash"); };
+  ASSERT_EQ(scatter({"run", "duel", "--world", "standard", "--frames", "20", "--out", "left"}).status, 0);
+  ASSERT_EQ(scatter({"run", "duel", "--world", "standard", "--frames", "20", "--script", "hands.txt", "--out",
+                     "moved"})
+                .status,
+            0);
+  const Outcome outcome =
+      scatter({"compare", "duel", "--frames", "20", "--script", "hands.txt", "--no-3d", "--out", "x"});
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_EQ(hashes("x/standard/frames.csv"), hashes("moved/frames.csv"));
+  EXPECT_NE(hashes("x/standard/frames.csv"), hashes("left/frames.csv"));
+  EXPECT_THAT(scatter({"compare", "duel", "--script", "none.txt"}).errors, HasSubstr("none.txt"));
 }
 
 TEST_F(ProgramTest, CompareTakesWorldsWithBudgets) {
