@@ -170,6 +170,22 @@ std::string describeMass(const LevelModel& model, const LevelMeasures& measures)
       c.x, c.y, c.z, i[0][0], i[1][1], i[2][2], sourceOfMass(model, measures));
 }
 
+std::string describe(const SymmetryPlane& plane) {
+  return fmt::format("the plane {} = {:.6g}", "xyz"[plane.axis], plane.offset);
+}
+
+std::string describeSymmetry(const LevelSet& levels) {
+  const std::optional<LevelSymmetry> symmetry = symmetryOf(levels);
+  if (!symmetry) return "";
+  std::string text = "symmetric about " + describe(symmetry->plane) + ":";
+  for (std::size_t i = 0; i < symmetry->levels.size(); ++i) {
+    const auto [pairs, own] = symmetry->levels[i];
+    text += fmt::format("{} level {}: {} pair{} of parts and {} symmetric", i > 0 ? ";" : "", i + 1, pairs,
+                        pairs == 1 ? "" : "s", own);
+  }
+  return text + "\n";
+}
+
 std::string formatFigures(const LevelMeasures& measures) {
   std::vector<Cells> lines{{"level", "parts", "vertices", "most", "volume m3", "ratio", "overlap",
                             "mean gap %", "p95 gap %", "max gap %", "max gap", "cost"}};
