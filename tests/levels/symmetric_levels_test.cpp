@@ -86,6 +86,8 @@ TEST(SymmetricLevels, OfRandomMeshesAreTheirOwnImageAndNest) {
     EXPECT_EQ(built->symmetry->axis, axis);
     EXPECT_EQ(built->symmetry->offset, 0.0F);
     expectExactlySymmetric(*built->levels, *built->symmetry);
+    EXPECT_EQ(built->levels->mass().centerOfMass[axis], 0.0F);
+    EXPECT_EQ(built->levels->mass().inertia[axis][(axis + 1) % 3], 0.0F);
     expectNested(*built->levels, mesh);
     for (int level = 1; level <= built->levels->count(); ++level) {
       const auto& parts = built->levels->level(level).parts;

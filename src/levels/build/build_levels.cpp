@@ -313,6 +313,7 @@ class Build {
     std::reverse(set.levels.begin(), set.levels.end());
     setMass(space, set);
     const bool hasMassOfMesh = set.mass.has_value();
+    if (mirror_) makeMassSymmetric(space, set);
     auto levels = LevelSet::create(std::move(set));
     if (!levels) return fail(levels.error().message);
     return BuiltLevels{std::move(*levels), space.isSolid, hasMassOfMesh, symmetry_, std::move(notes_)};
@@ -326,6 +327,20 @@ class Build {
       set.mass = mass->properties;
     } else {
       notes_.push_back("mass properties are those of the finest level: " + mass.error().message);
+    }
+  }
+
+  // What is integrated along columns would pull a little to one side.
+  void makeMassSymmetric(const MeshSpace& space, LevelSetDef& set) const {
+    if (!set.mass) {
+      const Result<MassProperties> finest = massProperties(set.levels.back().parts);
+      if (!finest) return;  // LevelSet::create() tells why.
+      set.mass = *finest;
+    }
+    const int axis = mirror_->axis;
+    set.mass->centerOfMass[axis] = space.mesh.origin[axis];
+    for (int other = 0; other < 3; ++other) {
+      if (other != axis) set.mass->inertia[axis][other] = set.mass->inertia[other][axis] = 0.0F;
     }
   }
 

@@ -72,7 +72,7 @@ std::string vertexBytes(const SurfaceMesh& mesh, const Packing& packing) {
   std::string bytes(mesh.vertices.size() * packing.stride, '\0');
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double value = static_cast<double>(mesh.vertices[i][static_cast<int>(axis)]);
+      const auto value = static_cast<double>(mesh.vertices[i][static_cast<int>(axis)]);
       const double place = span.low + (span.high - span.low) * (value + 1.0) / 2.0;
       storeAs(packing.component, packing.component == kFloat ? value : std::round(place),
               bytes.data() + i * packing.stride + axis * size);
