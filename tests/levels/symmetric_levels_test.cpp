@@ -182,6 +182,29 @@ TEST(SymmetricLevels, AreMadeOfMirrorImagesWhereNothingElseIs) {
   EXPECT_EQ(symmetry->levels[2].pairs, 4);
 }
 
+TEST(SymmetricLevels, AreOfBallsAndCapsulesAcrossThePlaneToo) {
+  // A ball, and a rod that leans forward in the plane.
+  const SurfaceMesh ball = sphereMesh(14, 1.0F, Vec3(0.0F, 3.0F, 0.0F));
+  SurfaceMesh rod = sphereMesh(14);
+  for (Vec3& vertex : rod.vertices) {
+    const float along = vertex.y + (vertex.y > 1e-3F ? 1.5F : -1.5F);
+    vertex = Vec3(vertex.x, 0.8F * along - 0.6F * vertex.z, 0.6F * along + 0.8F * vertex.z);
+  }
+  const SurfaceMesh mesh = joined(ball, moved(rod, 1.0F, Vec3(0.0F, -3.0F, 0.0F)));
+  const auto built = buildLevels(mesh, symmetricDef({2}));
+  ASSERT_TRUE(built.has_value()) << built.error().message;
+  ASSERT_EQ(built->symmetry->axis, 0);
+  expectExactlySymmetric(*built->levels, *built->symmetry);
+  expectNested(*built->levels, mesh);
+  const auto& parts = built->levels->finest().parts;
+  EXPECT_EQ(std::count_if(parts.begin(), parts.end(),
+                          [](const ConvexPart& part) { return std::holds_alternative<Sphere>(part.shape); }),
+            1);
+  EXPECT_EQ(std::count_if(parts.begin(), parts.end(),
+                          [](const ConvexPart& part) { return std::holds_alternative<Capsule>(part.shape); }),
+            1);
+}
+
 TEST(SymmetricLevels, NoTwoHaveAsManyParts) {
   SurfaceMesh mesh = boxMesh(Vec3(0.5F));
   for (const float x : {-4.0F, -2.0F, 2.0F, 4.0F})

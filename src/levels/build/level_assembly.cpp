@@ -248,7 +248,8 @@ std::optional<PartDraft> LevelAssembler::primitiveAround(const Content& content,
                                                          const std::optional<Mirror>& mirror,
                                                          HullBuilder& builder) const {
   const double diagonal = space_.mesh.diagonal;
-  const PrimitiveDef wanted{kPrimitiveSlack * diagonal, kThinnestBox, kPrimitiveVolume * volumeOf(hull)};
+  const PrimitiveDef wanted{kPrimitiveSlack * diagonal, kThinnestBox, kPrimitiveVolume * volumeOf(hull),
+                            mirror};
   for (const FittedPrimitive& fitted : fitPrimitives(content.balls, hull, space_.mesh.origin, wanted)) {
     if (!suits(fitted.part, mirror)) continue;
     TriangleHull outline;
