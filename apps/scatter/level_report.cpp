@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <variant>
 
 #include "lab/text_table.h"
@@ -128,6 +129,16 @@ nlohmann::ordered_json massJson(const LevelModel& model, const LevelMeasures& me
           {"source", sourceOfMass(model, measures)}};
 }
 
+nlohmann::ordered_json symmetryJson(const LevelSet& set) {
+  const std::optional<LevelSymmetry> symmetry = symmetryOf(set);
+  if (!symmetry) return nullptr;
+  auto levels = nlohmann::ordered_json::array();
+  for (const auto& [pairs, own] : symmetry->levels) levels.push_back({{"pairs", pairs}, {"symmetric", own}});
+  return {{"axis", std::string(1, "xyz"[symmetry->plane.axis])},
+          {"offset_m", symmetry->plane.offset},
+          {"levels", std::move(levels)}};
+}
+
 }  // namespace
 
 std::string lengthText(double metres) {
@@ -239,6 +250,7 @@ std::string figuresJson(const std::vector<LevelModel>& models, const std::vector
                     {"solid", figures.isSolid},
                     {"hull_margin_m", models[i].levels->hullMargin()},
                     {"mass_properties", massJson(models[i], figures)},
+                    {"symmetry", symmetryJson(*models[i].levels)},
                     {"levels", std::move(levels)}});
   }
   // Names come from files and need not be text.

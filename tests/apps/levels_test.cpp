@@ -175,6 +175,10 @@ TEST_F(Levels, OfSymmetricMeshesAreSymmetricIfAskedFor) {
         "symmetric\n";
     EXPECT_THAT(built.output, HasSubstr(line));
     EXPECT_THAT(scatter({"levels", "show", file}).output, HasSubstr(line));
+    const nlohmann::json symmetry = figures(file)["models"][0]["symmetry"];
+    EXPECT_EQ(symmetry["axis"], "x");
+    EXPECT_EQ(symmetry["offset_m"], 2.5);
+    EXPECT_EQ(symmetry["levels"][1]["pairs"], 1);
   }
 }
 
