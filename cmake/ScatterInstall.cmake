@@ -52,11 +52,11 @@ scatter_install_module(BulletHybridFiles
 # Scenes register themselves, so all of theirs is linked.
 scatter_install_module(scatter
   DESCRIPTION "${PROJECT_DESCRIPTION}"
-  LIBS "-Wl,--whole-archive,-lscatter_scenes_archive,--no-whole-archive -lscatter_lab -lscatter_recording -lscatter_bullet -lscatter_world -lscatter_io -lscatter_levels -lscatter_meshes"
+  LIBS "-Wl,--whole-archive,-lscatter_scenes_archive,--no-whole-archive -lscatter_lab -lscatter_recording -lscatter_bullet -lscatter_world -lscatter_meshes -lscatter_io -lscatter_levels -lmeshoptimizer"
   REQUIRES "BulletHybrid = ${PROJECT_VERSION}, pugixml, qhull_r, assimp, libzstd")
 scatter_install_module(scatter-meshes
   DESCRIPTION "Meshes of any format for scatter, read by Assimp"
-  LIBS "-lscatter_meshes"
+  LIBS "-lscatter_meshes -lmeshoptimizer"
   REQUIRES "scatter = ${PROJECT_VERSION}, assimp")
 
 install(TARGETS scatter RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT Programs)

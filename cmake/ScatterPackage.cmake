@@ -37,7 +37,7 @@ side by side, with their levels and contacts.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libscatter-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-    "libassimp-dev, libbullet-dev, libexpected-dev, libglm-dev, libpugixml-dev, libqhull-dev, libzstd-dev, pkg-config")
+    "libassimp-dev, libbullet-dev, libexpected-dev, libglm-dev, libmeshoptimizer-dev, libpugixml-dev, libqhull-dev, libzstd-dev, pkg-config")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS "scatter (= ${PROJECT_VERSION})")
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "BulletHybrid is for programs that use Bullet directly, and needs nothing else;
 BulletHybridFiles loads their level files. scatter is the library behind the

@@ -38,6 +38,13 @@ Result<MeshInterior> parseInterior(const std::string& text) {
   return fail("--interior: \"" + text + "\" is unknown; give automatic, solid or surface");
 }
 
+Result<MeshSymmetry> parseSymmetry(const std::string& text) {
+  if (text == "off") return MeshSymmetry::kIgnore;
+  if (text == "auto") return MeshSymmetry::kAutomatic;
+  if (text == "on") return MeshSymmetry::kRequired;
+  return fail("--symmetric: \"" + text + "\" is unknown; give on, auto or off");
+}
+
 Result<std::vector<int>> parsePartCounts(const std::string& text) {
   std::vector<int> counts;
   std::istringstream stream(text + ",");

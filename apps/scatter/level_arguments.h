@@ -14,6 +14,9 @@ namespace scatter::app {
 /// "automatic", "solid" or "surface".
 [[nodiscard]] Result<MeshInterior> parseInterior(const std::string& text);
 
+/// "off", "auto" or "on".
+[[nodiscard]] Result<MeshSymmetry> parseSymmetry(const std::string& text);
+
 /// Whole numbers between commas in any order, such as "64,8,1"; they come back in increasing order. Fails on
 /// numbers below 1 and on the same number twice.
 [[nodiscard]] Result<std::vector<int>> parsePartCounts(const std::string& text);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <variant>
 
 #include "lab/text_table.h"
@@ -128,6 +129,16 @@ nlohmann::ordered_json massJson(const LevelModel& model, const LevelMeasures& me
           {"source", sourceOfMass(model, measures)}};
 }
 
+nlohmann::ordered_json symmetryJson(const LevelSet& set) {
+  const std::optional<LevelSymmetry> symmetry = symmetryOf(set);
+  if (!symmetry) return nullptr;
+  auto levels = nlohmann::ordered_json::array();
+  for (const auto& [pairs, own] : symmetry->levels) levels.push_back({{"pairs", pairs}, {"symmetric", own}});
+  return {{"axis", std::string(1, "xyz"[symmetry->plane.axis])},
+          {"offset_m", symmetry->plane.offset},
+          {"levels", std::move(levels)}};
+}
+
 }  // namespace
 
 std::string lengthText(double metres) {
@@ -168,6 +179,22 @@ std::string describeMass(const LevelModel& model, const LevelMeasures& measures)
       "mass properties: centre of mass ({:.4g}, {:.4g}, {:.4g}) m; inertia of 1 kg ({:.4g}, {:.4g}, {:.4g}) "
       "m2; {}\n",
       c.x, c.y, c.z, i[0][0], i[1][1], i[2][2], sourceOfMass(model, measures));
+}
+
+std::string describe(const SymmetryPlane& plane) {
+  return fmt::format("the plane {} = {:.6g}", "xyz"[plane.axis], plane.offset);
+}
+
+std::string describeSymmetry(const LevelSet& levels) {
+  const std::optional<LevelSymmetry> symmetry = symmetryOf(levels);
+  if (!symmetry) return "";
+  std::string text = "symmetric about " + describe(symmetry->plane) + ":";
+  for (std::size_t i = 0; i < symmetry->levels.size(); ++i) {
+    const auto [pairs, own] = symmetry->levels[i];
+    text += fmt::format("{} level {}: {} pair{} of parts and {} symmetric", i > 0 ? ";" : "", i + 1, pairs,
+                        pairs == 1 ? "" : "s", own);
+  }
+  return text + "\n";
 }
 
 std::string formatFigures(const LevelMeasures& measures) {
@@ -223,6 +250,7 @@ std::string figuresJson(const std::vector<LevelModel>& models, const std::vector
                     {"solid", figures.isSolid},
                     {"hull_margin_m", models[i].levels->hullMargin()},
                     {"mass_properties", massJson(models[i], figures)},
+                    {"symmetry", symmetryJson(*models[i].levels)},
                     {"levels", std::move(levels)}});
   }
   // Names come from files and need not be text.

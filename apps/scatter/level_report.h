@@ -1,6 +1,7 @@
 #pragma once
 
 #include <scatter/levels/level_check.h>
+#include <scatter/levels/level_symmetry.h>
 #include <scatter/levels/measure_levels.h>
 
 #include <string>
@@ -18,6 +19,12 @@ namespace scatter::app {
 
 /// Volume, centre of mass and inertia, in a line, and whose they are.
 [[nodiscard]] std::string describeMass(const LevelModel& model, const LevelMeasures& measures);
+
+/// "the plane x = 0".
+[[nodiscard]] std::string describe(const SymmetryPlane& plane);
+
+/// How levels are symmetric, in a line; nothing if they are not.
+[[nodiscard]] std::string describeSymmetry(const LevelSet& levels);
 
 /// The figures of each level, coarsest first.
 [[nodiscard]] std::string formatFigures(const LevelMeasures& measures);

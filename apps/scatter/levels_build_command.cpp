@@ -43,6 +43,7 @@ struct LevelsBuildArguments {
   std::string gap;
   RegionArguments regions;
   std::string interior = "automatic";
+  std::string symmetric = "off";
   LevelBuildDef build;
   std::optional<double> margin;
   std::optional<double> thickness;
@@ -69,6 +70,9 @@ Result<LevelBuildDef> definitionOf(const LevelsBuildArguments& arguments, const 
   const Result<MeshInterior> interior = parseInterior(arguments.interior);
   if (!interior) return fail(interior.error().message);
   def.interior = *interior;
+  const Result<MeshSymmetry> symmetry = parseSymmetry(arguments.symmetric);
+  if (!symmetry) return fail(symmetry.error().message);
+  def.symmetry = *symmetry;
   if (arguments.margin) def.hullMargin = static_cast<float>(*arguments.margin);
   if (arguments.thickness) def.thickness = static_cast<float>(*arguments.thickness);
   if (auto sound = checkRegions(arguments.regions); !sound) return fail(sound.error().message);
@@ -105,14 +109,24 @@ ExitStatus report(const std::string& file, const BuiltFile& built, MeshInterior 
   const Result<LevelMeasures> measures =
       measureLevels(*model.levels, model.mesh, {.interior = interior, .regions = built.regions});
   if (!measures) return failed(measures.error());
-  fmt::print("{}{}\n{}{}\n{}\n{}: written\n", describeMesh(model, *measures), describeMass(model, *measures),
-             formatFigures(*measures), formatRegions(*measures, built.regions),
-             describe(built.check, model.levels->count()), file);
+  fmt::print("{}{}{}\n{}{}\n{}\n{}: written\n", describeMesh(model, *measures),
+             describeMass(model, *measures), describeSymmetry(*model.levels), formatFigures(*measures),
+             formatRegions(*measures, built.regions), describe(built.check, model.levels->count()), file);
   return ExitStatus::kOk;
 }
 
 double massOf(const LevelsBuildArguments& arguments, const LevelSet& levels) {
   return arguments.density ? *arguments.density * static_cast<double>(levels.mass().volume) : arguments.mass;
+}
+
+/// Who did not ask for symmetric levels may want them.
+void noteSymmetry(const std::string& mesh, const BuiltLevels& built) {
+  if (!built.symmetry) return;
+  const std::optional<LevelSymmetry> known = symmetryOf(*built.levels);
+  if (known && known->plane.axis == built.symmetry->axis) return;
+  printNote(
+      fmt::format("{}: the mesh is symmetric about {}, its levels are not; --symmetric on makes them so",
+                  mesh, describe(*built.symmetry)));
 }
 
 /// Builds, proves and writes; says itself what is wrong.
@@ -139,6 +153,7 @@ ExitStatus buildFile(const LevelsBuildArguments& arguments, const std::string& m
   if (auto written = writeLevelFile(model, output); !written) return refuse(written.error());
   printNotes(file->warnings);
   for (const std::string& note : built->notes) printNote(mesh + ": " + note);
+  if (definition.symmetry == MeshSymmetry::kIgnore) noteSymmetry(mesh, *built);
   result = BuiltFile{
       {model.name, model.levels, std::move(file->mesh)}, std::move(*check), std::move(definition.regions)};
   return ExitStatus::kOk;
@@ -158,10 +173,11 @@ std::string optionsOf(const LevelsBuildArguments& a) {
   const auto given = [](const std::optional<double>& number) {
     return number ? fmt::format("{}", *number) : "-";
   };
-  return fmt::format("{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}", a.reading.unit, a.reading.up,
+  return fmt::format("{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}", a.reading.unit, a.reading.up,
                      a.parts, a.gap, a.interior, b.levels, b.maxParts, b.maxVertices, b.fitPrimitives,
-                     given(a.margin), given(a.thickness), a.name, a.mass, given(a.density), a.friction,
-                     a.restitution, fmt::join(a.regions.kept, "\n"), fmt::join(a.regions.importance, "\n"));
+                     given(a.margin), given(a.thickness), a.symmetric, a.name, a.mass, given(a.density),
+                     a.friction, a.restitution, fmt::join(a.regions.kept, "\n"),
+                     fmt::join(a.regions.importance, "\n"));
 }
 
 std::string outputName(const LevelsBuildArguments& arguments, const std::string& mesh) {
@@ -341,6 +357,13 @@ Command addLevelsBuildCommand(CLI::App& levels) {
           "What is inside of the mesh: solid, surface (nothing: bowls, sheets and rooms stay hollow) or "
           "automatic")
       ->type_name("KIND")
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--symmetric", arguments->symmetric,
+          "Make every level mirror symmetric, so that bodies do not pull to one side: on, auto (if the "
+          "mesh is symmetric about a plane across x, y or z) or off")
+      ->type_name("WHEN")
       ->capture_default_str();
   command
       ->add_option("--margin", arguments->margin,

@@ -132,9 +132,9 @@ ExitStatus run(const LevelsShowArguments& arguments) {
     }
   }
   for (std::size_t i = 0; i < models.size(); ++i) {
-    fmt::print("{}{}{}\n{}{}", i > 0 ? "\n" : "", describeMesh(models[i], (*measures)[i]),
-               describeMass(models[i], (*measures)[i]), formatFigures((*measures)[i]),
-               formatRegions((*measures)[i], shown->regions));
+    fmt::print("{}{}{}{}\n{}{}", i > 0 ? "\n" : "", describeMesh(models[i], (*measures)[i]),
+               describeMass(models[i], (*measures)[i]), describeSymmetry(*models[i].levels),
+               formatFigures((*measures)[i]), formatRegions((*measures)[i], shown->regions));
   }
   return ExitStatus::kOk;
 }

@@ -159,6 +159,29 @@ TEST_F(Levels, ShipsOfTheModelsFolderAreWhatTheCommandMakes) {
   }
 }
 
+TEST_F(Levels, OfSymmetricMeshesAreSymmetricIfAskedFor) {
+  const std::string three = mesh("three.obj", objTool());
+  const Outcome unasked = build({three, "-o", "any.dae", "--parts", "2,1"});
+  EXPECT_THAT(unasked.errors,
+              HasSubstr("symmetric about the plane x = 2.5, its levels are not; --symmetric on"));
+  EXPECT_THAT(unasked.output, Not(HasSubstr("plane x")));
+  for (const std::string file : {"three.dae", "three.glb"}) {
+    const Outcome built = build({three, "-o", file, "--parts", "3,1", "--symmetric", "on"});
+    ASSERT_EQ(built.status, 0) << built.errors;
+    EXPECT_THAT(built.errors, Not(HasSubstr("symmetric")));
+    const std::string line =
+        "symmetric about the plane x = 2.5: level 1: 0 pairs of parts and 1 symmetric; level 2: 1 pair of "
+        "parts and 1 "
+        "symmetric\n";
+    EXPECT_THAT(built.output, HasSubstr(line));
+    EXPECT_THAT(scatter({"levels", "show", file}).output, HasSubstr(line));
+    const nlohmann::json symmetry = figures(file)["models"][0]["symmetry"];
+    EXPECT_EQ(symmetry["axis"], "x");
+    EXPECT_EQ(symmetry["offset_m"], 2.5);
+    EXPECT_EQ(symmetry["levels"][1]["pairs"], 1);
+  }
+}
+
 TEST_F(Levels, SeveralMeshesGoIntoAFolderAndOnlyChangedOnesAgain) {
   const std::string box = mesh("box.obj", objBox());
   const std::string other = mesh("other.stl", asciiStlBox());
@@ -351,6 +374,12 @@ TEST_F(Levels, WrongUseIsRefusedInOneLine) {
   expectRefused(build({box, "-o", "a.dae", "--unit", "ell"}), "--unit");
   expectRefused(build({box, "-o", "a.dae", "--up", "w"}), "--up");
   expectRefused(build({box, "-o", "a.dae", "--interior", "full"}), "--interior");
+  expectRefused(build({box, "-o", "a.dae", "--symmetric", "maybe"}), "give on, auto or off");
+  expectRefused(build({box, "-o", "a.dae", "--symmetric", "on", "--importance", "box:0,0,0,1,1,1=2"}),
+                "regions");
+  expectRefused(
+      build({mesh("one.obj", "v 0 0 0\nv 1 2 0\nv 0 1 3\nf 1 2 3\n"), "-o", "a.dae", "--symmetric", "on"}),
+      "not symmetric");
   expectRefused(build({box, "-o", "a.dae", "--mass", "0"}), "--mass");
   expectRefused(build({box, "-o", "missing/a.dae"}), "no folder missing");
 }

@@ -69,11 +69,11 @@ struct MeshFile {
 [[nodiscard]] const std::vector<std::string>& meshExtensions();
 
 /// Reads a mesh file in any format that Assimp knows, chosen by its extension: all meshes with the transforms
-/// of their nodes, polygons cut into triangles. Points and lines are left out with a warning; bones and
-/// animations are ignored. Of other files, only those in its folder and below are read. The format
-/// is read in a process of its own, so that a file which breaks the reader, hangs it or wants more
-/// memory than 256 bytes for each of its own (and 1 GiB) is refused like any other. Fails if there are no
-/// triangles, a number is not finite or a limit is passed.
+/// of their nodes, polygons cut into triangles; glTF with KHR_mesh_quantization or EXT_meshopt_compression,
+/// too. Points and lines are left out with a warning; bones and animations are ignored. Of other files, only
+/// those in its folder and below are read. The format is read in a process of its own, so that a file which
+/// breaks the reader, hangs it or wants more memory than 256 bytes for each of its own (and 1 GiB) is refused
+/// like any other. Fails if there are no triangles, a number is not finite or a limit is passed.
 [[nodiscard]] Result<MeshFile> readMesh(const std::filesystem::path& path, const MeshOptions& options = {});
 
 /// The metres of a unit: a positive number, or one of m, cm, mm, km, in, ft.

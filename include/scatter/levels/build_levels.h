@@ -1,6 +1,7 @@
 #pragma once
 
 #include <scatter/levels/level_set.h>
+#include <scatter/levels/level_symmetry.h>
 #include <scatter/levels/mesh_region.h>
 #include <scatter/levels/surface_mesh.h>
 #include <scatter/result.h>
@@ -22,6 +23,13 @@ enum class MeshInterior {
   kAutomatic,
   kSolid,    ///< What the triangles wind around; small holes are bridged.
   kSurface,  ///< Nothing: bowls, sheets and tubes stay hollow, and so do rooms.
+};
+
+/// What is made of a mesh that is mirror symmetric.
+enum class MeshSymmetry {
+  kIgnore,     ///< Levels are as near to the mesh as they can be, and mostly not symmetric.
+  kAutomatic,  ///< Each level is symmetric if the mesh is.
+  kRequired,   ///< The same, and other meshes are refused.
 };
 
 /// A limit to the gap: how far the surface of a level may be from the mesh. The two are alternatives.
@@ -60,6 +68,12 @@ struct LevelBuildDef {
 
   MeshInterior interior = MeshInterior::kAutomatic;
 
+  /// Of the mesh about a plane across an axis, through the middle of its bounds: corners have their mirror
+  /// image on the mesh, to within 1e-4 of the diagonal, middles of edges and triangles to within 5e-3, as
+  /// quadrangles may be cut along either diagonal. Parts of symmetric levels are symmetric, or come in pairs.
+  /// Not together with `regions`.
+  MeshSymmetry symmetry = MeshSymmetry::kIgnore;
+
   /// Where detail is worth more or less than elsewhere: parts go where they save the largest gap times
   /// weight. `finestGap` is that of a weight of 1.
   std::vector<MeshRegion> regions;
@@ -77,8 +91,12 @@ inline constexpr float kSheetThickness = 0.21F;
 /// Nested levels, and what a user should know about the mesh they were made from.
 struct BuiltLevels {
   std::shared_ptr<const LevelSet> levels;
-  bool isSolid = true;             ///< Whether the mesh was taken as solid.
-  bool hasMassOfMesh = false;      ///< Else mass properties are those of the finest level: see `notes`.
+  bool isSolid = true;         ///< Whether the mesh was taken as solid.
+  bool hasMassOfMesh = false;  ///< Else mass properties are those of the finest level: see `notes`.
+
+  /// Of the mesh. Of a mesh with more triangles than LevelBuildDef::maxTriangles only if symmetric levels
+  /// were asked for, since it takes time.
+  std::optional<SymmetryPlane> symmetry{};
   std::vector<std::string> notes;  ///< What was mended or done differently, one line each.
 };
 
@@ -91,7 +109,8 @@ using BuildProgress = std::function<void(std::string_view stage, double share)>;
 /// core as on two. `progress` is called on the caller's thread and may throw, which ends the build. Takes any
 /// triangles: open, inside-out, several shells, degenerate, flat. Fails on a mesh without triangles, an index
 /// out of range, a coordinate that is not finite, a mesh of a single point, one that is inside out unless
-/// `interior` says what it is, a region with nothing of the mesh, and counts that make no sense.
+/// `interior` says what it is, a region with nothing of the mesh, one that is not symmetric if it must be,
+/// and counts that make no sense.
 [[nodiscard]] Result<BuiltLevels> buildLevels(const SurfaceMesh& mesh, const LevelBuildDef& definition,
                                               const BuildProgress& progress = {});
 

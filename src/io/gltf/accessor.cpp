@@ -179,6 +179,18 @@ std::vector<Vec3> readPositions(GltfFile& file, const JsonPlace& reference) {
   return positions;
 }
 
+std::vector<float> readFloats(GltfFile& file, const JsonPlace& reference, const char* type,
+                              std::size_t width) {
+  const JsonPlace accessor = file.entry("accessors", reference);
+  expectType(accessor, type);
+  const std::size_t count = readCount(file, accessor);
+  std::vector<float> values(count * width, 0.0F);
+  readElements(file, accessor, width, count, [&](std::size_t i, std::size_t j, double value) {
+    values[i * width + j] = static_cast<float>(value);
+  });
+  return values;
+}
+
 std::vector<std::uint32_t> readIndices(GltfFile& file, const JsonPlace& reference) {
   const JsonPlace accessor = file.entry("accessors", reference);
   expectType(accessor, "SCALAR");

@@ -12,6 +12,10 @@ namespace scatter::io {
 /// @{
 [[nodiscard]] std::vector<Vec3> readPositions(GltfFile& file, const JsonPlace& reference);
 [[nodiscard]] std::vector<std::uint32_t> readIndices(GltfFile& file, const JsonPlace& reference);
+
+/// Elements of `width` numbers, one after the other; `type` is what the accessor should be, such as "VEC4".
+[[nodiscard]] std::vector<float> readFloats(GltfFile& file, const JsonPlace& reference, const char* type,
+                                            std::size_t width);
 /// @}
 
 }  // namespace scatter::io

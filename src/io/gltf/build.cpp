@@ -1,12 +1,12 @@
 #include "io/gltf/build.h"
 
 #include <algorithm>
-#include <cstring>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "io/gltf/base64.h"
 #include "io/gltf/bodies.h"
+#include "io/gltf/container.h"
 #include "io/numbers.h"
 
 namespace scatter::io {
@@ -23,10 +23,6 @@ constexpr int kFloat = 5126;
 std::size_t append(json& list, json value) {
   list.push_back(std::move(value));
   return list.size() - 1;
-}
-
-void appendWord(std::string& bytes, std::uint32_t word) {
-  bytes.append(reinterpret_cast<const char*>(&word), sizeof word);
 }
 
 /// Turns a convex shape into a shape object.
@@ -260,25 +256,7 @@ std::string GltfBuild::text() const {
 }
 
 std::string GltfBuild::binary() const {
-  constexpr std::uint32_t kJsonChunk = 0x4E4F534A;
-  constexpr std::uint32_t kBinaryChunk = 0x004E4942;
-  std::string json = finished().dump();
-  json.resize((json.size() + 3) / 4 * 4, ' ');
-  std::string data = data_;
-  data.resize((data.size() + 3) / 4 * 4, '\0');
-  const std::size_t size = 12 + 8 + json.size() + (data.empty() ? 0 : 8 + data.size());
-  std::string bytes = "glTF";
-  appendWord(bytes, 2);
-  appendWord(bytes, static_cast<std::uint32_t>(size));
-  appendWord(bytes, static_cast<std::uint32_t>(json.size()));
-  appendWord(bytes, kJsonChunk);
-  bytes += json;
-  if (!data.empty()) {
-    appendWord(bytes, static_cast<std::uint32_t>(data.size()));
-    appendWord(bytes, kBinaryChunk);
-    bytes += data;
-  }
-  return bytes;
+  return packGlb(finished().dump(), data_);
 }
 
 }  // namespace scatter::io

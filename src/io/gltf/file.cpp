@@ -82,8 +82,7 @@ std::size_t levelCost(const std::vector<Level>& levels) {
   return cost;
 }
 
-GltfFile::GltfFile(std::string_view bytes, std::optional<std::filesystem::path> folder)
-    : folder_(std::move(folder)) {
+GltfFile::GltfFile(std::string_view bytes, GltfAccess access) : access_(std::move(access)) {
   auto json = JsonDocument::parse(readContainer(bytes));
   if (!json) {
     failFile(json.error().message);
@@ -146,6 +145,29 @@ JsonPlace GltfFile::entry(const char* array, const JsonPlace& reference) const {
 
 std::string_view GltfFile::bufferView(const JsonPlace& reference) {
   const JsonPlace view = entry("bufferViews", reference);
+  const auto compression =
+      access_.decompress ? view.find({"extensions", "EXT_meshopt_compression"}) : std::nullopt;
+  if (!compression) {
+    return slice(view);
+  }
+  const std::size_t index = reference.index(count("bufferViews"), "bufferView");
+  const auto found = decompressed_.find(index);
+  if (found != decompressed_.end()) {
+    return found->second;
+  }
+  return keep(decompressed_, index, access_.decompress(*compression, slice(*compression)), *compression);
+}
+
+std::string_view GltfFile::keep(std::map<std::size_t, std::string>& store, std::size_t index,
+                                std::string bytes, const JsonPlace& place) {
+  bufferBytes_ += bytes.size();
+  if (bufferBytes_ > kMaxBufferBytes) {
+    place.fail("the buffers of the file are larger than 1 GiB");
+  }
+  return store.emplace(index, std::move(bytes)).first->second;
+}
+
+std::string_view GltfFile::slice(const JsonPlace& view) {
   const std::string_view bytes = buffer(view.at("buffer"));
   const auto offset = view.find("byteOffset");
   const std::uint64_t begin = offset ? offset->count() : 0;
@@ -168,15 +190,9 @@ std::string_view GltfFile::buffer(const JsonPlace& reference) {
     }
     bytes = *binary_;
   } else {
-    auto found = buffers_.find(index);
-    if (found == buffers_.end()) {
-      found = buffers_.emplace(index, loadBuffer(*uri)).first;
-      bufferBytes_ += found->second.size();
-      if (bufferBytes_ > kMaxBufferBytes) {
-        place.fail("the buffers of the file are larger than 1 GiB");
-      }
-    }
-    bytes = found->second;
+    const auto found = buffers_.find(index);
+    bytes = found != buffers_.end() ? std::string_view(found->second)
+                                    : keep(buffers_, index, loadBuffer(*uri), place);
   }
   if (length > bytes.size()) {
     place.fail("should have " + std::to_string(length) + " bytes, but has " + std::to_string(bytes.size()));
@@ -199,15 +215,19 @@ std::string GltfFile::loadBuffer(const JsonPlace& uri) const {
     return std::move(*bytes);
   }
   const std::filesystem::path name(decodePercents(text));
-  if (!folder_ || text.find("://") != std::string::npos || name.is_absolute() ||
+  if (!access_.folder || text.find("://") != std::string::npos || name.is_absolute() ||
       name.string().find('\0') != std::string::npos) {
     uri.fail("only data and files beside this one are read");
   }
+  const std::filesystem::path path = *access_.folder / name;
   std::error_code error;
-  if (!std::filesystem::is_regular_file(*folder_ / name, error)) {
-    uri.fail("there is no file " + (*folder_ / name).string());
+  if (!std::filesystem::is_regular_file(path, error)) {
+    uri.fail("there is no file " + path.string());
   }
-  auto bytes = readFile(*folder_ / name);
+  if (access_.allows && !access_.allows(path)) {
+    uri.fail("only data and files beside this one are read");
+  }
+  auto bytes = readFile(path);
   if (!bytes) {
     uri.fail(bytes.error().message);
   }

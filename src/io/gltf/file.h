@@ -3,6 +3,7 @@
 #include <scatter/levels/level_set.h>
 
 #include <filesystem>
+#include <functional>
 #include <initializer_list>
 #include <map>
 #include <optional>
@@ -31,11 +32,24 @@ class GltfBudget {
 /// What a level set of these levels costs.
 [[nodiscard]] std::size_t levelCost(const std::vector<Level>& levels);
 
+/// Where the data of a glTF file comes from.
+struct GltfAccess {
+  /// Buffers in other files are looked for here, and refused without it.
+  std::optional<std::filesystem::path> folder{};
+
+  /// Which of them are read; all if this is empty.
+  std::function<bool(const std::filesystem::path&)> allows{};
+
+  /// What an EXT_meshopt_compression object and the bytes that it names stand for; may throw GltfFailure.
+  /// If this is empty, the extension is not looked at.
+  std::function<std::string(const JsonPlace& compression, std::string_view bytes)> decompress{};
+};
+
 /// The JSON of a .gltf or .glb file, its buffers, and the warnings about it. Views the bytes given.
 class GltfFile {
  public:
-  /// Buffers in other files are looked for in `folder`, and refused without one. Throws GltfFailure.
-  GltfFile(std::string_view bytes, std::optional<std::filesystem::path> folder);
+  /// Throws GltfFailure.
+  GltfFile(std::string_view bytes, GltfAccess access);
 
   [[nodiscard]] JsonPlace root() const { return json_->root(); }
 
@@ -62,13 +76,19 @@ class GltfFile {
 
  private:
   [[nodiscard]] std::string_view readContainer(std::string_view bytes);
+  [[nodiscard]] std::string_view slice(const JsonPlace& view);
   [[nodiscard]] std::string_view buffer(const JsonPlace& reference);
   [[nodiscard]] std::string loadBuffer(const JsonPlace& uri) const;
 
-  std::optional<std::filesystem::path> folder_;
+  /// Throws if there are too many of them.
+  std::string_view keep(std::map<std::size_t, std::string>& store, std::size_t index, std::string bytes,
+                        const JsonPlace& place);
+
+  GltfAccess access_;
   std::optional<std::string_view> binary_;
   std::optional<JsonDocument> json_;
   std::map<std::size_t, std::string> buffers_;
+  std::map<std::size_t, std::string> decompressed_;  ///< Buffer views.
   std::size_t bufferBytes_ = 0;
   GltfBudget budget_;
   std::vector<std::string> warnings_;

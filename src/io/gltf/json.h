@@ -31,6 +31,7 @@ class JsonPlace {
   JsonPlace(const nlohmann::json& value, std::string path) : value_(&value), path_(std::move(path)) {}
 
   [[nodiscard]] const std::string& path() const { return path_; }
+  [[nodiscard]] const nlohmann::json& value() const { return *value_; }
   [[noreturn]] void fail(const std::string& what) const;
 
   [[nodiscard]] bool isObject() const;

@@ -23,7 +23,7 @@ class Reader {
  public:
   /// A scene without a name gets `standardName`.
   Reader(std::string_view bytes, std::optional<std::filesystem::path> folder, std::string standardName)
-      : file_(bytes, std::move(folder)),
+      : file_(bytes, {.folder = std::move(folder)}),
         nodes_(file_),
         meshes_(file_),
         notes_(readSceneNotes(file_, nodes_)),

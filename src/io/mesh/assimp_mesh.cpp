@@ -5,13 +5,13 @@
 #include <assimp/importerdesc.h>
 #include <assimp/metadata.h>
 #include <assimp/scene.h>
+#include <scatter/io/file.h>
 
 #include <algorithm>
 #include <array>
 #include <assimp/Importer.hpp>
 #include <cmath>
 #include <cstddef>
-#include <fstream>
 #include <functional>
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
@@ -26,6 +26,7 @@
 #include <vector>
 
 #include "io/mesh/group_names.h"
+#include "io/mesh/plain_gltf.h"
 #include "io/mesh/polygon.h"
 
 namespace scatter::io {
@@ -316,16 +317,25 @@ glm::dmat4 rootFrame(const aiScene& scene, const std::string& extension, const M
   return frame;
 }
 
-/// An extension of glTF that Assimp does not know, and would read as something else; null if there is none.
-/// Who uses one names it in a list.
-const char* unknownExtension(const fs::path& path, const std::string& extension) {
-  if (extension != "gltf" && extension != "glb") return nullptr;
-  std::ifstream stream(path, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  for (const char* name : {"KHR_mesh_quantization", "EXT_meshopt_compression"}) {
-    if (text.find('"' + std::string(name) + '"') != std::string::npos) return name;
+/// Who uses an extension of glTF names it in a list.
+bool names(std::string_view gltf, std::string_view extension) {
+  return gltf.find('"' + std::string(extension) + '"') != std::string_view::npos;
+}
+
+/// For Assimp, which reads wrong numbers with these extensions; nothing if the file uses none of them.
+Result<std::optional<PlainGltf>> plainGltf(const fs::path& path, const std::string& extension,
+                                           const OwnFolder& folder) {
+  if (extension != "gltf" && extension != "glb") return std::nullopt;
+  const Result<std::string> bytes = readFile(path);
+  if (!bytes) return fail(bytes.error().message);
+  if (names(*bytes, "KHR_meshopt_compression")) {
+    return fail(
+        "uses KHR_meshopt_compression, which is not known here; export it with EXT_meshopt_compression, or "
+        "uncompressed");
   }
-  return nullptr;
+  if (!names(*bytes, "KHR_mesh_quantization") && !names(*bytes, "EXT_meshopt_compression"))
+    return std::nullopt;
+  return makePlainGltf(*bytes, path, [&](const fs::path& file) { return folder.Exists(file.c_str()); });
 }
 
 /// See MeshFile::fromFile.
@@ -358,17 +368,19 @@ std::vector<std::string> assimpExtensions() {
 
 Result<MeshFile> readWithAssimp(const fs::path& path, const std::string& extension,
                                 const MeshOptions& options) {
-  if (const char* name = unknownExtension(path, extension)) {
-    return fail(std::string("uses ") + name +
-                ", which is not known here; convert it, as with `gltf-transform dequantize IN OUT` (npm: "
-                "@gltf-transform/cli)");
-  }
+  auto folder = std::make_unique<OwnFolder>(path, options.maxFileBytes);
+  const Result<std::optional<PlainGltf>> plain = plainGltf(path, extension, *folder);
+  if (!plain) return fail(plain.error().message);
   Assimp::Importer importer;
   keepFormat(importer, extension);
-  importer.SetIOHandler(new OwnFolder(path, options.maxFileBytes));  // The importer owns it.
-  const aiScene* scene = importer.ReadFile(path.string(), 0);
+  importer.SetIOHandler(folder.release());  // The importer owns it.
+  const aiScene* scene =
+      *plain ? importer.ReadFileFromMemory((*plain)->glb.data(), (*plain)->glb.size(), 0, "glb")
+             : importer.ReadFile(path.string(), 0);
   if (scene == nullptr) return fail(std::string("cannot be read: ") + importer.GetErrorString());
   Result<MeshFile> file = Collector(*scene, options).collect(rootFrame(*scene, extension, options));
+  if (file && *plain)
+    std::copy((*plain)->warnings.begin(), (*plain)->warnings.end(), std::back_inserter(file->warnings));
   if (file) file->fromFile = fileAxes(*scene, extension, options);
   return file;
 }

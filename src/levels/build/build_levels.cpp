@@ -10,6 +10,7 @@
 #include "levels/build/level_assembly.h"
 #include "levels/build/merge_tree.h"
 #include "levels/build/pre_merge.h"
+#include "levels/build/symmetric_mesh.h"
 #include "levels/mesh/region_map.h"
 #include "levels/mesh/shells.h"
 #include "levels/mesh/work_mesh.h"
@@ -94,6 +95,10 @@ Result<void> checkDefinition(const LevelBuildDef& definition) {
     checks.emplace_back(fail("the thickness of sheets must be finite and not negative, not " +
                              toText(static_cast<double>(*definition.thickness))));
   }
+  if (definition.symmetry != MeshSymmetry::kIgnore && !definition.regions.empty()) {
+    checks.emplace_back(
+        fail("symmetric levels cannot have regions of importance: give either regions or symmetry"));
+  }
   if (definition.maxTriangles == 0) checks.emplace_back(fail("the most triangles must be at least 1"));
   for (Result<void>& check : checks) {
     if (!check) return std::move(check);
@@ -126,6 +131,7 @@ class Build {
     Result<WorkMesh> work = makeWorkMesh(mesh);
     if (!work) return fail(work.error().message);
     report("shells", 0.0);
+    if (Result<void> found = findSymmetry(*work); !found) return fail(found.error().message);
     Result<RegionMap> regions = RegionMap::create(definition_.regions, mesh, *work);
     if (!regions) return fail(regions.error().message);
     regions_ = std::move(*regions);
@@ -144,6 +150,22 @@ class Build {
  private:
   void report(std::string_view stage, double share) const {
     if (progress_) progress_(stage, share);
+  }
+
+  /// Of a symmetric mesh whose levels are to be symmetric, the plane goes through zero then.
+  Result<void> findSymmetry(WorkMesh& work) {
+    const bool isWanted = definition_.symmetry != MeshSymmetry::kIgnore;
+    if (!isWanted && work.triangles.size() > definition_.maxTriangles) return {};
+    const std::optional<MirrorPlane> plane = findMirrorPlane(work);
+    if (!plane && definition_.symmetry == MeshSymmetry::kRequired) {
+      return fail("the mesh is not symmetric about a plane across x, y or z through its middle, to within " +
+                  toText(kSymmetryTolerance * work.diagonal) + " m");
+    }
+    if (!plane) return {};
+    if (isWanted) mirror_ = moveToPlane(*plane, work);
+    const double offset = static_cast<double>(work.origin[plane->axis]) + (isWanted ? 0.0 : plane->offset);
+    symmetry_ = SymmetryPlane{plane->axis, static_cast<float>(offset)};
+    return {};
   }
 
   [[nodiscard]] double gapLimit(double diagonal) const {
@@ -194,18 +216,23 @@ class Build {
         std::clamp(kPatchesPerPart * finest.maxParts, kFewestPatches, kMostPatches);
     report("patches", 0.0);
     const TriangleRegions regions = regionsOfTriangles(space.mesh, regions_);
-    Patches patches = preMerge(space.mesh, regions, patchCount, definition_.maxTriangles);
+    std::optional<SymmetricMesh> symmetric;
+    if (mirror_) symmetric = makeSymmetric(space.mesh, *mirror_);
+    const SymmetricMesh* symmetry = symmetric ? &*symmetric : nullptr;
+    // A patch of one side stands for two.
+    Patches patches = symmetric ? symmetric->patches(patchCount / 2, definition_.maxTriangles / 2)
+                                : preMerge(space.mesh, regions, patchCount, definition_.maxTriangles);
     if (patches.isGrouped) {
       notes_.push_back(std::to_string(space.mesh.triangles.size()) + " triangles are more than " +
                        std::to_string(definition_.maxTriangles) +
                        ": grouped by cell and facing; all of them are enclosed");
     }
-    const MergeTree tree =
-        mergeGreedily(space.mesh, grid, regions, std::move(patches),
-                      {definition_.maxVertices, [this](double share) { report("merging", share); }});
+    const MergeTree tree = mergeGreedily(
+        symmetric ? symmetric->mesh : space.mesh, grid, regions, std::move(patches),
+        {definition_.maxVertices, [this](double share) { report("merging", share); }, symmetry});
     LevelAssembler assembler(
         space, grid, regions, tree,
-        {definition_.maxVertices, margin(diagonal), definition_.fitPrimitives, thickness(space)});
+        {definition_.maxVertices, margin(diagonal), definition_.fitPrimitives, thickness(space), symmetry});
     std::vector<LevelAssembler::Draft> drafts;
     drafts.push_back(assembler.finest(finest, [this](double share) { report("parts", share); }));
     noteFinest(drafts.front(), finest);
@@ -224,9 +251,14 @@ class Build {
     std::erase_if(counts, [finestCount](int count) { return count >= finestCount; });
     for (auto count = counts.rbegin(); count != counts.rend(); ++count) {
       report("levels", static_cast<double>(drafts.size()) / static_cast<double>(counts.size() + 1));
-      drafts.push_back(assembler.coarser(drafts.back(), static_cast<std::size_t>(*count)));
+      LevelAssembler::Draft coarser = assembler.coarser(drafts.back(), static_cast<std::size_t>(*count));
+      // Where parts come in pairs, one less may not be to be had.
+      if (coarser.parts.size() < drafts.back().parts.size()) drafts.push_back(std::move(coarser));
     }
-    if (drafts.size() < wanted) {
+    if (drafts.size() <= counts.size()) {
+      notes_.push_back(std::to_string(drafts.size()) + " of " + std::to_string(wanted) +
+                       " levels made: their parts come in pairs, and others would have as many");
+    } else if (drafts.size() < wanted) {
       notes_.push_back(std::to_string(drafts.size()) + " of " + std::to_string(wanted) +
                        " levels made: the finest has only " + std::to_string(finestCount) +
                        (finestCount == 1 ? " part" : " parts"));
@@ -281,9 +313,10 @@ class Build {
     std::reverse(set.levels.begin(), set.levels.end());
     setMass(space, set);
     const bool hasMassOfMesh = set.mass.has_value();
+    if (mirror_) makeMassSymmetric(space, set);
     auto levels = LevelSet::create(std::move(set));
     if (!levels) return fail(levels.error().message);
-    return BuiltLevels{std::move(*levels), space.isSolid, hasMassOfMesh, std::move(notes_)};
+    return BuiltLevels{std::move(*levels), space.isSolid, hasMassOfMesh, symmetry_, std::move(notes_)};
   }
 
   // Of the mesh where that has an inside; bodies must not weigh what levels fill besides.
@@ -297,9 +330,25 @@ class Build {
     }
   }
 
+  // What is integrated along columns would pull a little to one side.
+  void makeMassSymmetric(const MeshSpace& space, LevelSetDef& set) const {
+    if (!set.mass) {
+      const Result<MassProperties> finest = massProperties(set.levels.back().parts);
+      if (!finest) return;  // LevelSet::create() tells why.
+      set.mass = *finest;
+    }
+    const int axis = mirror_->axis;
+    set.mass->centerOfMass[axis] = space.mesh.origin[axis];
+    for (int other = 0; other < 3; ++other) {
+      if (other != axis) set.mass->inertia[axis][other] = set.mass->inertia[other][axis] = 0.0F;
+    }
+  }
+
   const LevelBuildDef& definition_;
   const BuildProgress& progress_;
   RegionMap regions_;
+  std::optional<SymmetryPlane> symmetry_;
+  std::optional<Mirror> mirror_;  ///< If levels are to be symmetric.
   std::vector<std::string> notes_;
 };
 

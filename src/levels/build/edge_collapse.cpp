@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <vector>
@@ -35,11 +36,15 @@ struct Collapse {
 
 class Collapser {
  public:
-  Collapser(HullBuilder& builder, const TriangleHull& original, TriangleHull& hull)
+  Collapser(HullBuilder& builder, const TriangleHull& original, const std::optional<Mirror>& mirror,
+            TriangleHull& hull)
       : builder_(builder),
         original_(original),
+        mirror_(mirror),
         hull_(hull),
         diagonal_(glm::length(original.bounds.max - original.bounds.min)) {}
+
+  [[nodiscard]] bool isDone(std::size_t maxVertices) const { return cornersOf(hull_) <= maxVertices; }
 
   /// False if no edge can be collapsed.
   bool step() {
@@ -66,6 +71,11 @@ class Collapser {
     glm::dvec3 gradient{0.0};
     double base = 0.0;
   };
+
+  /// Of corners within rounding of a face, one may be left out where its image is not.
+  [[nodiscard]] std::size_t cornersOf(const TriangleHull& hull) const {
+    return mirror_ ? withImages(hull.vertices, *mirror_, kOnPlane * diagonal_).size() : hull.vertices.size();
+  }
 
   std::vector<Collapse> findCandidates() {
     around_.assign(hull_.vertices.size(), {});
@@ -122,7 +132,11 @@ class Collapser {
     const glm::dvec3 middle = 0.5 * (from + to);
     const Places places = findPlaces(around.planes, around.gradient, middle, 1e-9 * diagonal_);
     Found found;
-    const auto offer = [&](const glm::dvec3& point) {
+    const bool isOwnImage =
+        mirror_ && ((*mirror_)(from) == to || (from[mirror_->axis] == 0.0 && to[mirror_->axis] == 0.0));
+    const auto offer = [&](const glm::dvec3& place) {
+      // The middle of two places beyond the planes, which are symmetric, is beyond them, too.
+      const glm::dvec3 point = isOwnImage ? mirror_->flattened(place) : place;
       if (glm::length(point - from) > 2.0 * diagonal_) return;
       const double volume = std::max(0.0, glm::dot(around.gradient, point) - around.base);
       const double cost = distanceTo(original_, point) + std::cbrt(volume);
@@ -135,19 +149,27 @@ class Collapser {
   }
 
   bool apply(const Collapse& collapse) {
+    const glm::dvec3& a = hull_.vertices[collapse.a];
+    const glm::dvec3& b = hull_.vertices[collapse.b];
+    const auto isReplaced = [&](const glm::dvec3& vertex) {
+      return &vertex == &a || &vertex == &b ||
+             (mirror_ && ((*mirror_)(vertex) == a || (*mirror_)(vertex) == b));
+    };
     points_.clear();
-    for (std::uint32_t i = 0; i < hull_.vertices.size(); ++i) {
-      if (i != collapse.a && i != collapse.b) points_.push_back(hull_.vertices[i]);
-    }
+    std::copy_if(hull_.vertices.begin(), hull_.vertices.end(), std::back_inserter(points_),
+                 [&](const glm::dvec3& vertex) { return !isReplaced(vertex); });
     points_.push_back(collapse.point);
+    if (mirror_) points_ = withImages(points_, *mirror_, kOnPlane * diagonal_);
     const double epsilon = 1e-9 * diagonal_;
     if (!builder_.build(points_, {epsilon, epsilon, 0}, trial_)) return false;
-    if (trial_.vertices.size() >= hull_.vertices.size()) return false;
+    if (cornersOf(trial_) >= cornersOf(hull_)) return false;
     // A point that slipped past a plane within rounding may have lost more than that elsewhere.
     const bool holdsBoth =
         std::all_of(trial_.planes.begin(), trial_.planes.end(), [&](const HalfSpace& plane) {
-          return plane.signedDistance(hull_.vertices[collapse.a]) <= 1e-7 * diagonal_ &&
-                 plane.signedDistance(hull_.vertices[collapse.b]) <= 1e-7 * diagonal_;
+          const auto holds = [&](const glm::dvec3& point) {
+            return plane.signedDistance(point) <= 1e-7 * diagonal_;
+          };
+          return holds(a) && holds(b) && (!mirror_ || (holds((*mirror_)(a)) && holds((*mirror_)(b))));
         });
     if (!holdsBoth) return false;
     std::swap(hull_, trial_);
@@ -156,6 +178,7 @@ class Collapser {
 
   HullBuilder& builder_;
   const TriangleHull& original_;
+  std::optional<Mirror> mirror_;
   TriangleHull& hull_;
   double diagonal_;
   std::vector<std::vector<std::uint32_t>> around_;  ///< Triangles at each vertex.
@@ -166,10 +189,10 @@ class Collapser {
 
 }  // namespace
 
-bool collapseEdges(HullBuilder& builder, const TriangleHull& original, std::size_t maxVertices,
+bool collapseEdges(HullBuilder& builder, const TriangleHull& original, const CollapseDef& definition,
                    TriangleHull& hull) {
-  Collapser collapser(builder, original, hull);
-  while (hull.vertices.size() > maxVertices) {
+  Collapser collapser(builder, original, definition.mirror, hull);
+  while (!collapser.isDone(definition.maxVertices)) {
     if (!collapser.step()) return false;
   }
   return true;

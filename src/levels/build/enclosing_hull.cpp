@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "levels/build/edge_collapse.h"
 #include "levels/build/enclosure.h"
 #include "levels/build/outward_simplify.h"
 #include "levels/build/place_search.h"
@@ -17,6 +18,7 @@ namespace {
 /// Shares of the diagonal.
 constexpr double kTolerance = 2e-4;  ///< Made up for when the hull is moved out.
 constexpr double kThickness = 1e-4;
+constexpr double kSymmetric = 1e-9;    ///< Rounding, when a hull is put together with its image.
 constexpr double kFirstMargin = 2e-7;  ///< More than rounding to single precision takes.
 
 constexpr double kMarginGrowth = 4.0;
@@ -27,10 +29,35 @@ glm::dvec3 roundedToFloat(const glm::dvec3& point) {
   return {rounded.x, rounded.y, rounded.z};
 }
 
+/// Of corners that were found one by one, those before the plane and their images; where there are none
+/// before it, images of those behind.
+std::vector<glm::dvec3> madeSymmetric(const TriangleHull& hull, const std::vector<glm::dvec3>& corners,
+                                      const Mirror& mirror) {
+  std::vector<glm::dvec3> kept;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const glm::dvec3& from = hull.vertices[i];
+    const bool isBehind = from[mirror.axis] < 0.0;
+    const auto& all = hull.vertices;
+    if (isBehind && std::find(all.begin(), all.end(), mirror(from)) != all.end()) continue;
+    kept.push_back(from[mirror.axis] == 0.0 ? mirror.flattened(corners[i]) : corners[i]);
+  }
+  return withImages(kept, mirror);
+}
+
+/// Adds the images that are missing.
+std::vector<glm::dvec3> completed(std::vector<glm::dvec3> corners, const Mirror& mirror) {
+  const std::size_t count = corners.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const glm::dvec3 image = mirror(corners[i]);
+    if (std::find(corners.begin(), corners.end(), image) == corners.end()) corners.push_back(image);
+  }
+  return corners;
+}
+
 /// The hull's vertices moved out the shortest way that lets its planes hold the points with the margin to
 /// spare; nothing if the hull is too sharp for that.
 std::optional<std::vector<glm::dvec3>> movedOut(const TriangleHull& hull, std::span<const glm::dvec3> points,
-                                                double margin) {
+                                                double margin, const std::optional<Mirror>& mirror) {
   std::vector<std::vector<HalfSpace>> demands(hull.vertices.size());
   for (std::size_t i = 0; i < hull.triangles.size(); ++i) {
     const glm::dvec3& normal = hull.planes[i].normal;
@@ -44,13 +71,14 @@ std::optional<std::vector<glm::dvec3>> movedOut(const TriangleHull& hull, std::s
     if (!steps.nearest) return std::nullopt;
     result.push_back(roundedToFloat(hull.vertices[i] + *steps.nearest));
   }
+  if (mirror) result = madeSymmetric(hull, result, *mirror);
   return result;
 }
 
 /// The hull scaled about its middle so that its planes hold the points with the margin to spare.
-std::vector<glm::dvec3> scaledUp(const TriangleHull& hull, std::span<const glm::dvec3> points,
-                                 double margin) {
-  const glm::dvec3 center = centerOf(hull);
+std::vector<glm::dvec3> scaledUp(const TriangleHull& hull, std::span<const glm::dvec3> points, double margin,
+                                 const std::optional<Mirror>& mirror) {
+  const glm::dvec3 center = mirror ? mirror->flattened(centerOf(hull)) : centerOf(hull);
   double scale = 1.0;
   for (const HalfSpace& plane : hull.planes) {
     const double own = plane.offset - glm::dot(plane.normal, center);
@@ -62,6 +90,7 @@ std::vector<glm::dvec3> scaledUp(const TriangleHull& hull, std::span<const glm::
   for (const glm::dvec3& vertex : hull.vertices) {
     result.push_back(roundedToFloat(center + scale * (vertex - center)));
   }
+  if (mirror) result = madeSymmetric(hull, result, *mirror);
   return result;
 }
 
@@ -87,21 +116,34 @@ TriangleHull encloseInHull(HullBuilder& builder, std::span<const glm::dvec3> poi
   const HullDef exact{kTolerance * diagonal, kThickness * diagonal, definition.maxVertices};
   TriangleHull hull;
   buildThickHull(builder, points, exact, hull);
+  if (definition.mirror) {
+    const double epsilon = kSymmetric * diagonal;
+    builder.build(withImages(hull.vertices, *definition.mirror, kOnPlane * diagonal),
+                  {epsilon, epsilon, exact.budget}, hull);
+  }
   const auto most = static_cast<std::size_t>(definition.maxVertices);
 
   TriangleHull result;
   const auto isProven = [&](const std::vector<glm::dvec3>& corners) {
-    return builder.build(corners, {}, result) && result.vertices.size() <= most &&
-           provesInside(result, points);
+    if (!builder.build(corners, {}, result)) return false;
+    // Of corners within rounding of a face, one may be left out where its image is not.
+    if (definition.mirror) result.vertices = completed(result.vertices, *definition.mirror);
+    return result.vertices.size() <= most && provesInside(result, points);
   };
-  if (const std::optional<TriangleHull> simple = simplifyOutward(builder, hull, definition.maxVertices)) {
+  const std::optional<TriangleHull> simple =
+      simplifyOutward(builder, hull, {definition.maxVertices, definition.mirror});
+  if (simple) {
     double margin = kFirstMargin * diagonal;
     for (int i = 0; i < kTries; ++i, margin *= kMarginGrowth) {
-      const std::optional<std::vector<glm::dvec3>> corners = movedOut(*simple, points, margin);
-      if ((corners && isProven(*corners)) || isProven(scaledUp(*simple, points, margin))) return result;
+      const std::optional<std::vector<glm::dvec3>> corners =
+          movedOut(*simple, points, margin, definition.mirror);
+      if ((corners && isProven(*corners)) || isProven(scaledUp(*simple, points, margin, definition.mirror)))
+        return result;
     }
   }
-  const bool isBuilt = builder.build(boxAround(points, kThickness * diagonal), {}, result);
+  std::vector<glm::dvec3> box = boxAround(points, kThickness * diagonal);
+  if (definition.mirror) box = withImages(box, *definition.mirror);
+  const bool isBuilt = builder.build(box, {}, result);
   assert(isBuilt && provesInside(result, points));
   static_cast<void>(isBuilt);
   return result;

@@ -7,6 +7,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <variant>
 
@@ -57,8 +58,10 @@ struct Frame {
     for (Ball& ball : balls) ball.center = pose.toLocal(ball.center);
   }
 
-  /// The place in the model's frame as it will be stored, and moves the balls to be relative to it.
-  Vec3 place(const glm::dvec3& localMiddle, const Vec3& origin) {
+  /// The place in the model's frame as it will be stored, and moves the balls to be relative to it. A
+  /// mirror's axis is the frame's own.
+  Vec3 place(glm::dvec3 localMiddle, const Vec3& origin, const std::optional<Mirror>& mirror) {
+    if (mirror) localMiddle = mirror->flattened(localMiddle);
     const Vec3 position(glm::dvec3(origin) + pose(localMiddle));
     const glm::dvec3 exact = pose.toLocal(glm::dvec3(position) - glm::dvec3(origin));
     for (Ball& ball : balls) ball.center -= exact;
@@ -77,6 +80,36 @@ glm::dmat3 withYAlong(const glm::dmat3& axes, int axis) {
   return {x, y, glm::cross(x, y)};
 }
 
+/// Axes like these that are turned about the mirror's own: those of something that is its own image.
+glm::dmat3 turnedAbout(const Mirror& mirror, const glm::dmat3& axes) {
+  glm::dvec3 own{0.0};
+  own[mirror.axis] = 1.0;
+  // Of three axes at right angles, the one that is furthest from the mirror's.
+  glm::dvec3 across = axes[0];
+  for (int axis = 1; axis < 3; ++axis) {
+    if (std::abs(axes[axis][mirror.axis]) < std::abs(across[mirror.axis])) across = axes[axis];
+  }
+  across = glm::normalize(mirror.flattened(across));
+  glm::dmat3 result(1.0);
+  result[mirror.axis] = own;
+  result[(mirror.axis + 1) % 3] = across;
+  result[(mirror.axis + 2) % 3] = glm::cross(own, across);
+  return result;
+}
+
+/// The rotation of a capsule along one of the axes; nothing if a mirror does not leave it as it is.
+std::optional<glm::dmat3> capsuleFrame(const glm::dmat3& axes, int axis,
+                                       const std::optional<Mirror>& mirror) {
+  if (!mirror) return withYAlong(axes, axis);
+  if (axis == 1) return axes;
+  const int own = mirror->axis;
+  if (axis == own || own == 1) return std::nullopt;
+  glm::dmat3 turned = axes;
+  turned[(own + 1) % 3] = axes[(own + 2) % 3];
+  turned[(own + 2) % 3] = -axes[(own + 1) % 3];
+  return turned;
+}
+
 double ballVolume(double radius) {
   return 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
 }
@@ -90,7 +123,7 @@ FittedPrimitive fitBox(std::span<const Ball> balls, const Quat& rotation, const 
     low = glm::min(low, ball.center - ball.radius);
     high = glm::max(high, ball.center + ball.radius);
   }
-  const Vec3 position = frame.place(0.5 * (low + high), origin);
+  const Vec3 position = frame.place(0.5 * (low + high), origin, definition.mirror);
   glm::dvec3 half{0.0};
   for (const Ball& ball : frame.balls) half = glm::max(half, glm::abs(ball.center) + ball.radius);
   half = glm::max(half + definition.slack, glm::dvec3(0.5 * definition.thickness));
@@ -98,20 +131,21 @@ FittedPrimitive fitBox(std::span<const Ball> balls, const Quat& rotation, const 
   return {{box, {position, rotation}}, 8.0 * half.x * half.y * half.z};
 }
 
-FittedPrimitive fitSphere(std::span<const Ball> balls, const Vec3& origin, double slack) {
+FittedPrimitive fitSphere(std::span<const Ball> balls, const Vec3& origin, const PrimitiveDef& definition) {
   Frame frame(balls, kNoRotation);
-  const Vec3 position = frame.place(middleOf(frame.balls, glm::dvec3(1.0)), origin);
+  const Vec3 position = frame.place(middleOf(frame.balls, glm::dvec3(1.0)), origin, definition.mirror);
   double radius = 0.0;
   for (const Ball& ball : frame.balls) radius = std::max(radius, glm::length(ball.center) + ball.radius);
-  radius += slack;
+  radius += definition.slack;
   return {{Sphere{toFloatAbove(radius)}, {position, kNoRotation}}, ballVolume(radius)};
 }
 
 FittedPrimitive fitCapsule(std::span<const Ball> balls, const Quat& rotation, const Vec3& origin,
-                           double slack) {
+                           const PrimitiveDef& definition) {
   Frame frame(balls, rotation);
   const glm::dvec3 across{1.0, 0.0, 1.0};
   glm::dvec3 middle = across * middleOf(frame.balls, across);
+  if (definition.mirror) middle = definition.mirror->flattened(middle);
   const auto widthOf = [](const Ball& ball, const glm::dvec3& axis) {
     return std::hypot(ball.center.x - axis.x, ball.center.z - axis.z);
   };
@@ -132,15 +166,15 @@ FittedPrimitive fitCapsule(std::span<const Ball> balls, const Quat& rotation, co
   middle.y = 0.5 * (top + bottom);
 
   // Once more around the place as it is stored.
-  const Vec3 position = frame.place(middle, origin);
+  const Vec3 position = frame.place(middle, origin, definition.mirror);
   const glm::dvec3 axis{0.0};
   for (const Ball& ball : frame.balls) radius = std::max(radius, widthOf(ball, axis) + ball.radius);
   double half = 0.0;
   for (const Ball& ball : frame.balls) {
     half = std::max(half, std::abs(ball.center.y) - reachIntoEnd(ball, axis));
   }
-  radius += slack;
-  half += slack;
+  radius += definition.slack;
+  half += definition.slack;
   return {{Capsule{toFloatAbove(radius), toFloatAbove(half)}, {position, rotation}},
           ballVolume(radius) + 2.0 * std::numbers::pi * radius * radius * half};
 }
@@ -187,20 +221,23 @@ struct BallsOf {
 
 std::vector<FittedPrimitive> fitPrimitives(std::span<const Ball> balls, const TriangleHull& hull,
                                            const Vec3& origin, const PrimitiveDef& definition) {
-  const glm::dmat3 axes = faceAxes(hull);
+  const std::optional<Mirror>& mirror = definition.mirror;
+  const glm::dmat3 axes = mirror ? turnedAbout(*mirror, faceAxes(hull)) : faceAxes(hull);
   const double slack = definition.slack;
   std::vector<FittedPrimitive> fitted{fitBox(balls, toQuat(axes), origin, definition),
                                       fitBox(balls, kNoRotation, origin, definition)};
   // Round parts take longer to fit: first see from the box whether they can be small enough.
   const glm::dvec3 half(std::get<Box>(fitted.front().part.shape).halfExtents);
   const double longest = std::max({half.x, half.y, half.z});
-  if (ballVolume(longest - slack) <= definition.maxVolume) fitted.push_back(fitSphere(balls, origin, slack));
+  if (ballVolume(longest - slack) <= definition.maxVolume)
+    fitted.push_back(fitSphere(balls, origin, definition));
   for (int axis = 0; axis < 3; ++axis) {
     const double radius = std::max(half[(axis + 1) % 3], half[(axis + 2) % 3]) - slack;
     const double straight = std::max(0.0, half[axis] - slack - radius);
     if (ballVolume(radius) + 2.0 * std::numbers::pi * radius * radius * straight > definition.maxVolume)
       continue;
-    fitted.push_back(fitCapsule(balls, toQuat(withYAlong(axes, axis)), origin, slack));
+    if (const std::optional<glm::dmat3> frame = capsuleFrame(axes, axis, mirror))
+      fitted.push_back(fitCapsule(balls, toQuat(*frame), origin, definition));
   }
   // A wire has no capsule that a level takes.
   std::erase_if(fitted, [&](const FittedPrimitive& each) {

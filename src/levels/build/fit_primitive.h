@@ -3,9 +3,11 @@
 #include <scatter/levels/convex_part.h>
 
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "levels/build/mirror.h"
 #include "levels/mesh/triangle_hull.h"
 
 namespace scatter::levels {
@@ -25,6 +27,9 @@ struct PrimitiveDef {
   double slack = 0.0;      ///< Left around what is held.
   double thickness = 0.0;  ///< Of the thinnest box.
   double maxVolume = 0.0;  ///< Larger ones are of no interest.
+
+  /// If primitives are to be their own image, as the balls are; the origin is on its plane.
+  std::optional<Mirror> mirror{};
 };
 
 /// Boxes, spheres and capsules that strictly hold all balls, rounding included, smallest first. The balls,

@@ -114,42 +114,84 @@ LevelAssembler::Draft LevelAssembler::finest(const FinestDef& definition,
     }
   };
   parts.resize(1);
+  std::size_t count = 1;
   add(0, tree_.root(), finestPart(tree_.root(), builder_));
-  while (!queue.empty() && parts.size() < definition.maxParts) {
+  while (!queue.empty() && count < definition.maxParts) {
     const std::size_t place = queue.top().second;
     queue.pop();
-    draft.splits.push_back(parts[place].first);
-    const MergeTree::Merge halves = tree_.merge(parts[place].first);
-    std::future<PartDraft> right =
-        std::async([this, &halves] { return finestPart(halves.right, otherBuilder_); });
-    PartDraft left = finestPart(halves.left, builder_);
-    parts.emplace_back();
-    add(place, halves.left, std::move(left));
-    add(parts.size() - 1, halves.right, right.get());
-    progress(static_cast<double>(parts.size()) / static_cast<double>(definition.maxParts));
+    const std::vector<NodeIndex> splits = tree_.splitWith(parts[place].first);
+    // Where two more are too many, another part may fall into one more.
+    if (count + splits.size() > definition.maxParts) continue;
+    count += splits.size();
+    draft.splits.push_back(splits);
+    std::vector<std::pair<NodeIndex, PartDraft>> pieces = piecesOf(splits.front());
+    if (pieces.size() > 1) parts.emplace_back();
+    add(place, pieces.front().first, std::move(pieces.front().second));
+    if (pieces.size() > 1) add(parts.size() - 1, pieces.back().first, std::move(pieces.back().second));
+    progress(static_cast<double>(count) / static_cast<double>(definition.maxParts));
+  }
+  fill(draft, std::move(parts));
+  return draft;
+}
+
+std::vector<std::pair<NodeIndex, PartDraft>> LevelAssembler::piecesOf(NodeIndex node) {
+  const std::vector<NodeIndex> nodes = tree_.piecesOf(node);
+  if (nodes.size() == 1) return {{nodes.front(), finestPart(nodes.front(), builder_)}};
+  std::future<PartDraft> right =
+      std::async([this, &nodes] { return finestPart(nodes.back(), otherBuilder_); });
+  PartDraft left = finestPart(nodes.front(), builder_);
+  return {{nodes.front(), std::move(left)}, {nodes.back(), right.get()}};
+}
+
+void LevelAssembler::fill(Draft& draft, std::vector<std::pair<NodeIndex, PartDraft>> parts) const {
+  const std::size_t count = parts.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const NodeIndex node = parts[i].first;
+    if (tree_.isPair(node)) parts.emplace_back(tree_.image(node), imageOf(parts[i].second));
   }
   std::sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   for (auto& [node, part] : parts) {
     draft.nodes.push_back(node);
     draft.parts.push_back(std::move(part));
   }
-  return draft;
+}
+
+PartDraft LevelAssembler::imageOf(const PartDraft& draft) const {
+  const Mirror& mirror = definition_.symmetry->mirror;
+  PartDraft image = draft;
+  image.part = mirrored(draft.part, mirror, space_.mesh.origin);
+  for (glm::dvec3& point : image.content.points) point = mirror(point);
+  for (Ball& ball : image.content.balls) ball.center = mirror(ball.center);
+  return image;
+}
+
+std::optional<Mirror> LevelAssembler::mirrorOf(NodeIndex node) const {
+  if (definition_.symmetry == nullptr || tree_.isPair(node)) return std::nullopt;
+  return definition_.symmetry->mirror;
+}
+
+EnclosingHullDef LevelAssembler::hullDef(const std::optional<Mirror>& mirror) const {
+  return {space_.mesh.diagonal, definition_.maxVertices, mirror};
 }
 
 PartDraft LevelAssembler::finestPart(NodeIndex node, HullBuilder& builder) const {
   const Cluster triangles = tree_.trianglesUnder(node);
   const std::vector<glm::dvec3> points = pointsOf(triangles);
-  PartDraft draft =
-      definition_.thickness > 0.0 ? plateAround(points, builder) : partAround(contentOf(points), builder);
+  const std::optional<Mirror> mirror = mirrorOf(node);
+  PartDraft draft = definition_.thickness > 0.0 ? plateAround(points, mirror, builder)
+                                                : partAround(contentOf(points), mirror, builder);
   setRegion(draft, triangles);
   return draft;
 }
 
-PartDraft LevelAssembler::plateAround(const std::vector<glm::dvec3>& points, HullBuilder& builder) const {
+PartDraft LevelAssembler::plateAround(const std::vector<glm::dvec3>& points,
+                                      const std::optional<Mirror>& mirror, HullBuilder& builder) const {
   // How well a plate follows a sheet is told without its thickness, which would hide how it bends.
-  const TriangleHull thin = encloseInHull(builder, points, {space_.mesh.diagonal, definition_.maxVertices});
+  const TriangleHull thin = encloseInHull(builder, points, hullDef(mirror));
   const double gap = gapOf(thin, definition_.hullMargin + rimOf(definition_));
-  PartDraft draft = partAround(contentOf(thickenedTo(points, definition_.thickness)), builder);
+  std::vector<glm::dvec3> thick = thickenedTo(points, definition_.thickness);
+  if (mirror) thick = withImages(thick, *mirror);
+  PartDraft draft = partAround(contentOf(std::move(thick)), mirror, builder);
   draft.gap = std::max(gap, draft.gap);
   return draft;
 }
@@ -157,11 +199,17 @@ PartDraft LevelAssembler::plateAround(const std::vector<glm::dvec3>& points, Hul
 LevelAssembler::Draft LevelAssembler::coarser(const Draft& finer, std::size_t count) {
   Draft draft;
   // The first splits are those that bring the most.
-  draft.splits.assign(finer.splits.begin(), finer.splits.begin() + static_cast<std::ptrdiff_t>(std::min(
-                                                                       count - 1, finer.splits.size())));
-  draft.nodes = tree_.nodesAfter(draft.splits);
-  const std::vector<std::size_t> places = tree_.ancestorPlaces(finer.nodes, draft.nodes);
-  for (std::size_t i = 0; i < draft.nodes.size(); ++i) {
+  std::vector<NodeIndex> splits;
+  for (const std::vector<NodeIndex>& together : finer.splits) {
+    if (splits.size() + together.size() >= count) break;
+    splits.insert(splits.end(), together.begin(), together.end());
+    draft.splits.push_back(together);
+  }
+  const std::vector<NodeIndex> nodes = tree_.nodesAfter(splits);
+  const std::vector<std::size_t> places = tree_.ancestorPlaces(finer.nodes, nodes);
+  std::vector<std::pair<NodeIndex, PartDraft>> parts;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (tree_.isImage(nodes[i])) continue;
     Content content;
     std::size_t children = 0;
     std::size_t child = 0;
@@ -171,39 +219,52 @@ LevelAssembler::Draft LevelAssembler::coarser(const Draft& finer, std::size_t co
       child = j;
       add(content, finer.parts[j].content);
     }
-    draft.parts.push_back(children == 1 ? finer.parts[child] : partAround(content, builder_));
+    parts.emplace_back(
+        nodes[i], children == 1 ? finer.parts[child] : partAround(content, mirrorOf(nodes[i]), builder_));
   }
+  fill(draft, std::move(parts));
   return draft;
 }
 
-PartDraft LevelAssembler::partAround(const Content& content, HullBuilder& builder) const {
-  const double diagonal = space_.mesh.diagonal;
-  const TriangleHull hull = encloseInHull(builder, content.points, {diagonal, definition_.maxVertices});
+PartDraft LevelAssembler::partAround(const Content& content, const std::optional<Mirror>& mirror,
+                                     HullBuilder& builder) const {
+  const TriangleHull hull = encloseInHull(builder, content.points, hullDef(mirror));
   PartDraft draft;
   draft.part = toPart(hull, space_.mesh.origin);
   draft.gap = gapOf(hull, definition_.hullMargin);
   draft.area = hull.area;
   if (definition_.fitPrimitives) {
-    if (std::optional<PartDraft> primitive = primitiveAround(content, draft, hull, builder))
+    if (std::optional<PartDraft> primitive = primitiveAround(content, draft, hull, mirror, builder))
       draft = std::move(*primitive);
   }
   draft.content.points = outlineOf(draft.part, space_.mesh.origin, definition_.hullMargin);
+  if (mirror) draft.content.points = withImages(draft.content.points, *mirror);
   draft.content.balls = ballsOf(draft.part, space_.mesh.origin, definition_.hullMargin);
   return draft;
 }
 
 std::optional<PartDraft> LevelAssembler::primitiveAround(const Content& content, const PartDraft& draft,
                                                          const TriangleHull& hull,
+                                                         const std::optional<Mirror>& mirror,
                                                          HullBuilder& builder) const {
   const double diagonal = space_.mesh.diagonal;
-  const PrimitiveDef wanted{kPrimitiveSlack * diagonal, kThinnestBox, kPrimitiveVolume * volumeOf(hull)};
+  const PrimitiveDef wanted{kPrimitiveSlack * diagonal, kThinnestBox, kPrimitiveVolume * volumeOf(hull),
+                            mirror};
   for (const FittedPrimitive& fitted : fitPrimitives(content.balls, hull, space_.mesh.origin, wanted)) {
+    if (!suits(fitted.part, mirror)) continue;
     TriangleHull outline;
     if (!builder.build(outlineOf(fitted.part, space_.mesh.origin, 0.0), {}, outline)) continue;
     const double gap = gapOf(outline, 0.0);
     if (gap <= draft.gap + kPrimitiveGap * diagonal) return PartDraft{fitted.part, {}, gap, outline.area};
   }
   return std::nullopt;
+}
+
+bool LevelAssembler::suits(const ConvexPart& part, const std::optional<Mirror>& mirror) const {
+  if (definition_.symmetry == nullptr) return true;
+  const Vec3& origin = space_.mesh.origin;
+  return mirror ? isOwnImage(part, *mirror, origin)
+                : isMirroredExactly(part, definition_.symmetry->mirror, origin);
 }
 
 double LevelAssembler::gapOf(const TriangleHull& hull, double margin) const {
@@ -253,16 +314,24 @@ void LevelAssembler::setRegion(PartDraft& draft, const Cluster& triangles) const
 }
 
 std::vector<glm::dvec3> LevelAssembler::pointsOf(const Cluster& triangles) const {
+  const SymmetricMesh* symmetry = definition_.symmetry;
+  const WorkMesh& mesh = symmetry != nullptr ? symmetry->mesh : space_.mesh;
   std::vector<std::uint32_t> indices;
   for (const std::uint32_t triangle : triangles) {
-    const Triangle& corners = space_.mesh.triangles[triangle];
+    const Triangle& corners = mesh.triangles[triangle];
     indices.insert(indices.end(), corners.begin(), corners.end());
   }
   std::sort(indices.begin(), indices.end());
   indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
   std::vector<glm::dvec3> points;
   points.reserve(indices.size());
-  for (const std::uint32_t i : indices) points.push_back(space_.mesh.vertices[i]);
+  for (const std::uint32_t i : indices) {
+    if (symmetry == nullptr) {
+      points.push_back(mesh.vertices[i]);
+    } else {
+      points.insert(points.end(), symmetry->places[i].begin(), symmetry->places[i].end());
+    }
+  }
   return points;
 }
 

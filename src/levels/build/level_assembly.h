@@ -6,11 +6,15 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "levels/build/distance_grid.h"
+#include "levels/build/enclosing_hull.h"
 #include "levels/build/fit_primitive.h"
 #include "levels/build/merge_tree.h"
+#include "levels/build/mirror.h"
+#include "levels/build/symmetric_mesh.h"
 #include "levels/mesh/region_map.h"
 #include "levels/mesh/shells.h"
 #include "levels/mesh/triangle_hull.h"
@@ -38,6 +42,9 @@ struct AssemblyDef {
   double hullMargin = 0.02;
   bool fitPrimitives = true;
   double thickness = 0.0;  ///< Which parts of the finest level have at least, metres.
+
+  /// What the tree is of, if that is its own mirror image: so are the levels then.
+  const SymmetricMesh* symmetry = nullptr;
 };
 
 /// When to stop splitting parts of the finest level.
@@ -57,7 +64,9 @@ class LevelAssembler {
   struct Draft {
     std::vector<NodeIndex> nodes;
     std::vector<PartDraft> parts;
-    std::vector<NodeIndex> splits;  ///< What was split on the way from the root, in order.
+
+    /// What was split on the way from the root, in order; what was split together is one entry.
+    std::vector<std::vector<NodeIndex>> splits;
   };
 
   /// The finest level: splits the part furthest from the mesh until all are near enough or there are
@@ -69,12 +78,29 @@ class LevelAssembler {
   [[nodiscard]] Draft coarser(const Draft& finer, std::size_t count);
 
  private:
+  /// The pieces that a node falls into, but for images of others; two threads.
+  [[nodiscard]] std::vector<std::pair<NodeIndex, PartDraft>> piecesOf(NodeIndex node);
+
+  /// Sorts the parts into the draft, and adds their images.
+  void fill(Draft& draft, std::vector<std::pair<NodeIndex, PartDraft>> parts) const;
+  [[nodiscard]] PartDraft imageOf(const PartDraft& draft) const;
+
+  /// What the part of a node must be the image of itself in.
+  [[nodiscard]] std::optional<Mirror> mirrorOf(NodeIndex node) const;
+  [[nodiscard]] EnclosingHullDef hullDef(const std::optional<Mirror>& mirror) const;
+
   [[nodiscard]] PartDraft finestPart(NodeIndex node, HullBuilder& builder) const;
-  [[nodiscard]] PartDraft partAround(const Content& content, HullBuilder& builder) const;
+  [[nodiscard]] PartDraft partAround(const Content& content, const std::optional<Mirror>& mirror,
+                                     HullBuilder& builder) const;
   [[nodiscard]] std::optional<PartDraft> primitiveAround(const Content& content, const PartDraft& draft,
                                                          const TriangleHull& hull,
+                                                         const std::optional<Mirror>& mirror,
                                                          HullBuilder& builder) const;
-  [[nodiscard]] PartDraft plateAround(const std::vector<glm::dvec3>& points, HullBuilder& builder) const;
+
+  /// Whether levels can stay symmetric with this part.
+  [[nodiscard]] bool suits(const ConvexPart& part, const std::optional<Mirror>& mirror) const;
+  [[nodiscard]] PartDraft plateAround(const std::vector<glm::dvec3>& points,
+                                      const std::optional<Mirror>& mirror, HullBuilder& builder) const;
   [[nodiscard]] double gapOf(const TriangleHull& hull, double margin) const;
   [[nodiscard]] double weightedGapOf(const TriangleHull& hull, double margin) const;
   void setRegion(PartDraft& draft, const Cluster& triangles) const;

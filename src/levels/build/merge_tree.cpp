@@ -6,14 +6,33 @@
 
 namespace scatter::levels {
 
-MergeTree::MergeTree(std::vector<Cluster> leaves, std::vector<Merge> merges)
-    : leaves_(std::move(leaves)), merges_(std::move(merges)), parents_(leaves_.size() + merges_.size()) {
+MergeTree::MergeTree(std::vector<Cluster> leaves, std::vector<Merge> merges, std::vector<NodeIndex> images)
+    : leaves_(std::move(leaves)),
+      merges_(std::move(merges)),
+      parents_(leaves_.size() + merges_.size()),
+      images_(std::move(images)) {
   parents_[root()] = root();
   for (std::size_t i = 0; i < merges_.size(); ++i) {
     const auto parent = static_cast<NodeIndex>(leaves_.size() + i);
     parents_[merges_[i].left] = parent;
     parents_[merges_[i].right] = parent;
   }
+}
+
+std::vector<NodeIndex> MergeTree::splitWith(NodeIndex node) const {
+  if (images_.empty()) return {node};
+  if (isPair(node)) return {node, images_[node]};
+  const NodeIndex left = merge(node).left;
+  if (images_[left] == kNoImage) return {node, left};
+  return {node};
+}
+
+std::vector<NodeIndex> MergeTree::piecesOf(NodeIndex node) const {
+  const Merge& halves = merge(node);
+  if (images_.empty() || isPair(node)) return {halves.left, halves.right};
+  if (images_[halves.left] == kNoImage) return {merge(halves.left).left, merge(halves.left).right};
+  if (images_[halves.left] == halves.right) return {halves.left};
+  return {halves.left, halves.right};
 }
 
 Cluster MergeTree::trianglesUnder(NodeIndex node) const {

@@ -20,9 +20,9 @@ constexpr std::size_t kStartFactor = 6;
 constexpr double kPlaneEpsilon = 1e-10;
 constexpr double kLeastCut = 1e-5;
 
-/// The box around the hull along the directions that most of it faces.
-Polytope boxAround(const TriangleHull& hull) {
-  const glm::dmat3 axes = faceAxes(hull);
+/// The box around the hull along the directions that most of it faces, or along those of its symmetry.
+Polytope boxAround(const TriangleHull& hull, bool isSymmetric) {
+  const glm::dmat3 axes = isSymmetric ? glm::dmat3(1.0) : faceAxes(hull);
   glm::dvec3 center{0.0};
   glm::dvec3 half{0.0};
   for (int axis = 0; axis < 3; ++axis) {
@@ -36,8 +36,9 @@ Polytope boxAround(const TriangleHull& hull) {
 
 /// Cuts a box around the hull by the hull's own planes, each time the one beyond which a corner is
 /// furthest, while it has at most `limit` vertices.
-Polytope cutToFit(const TriangleHull& hull, std::size_t limit, double diagonal) {
-  Polytope result = boxAround(hull);
+Polytope cutToFit(const TriangleHull& hull, std::size_t limit, double diagonal,
+                  const std::optional<Mirror>& mirror) {
+  Polytope result = boxAround(hull, mirror.has_value());
   std::vector<bool> isUsed(hull.planes.size(), false);
   for (std::size_t round = 0; round < hull.planes.size(); ++round) {
     double deepest = kLeastCut * diagonal;
@@ -57,6 +58,10 @@ Polytope cutToFit(const TriangleHull& hull, std::size_t limit, double diagonal) 
     // Facets of a nearly flat patch are only flat to within rounding: hold all vertices.
     const glm::dvec3& normal = hull.planes[best].normal;
     Polytope cut = result.clipped({normal, reach(hull.vertices, normal)}, kPlaneEpsilon * diagonal);
+    if (mirror) {
+      const glm::dvec3 image = (*mirror)(normal);
+      cut = cut.clipped({image, reach(hull.vertices, image)}, kPlaneEpsilon * diagonal);
+    }
     if (cut.isEmpty()) continue;
     if (cut.vertices().size() > limit) break;
     result = std::move(cut);
@@ -66,18 +71,21 @@ Polytope cutToFit(const TriangleHull& hull, std::size_t limit, double diagonal) 
 
 }  // namespace
 
-std::optional<TriangleHull> simplifyOutward(HullBuilder& builder, const TriangleHull& hull, int maxVertices) {
-  const auto most = static_cast<std::size_t>(maxVertices);
-  if (hull.vertices.size() <= most) return hull;
+std::optional<TriangleHull> simplifyOutward(HullBuilder& builder, const TriangleHull& hull,
+                                            const SimplifyDef& definition) {
+  const auto most = static_cast<std::size_t>(definition.maxVertices);
+  if (hull.vertices.size() <= most && !definition.mirror) return hull;
   const double diagonal = glm::length(hull.bounds.max - hull.bounds.min);
   const std::size_t start = kStartFactor * most;
   TriangleHull current = hull;
   if (hull.vertices.size() > start) {
-    const Polytope cut = cutToFit(hull, start, diagonal);
+    const Polytope cut = cutToFit(hull, start, diagonal, definition.mirror);
     const double epsilon = 1e-9 * diagonal;
-    if (!builder.build(cut.vertices(), {epsilon, epsilon, maxVertices}, current)) return std::nullopt;
+    std::vector<glm::dvec3> corners = cut.vertices();
+    if (definition.mirror) corners = withImages(corners, *definition.mirror, kOnPlane * diagonal);
+    if (!builder.build(corners, {epsilon, epsilon, definition.maxVertices}, current)) return std::nullopt;
   }
-  if (!collapseEdges(builder, hull, most, current)) return std::nullopt;
+  if (!collapseEdges(builder, hull, {most, definition.mirror}, current)) return std::nullopt;
   return current;
 }
 

@@ -14,6 +14,7 @@
 #include <string_view>
 
 #include "io/mesh/files.h"
+#include "io/mesh/packed_gltf.h"
 #include "io/temporary_folder.h"
 
 namespace scatter {
@@ -93,6 +94,12 @@ struct Seed {
   std::string bytes;
 };
 
+SurfaceMesh octahedron() {
+  return {
+      .vertices = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
+      .triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};
+}
+
 std::vector<Seed> seeds() {
   return {
       {"fuzz.obj", test::objBox() + "l 1 2\nf -1 -2 -3 -4 -5\nvn 0 0 1\nvt 0 0\nf 1/1/1 2/1/1 3/1/1\n"},
@@ -102,6 +109,12 @@ std::vector<Seed> seeds() {
       {"fuzz.dae", test::daeBox("<unit meter=\"0.1\"/>", "<matrix>1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1</matrix>")},
       {"fuzz.gltf", test::gltfBox(R"("matrix":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],)")},
       {"fuzz.glb", test::glbBox()},
+      {"quantized.gltf", test::packGltf(octahedron(), {.component = 5122, .stride = 8}).gltf()},
+      {"compressed.glb",
+       test::packGltf(octahedron(),
+                      {.component = 5121, .isNormalized = true, .stride = 4, .isCompressed = true})
+           .glb()},
+      {"exponential.glb", test::packGltf(octahedron(), {.isCompressed = true, .isExponential = true}).glb()},
       {"fuzz.fbx", test::fbxBox("P: \"UnitScaleFactor\", \"double\", \"Number\", \"\",10\n")},
       {"fuzz.off", test::offBox()}};
 }

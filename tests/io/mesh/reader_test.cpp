@@ -229,14 +229,6 @@ TEST_F(MeshReader, TellsHowItsUnitAndAxesWereTurned) {
   EXPECT_EQ(dae->fromFile, Mat3(1.0F));
 }
 
-TEST_F(MeshReader, RefusesQuantizedMeshesAndSaysHowToConvertThem) {
-  std::string box = test::gltfBox();
-  box.insert(1, R"("extensionsRequired":["KHR_mesh_quantization"],)");
-  const auto file = read("quantized.gltf", box);
-  ASSERT_FALSE(file.has_value());
-  EXPECT_THAT(file.error().message, testing::HasSubstr("gltf-transform dequantize"));
-}
-
 TEST_F(MeshReader, CutsConcavePolygons) {
   // An L of area 3 in one polygon.
   const auto file = read("l.obj", "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\nf 1 2 3 4 5 6\n");
