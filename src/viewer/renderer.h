@@ -157,6 +157,9 @@ class Renderer {
   /// kResize resizes the window.
   virtual void inject(const InputEvent& event) = 0;
 
+  /// What the window's frame says.
+  virtual void setTitle(const std::string& title) = 0;
+
   /// Of the window's inside, in pixels.
   [[nodiscard]] virtual glm::ivec2 size() const = 0;
 

@@ -20,6 +20,7 @@
 #include "viewer/replay.h"
 #include "viewer/view_presets.h"
 #include "viewer/viewer.h"
+#include "viewer/x11_user.h"
 #include "viewer/xvfb.h"
 
 namespace scatter::viewer {
@@ -186,6 +187,22 @@ TEST_P(WindowTest, AnotherSceneOpensWithoutLeaving) {
   EXPECT_EQ(twice.objects, alone.objects);
   EXPECT_NE(played("duel", 60, "20 key N\n").objects, alone.objects);
   EXPECT_EQ(played("duel", 60, "20 key N\n25 do previous-scene\n").objects, alone.objects);
+}
+
+TEST_P(WindowTest, TheTitleIsThatOfThePresentScene) {
+  if (!shows()) GTEST_SKIP() << "needs a window";
+  const auto titleAfter = [&](const std::string& script) {
+    auto renderer = makeRenderer(GetParam(), {.size = {640, 400}});
+    ViewerDef def;
+    def.worlds = {world("duel")};
+    def.loops = 12;
+    def.script = ViewScript::parse(script, "test").value();
+    EXPECT_TRUE(runViewer(**renderer, def));
+    return test::X11User().title();
+  };
+  EXPECT_EQ(titleAfter("1 do pause\n"), "Scatter: duel");
+  EXPECT_EQ(titleAfter("4 open convergence\n"), "Scatter: convergence");
+  EXPECT_EQ(titleAfter("4 key N\n8 do previous-scene\n"), "Scatter: duel");
 }
 
 TEST_P(WindowTest, PresetsShowTheirViewsAlone) {
@@ -384,6 +401,13 @@ TEST_P(WindowTest, StoresTheRunFromItsFirstFrameOnAndReplaysItBothWays) {
     EXPECT_TRUE(renderer) << renderer.error().message;
     return runReplay(**renderer, def);
   };
+  // The help lies over everything, as in the window of a scene.
+  const auto helped =
+      replay("1 set panels off\n" + shot(3, "replay.png") + "4 key F1\n" + shot(6, "replay_help.png"));
+  ASSERT_TRUE(helped) << helped.error().message;
+  if (shows()) {
+    EXPECT_GT(differentPixels(picture("replay.png"), picture("replay_help.png")), 5000);
+  }
   EXPECT_THAT(replay("0 do pause\n").error().message,
               HasSubstr("no command is called \"pause\"; known: play, "));
   EXPECT_EQ(replay("0 gather 0 0 0\n").error().message, "nothing in a recording can be moved by hand");
