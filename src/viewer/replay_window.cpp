@@ -25,7 +25,8 @@ ReplayWindow::ReplayWindow(Renderer& renderer, const ReplayDef& def, std::unique
       history_(std::move(history)),
       looks_(renderer),
       scene_(looks_),
-      time_(history_->oldest(), history_->newest()) {
+      time_(history_->oldest(), history_->newest()),
+      shadows_(usualShadows(renderer)) {
   setTitle(def.recording.string());
   addTime();
   addViews();
@@ -76,6 +77,7 @@ void ReplayWindow::addViews() {
         std::find(kRecordedViews.begin(), kRecordedViews.end(), info.view) != kRecordedViews.end();
     if (isRecorded) addView(info, views_, commands_);
   }
+  addShadows(shadows_, commands_);
 }
 
 void ReplayWindow::addCamera() {
@@ -134,6 +136,7 @@ Picture ReplayWindow::picture() {
   view.camera = camera_.camera();
   scene_.add(moment, views_, cutaway_, view);
   finishScenery(camera_.distance(), view);
+  view.scenery.shadows = shadows_;
   return picture;
 }
 

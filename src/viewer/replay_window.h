@@ -50,6 +50,7 @@ class ReplayWindow final : public WindowLoop {
   CameraPointer pointer_{camera_};
   Cutaway cutaway_;
   DebugViewSet views_;
+  Shadows shadows_;
   OpenPanels open_{.lab = false, .numbers = false};
   double aimed_ = 0.0;  ///< When the camera was, by the clock.
 };

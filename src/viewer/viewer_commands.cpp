@@ -115,6 +115,7 @@ void addScenes(ViewerState& state) {
 void addViews(ViewerState& state) {
   addPresets(state.views, state.commands);
   for (const DebugViewInfo& info : debugViews()) addView(info, state.views, state.commands);
+  addShadows(state.shadows, state.commands);
 }
 
 void addCamera(ViewerState& state) {

@@ -35,6 +35,7 @@ struct ViewerState {
   WindowSwitches& switches;
 
   OpenPanels open{};
+  Shadows shadows = Shadows::kGround;
 
   std::vector<std::shared_ptr<const SceneInfo>> scenes{};  ///< As they were when the list was opened.
   std::optional<std::string> wantedScene{};                ///< To be opened before the next step.

@@ -51,6 +51,7 @@ Result<void> Window::openWorlds() {
   control_.emplace(panes_);
   state_.emplace(
       ViewerState{panes_, playback_, hands_, *control_, outputs_, camera_, views_, commands_, switches_});
+  state_->shadows = usualShadows(renderer_);
   setTitle(def_.worlds.front().scene);
   const bool narrow = Layout::isNarrow(renderer_.size());
   state_->open.lab = state_->open.numbers = !narrow;
@@ -263,6 +264,7 @@ Picture Window::picture() {
     addSpring(panes_[i]->experiment().hands(), view.linesOnTop);
     finishScenery(camera_.distance(), view);
     if (view.scenery.stars) view.scenery.crowd = crowd_;
+    view.scenery.shadows = state_->shadows;
     picture.views.push_back(std::move(view));
   }
   state_->hovered = hoveredName();

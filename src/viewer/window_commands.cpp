@@ -15,6 +15,20 @@ void addView(const DebugViewInfo& info, DebugViewSet& views, Commands& commands)
                 [&views, view = info.view] { return views.has(view); }});
 }
 
+Shadows usualShadows(const Renderer& renderer) {
+  return renderer.isSoftware() ? Shadows::kGround : Shadows::kEverything;
+}
+
+void addShadows(Shadows& shadows, Commands& commands) {
+  const auto add = [&](const char* where, const char* help, Shadows value) {
+    commands.add({"shadows-" + std::string(where), "Shadows", where, help, Key::kNone,
+                  [&shadows, value] { shadows = value; }, [&shadows, value] { return shadows == value; }});
+  };
+  add("off", "No shadows", Shadows::kNothing);
+  add("ground", "Shadows on the ground and on floors", Shadows::kGround);
+  add("all", "Shadows on everything: bodies shade each other", Shadows::kEverything);
+}
+
 void addPanels(WindowSwitches& switches, Commands& commands) {
   commands.add({"help", "Window", "help", "This panel", Key::kF1,
                 [&switches] { switches.help = !switches.help; }, [&switches] { return switches.help; }});

@@ -73,7 +73,7 @@ class WindowLoop {
   void readInput();
   void draw();
 
-  std::uint64_t loops_;  ///< 0: until it is closed.
+  std::uint64_t loops_ = 0;  ///< Until it is closed.
   std::string error_;
 };
 

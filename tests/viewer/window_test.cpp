@@ -223,6 +223,20 @@ TEST_P(WindowTest, PresetsShowTheirViewsAlone) {
   EXPECT_GT(differentPixels(picture("show-contacts.png"), picture("show-cost.png")), 1000);
 }
 
+TEST_P(WindowTest, ShadowsFallWhereTheyAreWanted) {
+  if (!shows()) GTEST_SKIP() << "needs pictures";
+  std::string script = "1 look 0 1 0 30 30 12\n2 do pause\n" + shot(3, "first.png");
+  int loop = 4;
+  for (const std::string where : {"off", "ground", "all"}) {
+    script += std::to_string(loop) + " set shadows-" + where + " on\n" + shot(loop + 1, where + ".png");
+    loop += 2;
+  }
+  (void)played("tower", static_cast<std::uint64_t>(loop) + 1, script);
+  EXPECT_GT(differentPixels(picture("off.png"), picture("ground.png")), 200);
+  EXPECT_GT(differentPixels(picture("ground.png"), picture("all.png")), 200);
+  EXPECT_EQ(differentPixels(picture("first.png"), picture("ground.png")), 0) << "where a processor draws";
+}
+
 TEST_P(WindowTest, TheCameraFollowsUntilItIsTakenAndTheSameWayEveryTime) {
   if (!shows()) GTEST_SKIP() << "needs pictures";
   const std::string pause = "60 do pause\n";

@@ -16,16 +16,20 @@ struct OgreState {
   bool depthWritten = true;
   bool culled = false;  ///< Backs are not seen.
   bool wireframe = false;
+  bool shadowed = false;   ///< An item that shadows fall on, after setShadows().
   float lineWidth = 1.0F;  ///< Pixels, also of points.
 };
 
-/// The two shaders, as passes that draw at once whatever they are given.
+/// The shaders, as passes that draw at once whatever they are given.
 class OgreShading {
  public:
   /// Throws Ogre::Exception if they do not compile.
   explicit OgreShading(Ogre::SceneManager& scene);
 
   void setCamera(const glm::mat4& view, const glm::mat4& projection, const LightInView& light);
+
+  /// Where shadows of items fall on items, for the camera that is set.
+  void setShadows(const ShadowMap& map, const ShadowsInView& shadows);
 
   void drawItem(Ogre::RenderOperation& operation, const glm::mat4& model, const ItemLook& look,
                 const OgreState& state);
@@ -36,6 +40,8 @@ class OgreShading {
 
   Ogre::SceneManager& scene_;
   Ogre::Pass* item_;
+  Ogre::Pass* shadowed_;
+  Ogre::TexturePtr shadowMap_;
   Ogre::Pass* painted_;
   glm::mat4 view_{1.0F};
   glm::mat4 projection_{1.0F};

@@ -107,6 +107,8 @@ void showLegends(const DebugViewSet& views) {
 void showViews(ViewerState& state) {
   commandButtons(state.commands, "Show");
   showLegends(state.views);
+  ImGui::TextUnformatted("shadows");
+  commandButtons(state.commands, "Shadows");
   if (ImGui::TreeNode("single views")) {
     commandButtons(state.commands, "Views");
     ImGui::TreePop();
