@@ -172,6 +172,10 @@ void ReplayWindow::showPanels() {
     commandButtons(commands_, "Time");
     commandButtons(commands_, "Views");
     ImGui::SameLine();
+    ImGui::TextUnformatted("shadows");
+    ImGui::SameLine();
+    commandButtons(commands_, "Shadows");
+    ImGui::SameLine();
     commandButton(commands_, "help");
     const std::string& damage = history_->replayed()->damage();
     const std::string& said = outputs_.message().empty() ? damage : outputs_.message();
