@@ -115,8 +115,8 @@ void OgrePainter::draw(const View& view, Ogre::Viewport& viewport, const glm::iv
   shading_.setCamera(viewMatrix(view.camera), projectionMatrix(view.camera, aspect), lightOf(view));
 
   drawSurroundings(view, list);
-  const bool shadowed = shadows_.draw(view, pixels, list, outlineOf);
-  if (shadowed) shading_.setShadows(shadows_, shadowsOf(view, shadows_));
+  const bool shadowed = shadows_.draw(view, pixels, list, outlineOf) &&
+                        shading_.setShadows(shadows_, shadowsOf(view, shadows_));
   for (const DrawCall& call : list.solid) drawItem(call, shadowed);
   OgreState lines;
   lines.blended = true;

@@ -57,12 +57,21 @@ OgreShading::OgreShading(Ogre::SceneManager& scene) : scene_(scene) {
   addProgram("PaintedVertex", std::string("uniform mat4 toClip;\n") + kPaintedVertexShader,
              Ogre::GPT_VERTEX_PROGRAM);
   addProgram("Pixel", kPixelShader, Ogre::GPT_FRAGMENT_PROGRAM);
+  item_ = makePass("Item");
+  painted_ = makePass("Painted");
+  try {
+    makeShadowed();
+  } catch (const Ogre::Exception&) {
+    // A card that can do all the rest has its shadows on the ground.
+    shadowed_ = nullptr;
+  }
+}
+
+void OgreShading::makeShadowed() {
   addProgram("ShadowedVertex", shadowed((std::string(kMatrices) + kItemVertexShader).c_str()),
              Ogre::GPT_VERTEX_PROGRAM);
   addProgram("ShadowedPixel", shadowed(kPixelShader), Ogre::GPT_FRAGMENT_PROGRAM);
-  item_ = makePass("Item");
   shadowed_ = makePass("Shadowed", "ShadowedPixel");
-  painted_ = makePass("Painted");
   shadowMap_ = Ogre::TextureManager::getSingleton().createManual(
       "ShadowMap", Ogre::RGN_DEFAULT, Ogre::TEX_TYPE_2D, ShadowMap::kSize, ShadowMap::kSize, 0,
       Ogre::PF_A8R8G8B8, Ogre::TU_DYNAMIC_WRITE_ONLY_DISCARDABLE);
@@ -76,6 +85,7 @@ void OgreShading::setCamera(const glm::mat4& view, const glm::mat4& projection, 
   view_ = view;
   projection_ = projection;
   for (Ogre::Pass* pass : {item_, shadowed_}) {
+    if (pass == nullptr) continue;
     const auto constants = pass->getVertexProgramParameters();
     constants->setNamedConstant("toLight", toOgre(light.toLight));
     constants->setNamedConstant("worldUp", toOgre(light.up));
@@ -85,7 +95,8 @@ void OgreShading::setCamera(const glm::mat4& view, const glm::mat4& projection, 
   painted_->getVertexProgramParameters()->setNamedConstant("toClip", toOgre(projection * view));
 }
 
-void OgreShading::setShadows(const ShadowMap& map, const ShadowsInView& shadows) {
+bool OgreShading::setShadows(const ShadowMap& map, const ShadowsInView& shadows) {
+  if (shadowed_ == nullptr) return false;
   const auto constants = shadowed_->getVertexProgramParameters();
   constants->setNamedConstant("toShadow", toOgre(shadows.fromCamera));
   constants->setNamedConstant("lift", shadows.lift);
@@ -93,6 +104,7 @@ void OgreShading::setShadows(const ShadowMap& map, const ShadowsInView& shadows)
   auto* texels = const_cast<std::uint32_t*>(map.texels().data());
   shadowMap_->getBuffer()->blitFromMemory(
       Ogre::PixelBox(ShadowMap::kSize, ShadowMap::kSize, 1, Ogre::PF_A8R8G8B8, texels));
+  return true;
 }
 
 void OgreShading::drawItem(Ogre::RenderOperation& operation, const glm::mat4& model, const ItemLook& look,
