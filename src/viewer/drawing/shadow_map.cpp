@@ -8,6 +8,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/vector_relational.hpp>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace scatter::viewer {
@@ -80,12 +81,10 @@ int firstBehind(float place) {
   return static_cast<int>(std::max(1.5F, std::min(ShadowMap::kSize - 0.5F, place + 0.5F)));
 }
 
-}  // namespace
-
-bool ShadowMap::draw(const View& view, const PixelArea& pixels, const DrawList& list,
-                     const OutlineOf& outlineOf) {
-  if (view.scenery.shadows != Shadows::kEverything) return false;
-  const glm::mat3 turn = turnToLight(view.scenery.toLight);
+/// Where items both throw and take shadows, as far as it is seen, in axes of which z points to the light.
+/// None if they do so nowhere.
+std::optional<Bounds> shadedRegion(const View& view, const PixelArea& pixels, const DrawList& list,
+                                   const OutlineOf& outlineOf, const glm::mat3& turn) {
   Bounds casters = nothing();
   for (const Item& item : view.items) {
     if (!throwsShadow(item)) continue;
@@ -108,10 +107,21 @@ bool ShadowMap::draw(const View& view, const PixelArea& pixels, const DrawList& 
   const Bounds sight = seen(view, pixels, std::min(farthest, view.camera.far), turn);
   Bounds region{glm::max(glm::max(casters.min, takers.min), sight.min),
                 glm::min(glm::min(casters.max, takers.max), sight.max)};
-  if (!(region.min.x < region.max.x && region.min.y < region.max.y)) return false;
+  if (!(region.min.x < region.max.x && region.min.y < region.max.y)) return std::nullopt;
   region.min.z = deepest;
   region.max.z = casters.max.z;
-  fit(region, turn);
+  return region;
+}
+
+}  // namespace
+
+bool ShadowMap::draw(const View& view, const PixelArea& pixels, const DrawList& list,
+                     const OutlineOf& outlineOf) {
+  if (view.scenery.shadows != Shadows::kEverything) return false;
+  const glm::mat3 turn = turnToLight(view.scenery.toLight);
+  const auto region = shadedRegion(view, pixels, list, outlineOf, turn);
+  if (!region) return false;
+  fit(*region, turn);
   const float error = errorFor(view, outlineOf);
   for (const Item& item : view.items) {
     if (throwsShadow(item)) cast(item, outlineOf(item.mesh), error);
@@ -160,7 +170,7 @@ void ShadowMap::cast(const Item& item, const MeshOutline& outline, float error) 
   for (const Vec3& position : mesh.positions) {
     Vec3& corner = corners_.emplace_back(toTexels * glm::vec4(position, 1.0F));
     // What is so deep that nothing is seen there needs no depth of its own.
-    corner.z = std::min(corner.z, kEmpty - 1.0F);
+    corner.z = std::max(0.0F, std::min(corner.z, kEmpty - 1.0F));
   }
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
     const Vec3& a = corners_[mesh.indices[i]];
@@ -184,6 +194,9 @@ void ShadowMap::fill(const Vec3& a, const Vec3& b, const Vec3& c, float area) {
   if (firstRow == lastRow) return;
   const float alongX = ((b.z - a.z) * (c.y - a.y) - (c.z - a.z) * (b.y - a.y)) / area;
   const float alongY = ((c.z - a.z) * (b.x - a.x) - (b.z - a.z) * (c.x - a.x)) / area;
+  // A triangle that is seen from the side is so steep that rounding could lead far beyond it.
+  const float nearest = std::min({a.z, b.z, c.z});
+  const float farthest = std::max({a.z, b.z, c.z});
   const Edge one(*low, *high);
   const Edge lower(*low, *middle);
   const Edge upper(*middle, *high);
@@ -195,7 +208,7 @@ void ShadowMap::fill(const Vec3& a, const Vec3& b, const Vec3& c, float area) {
     float depth = a.z + alongX * (static_cast<float>(first) + 0.5F - a.x) + alongY * (y - a.y);
     std::uint32_t* texels = &texels_[static_cast<std::size_t>(row) * kSize];
     for (int column = first; column < last; ++column, depth += alongX) {
-      const auto found = static_cast<std::uint32_t>(static_cast<std::int32_t>(depth));
+      const auto found = static_cast<std::uint32_t>(std::max(nearest, std::min(farthest, depth)));
       texels[column] = std::min(texels[column], found);
     }
   }
