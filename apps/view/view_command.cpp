@@ -88,11 +88,10 @@ Result<viewer::ViewerDef> makeDef(const Arguments& arguments) {
   return def;
 }
 
-Result<std::unique_ptr<viewer::Renderer>> openWindow(const Arguments& arguments, const std::string& title) {
+Result<std::unique_ptr<viewer::Renderer>> openWindow(const Arguments& arguments) {
   const auto size = parseSize(arguments.size);
   if (!size) return tl::unexpected(size.error());
   viewer::WindowDef window;
-  window.title = "Scatter: " + title;
   window.size = *size;
   window.samples = arguments.samples.value_or(kSamples);
   auto renderer = viewer::makeRenderer(arguments.renderer, window);
@@ -114,7 +113,7 @@ ExitStatus replay(const Arguments& arguments) {
                               .panels = !arguments.noPanels};
   // Before a window opens for nothing.
   if (const auto readable = Recording::open(def.recording); !readable) return refuse(readable.error());
-  const auto renderer = openWindow(arguments, arguments.run.scene);
+  const auto renderer = openWindow(arguments);
   if (!renderer) return refuse(renderer.error());
   const auto seen = viewer::runReplay(**renderer, def);
   if (!seen) return failed(seen.error());
@@ -138,7 +137,7 @@ ExitStatus viewLevels(const Arguments& arguments) {
       printNote(arguments.run.scene + ": " + model.name + " has no mesh, so that no gaps are shown");
     def.models.push_back({model.name, std::move(model.levels), std::move(model.mesh)});
   }
-  const auto renderer = openWindow(arguments, arguments.run.scene);
+  const auto renderer = openWindow(arguments);
   if (!renderer) return refuse(renderer.error());
   const auto seen = viewer::runLevelsViewer(**renderer, def);
   if (!seen) return failed(seen.error());
@@ -155,7 +154,7 @@ ExitStatus view(const Arguments& arguments) {
   if (wantsLevels(arguments)) return viewLevels(arguments);
   const auto def = makeDef(arguments);
   if (!def) return refuse(def.error());
-  const auto renderer = openWindow(arguments, def->worlds.front().scene);
+  const auto renderer = openWindow(arguments);
   if (!renderer) return refuse(renderer.error());
   const auto seen = viewer::runViewer(**renderer, *def);
   if (!seen) {

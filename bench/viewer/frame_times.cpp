@@ -1,4 +1,5 @@
 // How long a renderer takes to draw a frame: bench_viewer_frames RENDERER ITEMS [FRAMES] [MESH] [PICTURE.png]
+// [SHADOWS] SHADOWS: 0 on nothing, 1 on a ground, 2 on everything
 #include <scatter/io/mesh_file.h>
 
 #include <algorithm>
@@ -77,8 +78,10 @@ int complain(const std::string& message) {
   return 2;
 }
 
-int run(Renderer& renderer, const MeshData& mesh, std::size_t items, int frames, const std::string& file) {
+int run(Renderer& renderer, const MeshData& mesh, std::size_t items, int frames, const std::string& file,
+        Shadows shadows) {
   Picture picture = ballOf(items, renderer.addMesh(mesh));
+  picture.views[0].scenery.shadows = shadows;
   std::vector<double> times;
   Image shot;
   const std::clock_t before = std::clock();
@@ -109,7 +112,8 @@ int run(Renderer& renderer, const MeshData& mesh, std::size_t items, int frames,
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 3) return complain("usage: bench_viewer_frames RENDERER ITEMS [FRAMES] [MESH] [PICTURE.png]");
+  if (argc < 3)
+    return complain("usage: bench_viewer_frames RENDERER ITEMS [FRAMES] [MESH] [PICTURE.png] [SHADOWS]");
   const int frames = std::max(4, argc > 3 ? std::atoi(argv[3]) : 200);
   auto renderer = makeRenderer(argv[1], {});
   if (!renderer) return complain(renderer.error().message);
@@ -121,5 +125,6 @@ int main(int argc, char** argv) {
   }
   mesh.occlusion = bakeOcclusion(mesh);
   return run(**renderer, mesh, static_cast<std::size_t>(std::max(1, std::atoi(argv[2]))), frames,
-             argc > 5 ? argv[5] : "");
+             argc > 5 ? argv[5] : "",
+             static_cast<Shadows>(argc > 6 ? std::clamp(std::atoi(argv[6]), 0, 2) : 1));
 }

@@ -21,6 +21,15 @@ Result<DisplayConnection> openDisplay() {
               ", which does not answer; set it to one that does, or use --renderer null");
 }
 
+void nameWindow(Display* display, unsigned long window, const std::string& name) {
+  // What window managers read, and what older programs do.
+  XChangeProperty(display, window, XInternAtom(display, "_NET_WM_NAME", False),
+                  XInternAtom(display, "UTF8_STRING", False), 8, PropModeReplace,
+                  reinterpret_cast<const unsigned char*>(name.data()), static_cast<int>(name.size()));
+  XStoreName(display, window, name.c_str());
+  XFlush(display);
+}
+
 bool isSoftwareRenderer(std::string_view name) {
   static constexpr std::array<std::string_view, 4> kPrograms{"llvmpipe", "softpipe", "swrast", "Software"};
   return std::ranges::any_of(kPrograms,

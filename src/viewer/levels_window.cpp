@@ -39,22 +39,11 @@ std::string lengthText(double metres) {
 }  // namespace
 
 LevelsWindow::LevelsWindow(Renderer& renderer, const LevelsViewerDef& def)
-    : renderer_(renderer),
-      def_(def),
-      clock_(makeClock(def.script, def.loops)),
-      loop_(*clock_),
-      outputs_(def.out),
-      script_(def_.script, commands_, camera_, outputs_),
-      looks_(def.models.size()),
-      panelsShown_(def.panels) {
-  addCommands();
-  loop_.add(LoopTask::kInput, [this] {
-    const auto perform = [this](const ScriptAction& action) { return this->perform(action); };
-    if (auto done = script_.play(loop_.report().loops, perform); !done) close(done.error().message);
-    readInput();
-  });
-  loop_.add(LoopTask::kPhysics, [this] { step(); });
-  loop_.add(LoopTask::kRenderer, [this] { draw(); });
+    : WindowLoop(renderer, def), def_(def), looks_(def.models.size()) {
+  addLevels();
+  addLooks();
+  addCamera();
+  addWindow(switches_, outputs_, commands_);
 }
 
 Result<std::unique_ptr<LevelsWindow>> LevelsWindow::create(Renderer& renderer, const LevelsViewerDef& def) {
@@ -63,13 +52,6 @@ Result<std::unique_ptr<LevelsWindow>> LevelsWindow::create(Renderer& renderer, c
     return fail("nothing in a window of levels can be moved by hand");
   if (auto sound = window->script_.check(); !sound) return tl::unexpected(sound.error());
   return window->show(0).map([&] { return std::move(window); });
-}
-
-void LevelsWindow::addCommands() {
-  addLevels();
-  addLooks();
-  addCamera();
-  addBarAndOutput(panelsShown_, closing_, outputs_, commands_);
 }
 
 void LevelsWindow::addLevels() {
@@ -141,6 +123,7 @@ Result<void> LevelsWindow::show(std::size_t model) {
     looks_[model] = std::move(*looks);
   }
   model_ = model;
+  setTitle(def_.models[model].name);
   showLevel({});
   return {};
 }
@@ -155,11 +138,6 @@ void LevelsWindow::showOrClose(std::size_t model) {
   if (auto shown = show(model); !shown) close(shown.error().message);
 }
 
-void LevelsWindow::close(std::string error) {
-  error_ = std::move(error);
-  closing_ = true;
-}
-
 Result<void> LevelsWindow::perform(const ScriptAction& action) {
   const auto* input = std::get_if<DoInput>(&action);
   if (input == nullptr) return fail("nothing can be pointed at, nor opened, in a window of levels");
@@ -168,20 +146,7 @@ Result<void> LevelsWindow::perform(const ScriptAction& action) {
 }
 
 Result<LevelsViewerReport> LevelsWindow::run() {
-  while (!closing_ && (def_.loops == 0 || loop_.report().loops < def_.loops)) loop_.runOnce();
-  if (!error_.empty()) return fail(error_);
-  if (outputs_.failed()) return fail(outputs_.message());
-  return LevelsViewerReport{.loops = loop_.report().loops};
-}
-
-void LevelsWindow::readInput() {
-  for (const InputEvent& event : renderer_.pollInput()) {
-    if (event.kind == InputEvent::Kind::kClose) closing_ = true;
-    if (event.kind == InputEvent::Kind::kKeyDown && !event.takenByPanels && !event.control && !event.alt) {
-      if (const Command* command = commands_.find(event.key)) command->run();
-    }
-    pointer_.take(event, renderer_.size().y);
-  }
+  return runLoops().map([this] { return LevelsViewerReport{.loops = loop_.report().loops}; });
 }
 
 void LevelsWindow::step() {
@@ -198,7 +163,7 @@ void LevelsWindow::frame() {
 }
 
 Layout LevelsWindow::layout() const {
-  return {renderer_.size(), 1, panelsShown_ ? &open_ : nullptr};
+  return {renderer_.size(), 1, switches_.panels ? &open_ : nullptr};
 }
 
 std::vector<LevelsWindow::Cell> LevelsWindow::cells() const {
@@ -274,14 +239,10 @@ View LevelsWindow::view(const Cell& cell) const {
   return view;
 }
 
-void LevelsWindow::draw() {
-  if (closing_) return;
+Picture LevelsWindow::picture() {
   Picture picture;
   for (const Cell& cell : cells()) picture.views.push_back(view(cell));
-  Image image;
-  renderer_.draw(
-      picture, [this] { showPanels(); }, outputs_.wantsPicture() ? &image : nullptr);
-  if (outputs_.wantsPicture()) outputs_.take(image);
+  return picture;
 }
 
 void LevelsWindow::showCaption(const Cell& cell) const {
@@ -306,25 +267,19 @@ void LevelsWindow::showCaption(const Cell& cell) const {
 }
 
 void LevelsWindow::showScale(const Cell& cell, float scale) const {
-  constexpr int kSteps = 32;
   const LevelLook& look = looks_[model_]->levels()[cell.level];
   const glm::vec2 window(renderer_.size());
   const float inset = 8.0F * scale;
-  const float step = std::min(5.0F * scale, 0.5F * cell.area.width * window.x / kSteps);
-  const float bottom = (cell.area.top + cell.area.height) * window.y - inset;
-  const float top = bottom - 10.0F * scale;
-  float x = cell.area.left * window.x + inset;
+  const glm::vec2 size(std::min(160.0F * scale, 0.5F * cell.area.width * window.x), 10.0F * scale);
+  const float x = cell.area.left * window.x + inset;
+  const float top = (cell.area.top + cell.area.height) * window.y - inset - size.y;
   ImDrawList* list = ImGui::GetBackgroundDrawList();
   const float letters = top - ImGui::GetTextLineHeight() - 0.25F * inset;
   const std::string end = lengthText(oneScale_ ? looks_[model_]->scaleEnd() : look.scaleEnd);
   list->AddText({x, letters}, IM_COL32(235, 240, 245, 255), "0");
-  list->AddText({x + kSteps * step - ImGui::CalcTextSize(end.c_str()).x, letters},
-                IM_COL32(235, 240, 245, 255), end.c_str());
-  for (int i = 0; i < kSteps; ++i, x += step) {
-    const Color color = gapColor((static_cast<float>(i) + 0.5F) / kSteps);
-    list->AddRectFilled({x, top}, {x + step, bottom},
-                        ImGui::ColorConvertFloat4ToU32({color.r, color.g, color.b, 1.0F}));
-  }
+  list->AddText({x + size.x - ImGui::CalcTextSize(end.c_str()).x, letters}, IM_COL32(235, 240, 245, 255),
+                end.c_str());
+  drawColorBar(*list, {{x, top}, size}, gapColor);
 }
 
 void LevelsWindow::showPanels() {
@@ -332,7 +287,8 @@ void LevelsWindow::showPanels() {
   ImGui::GetBackgroundDrawList()->AddText({8.0F * place.scale(), 6.0F * place.scale()},
                                           IM_COL32(255, 255, 255, 255), model().name.c_str());
   for (const Cell& cell : cells()) showCaption(cell);
-  if (!panelsShown_) return;
+  if (switches_.help) showHelpPanel(commands_, cameraHelp(), place);
+  if (switches_.help || !switches_.panels) return;
   if (beginPanel("Levels", place.time(), false)) {
     ImGui::SetNextItemWidth(-1.0F);
     ImGui::SliderFloat("##apart", &apart_, 0.0F, kMostApart, "parts pulled apart by %.1f");

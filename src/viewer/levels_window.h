@@ -1,26 +1,20 @@
 #pragma once
 
-#include <scatter/lab/clock.h>
-#include <scatter/lab/loop.h>
-
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "viewer/camera_pointer.h"
-#include "viewer/camera_rig.h"
-#include "viewer/commands.h"
 #include "viewer/layout.h"
 #include "viewer/level_looks.h"
 #include "viewer/levels_viewer.h"
-#include "viewer/outputs.h"
-#include "viewer/script_player.h"
+#include "viewer/window_loop.h"
 
 namespace scatter::viewer {
 
 /// The window of a model's levels: a column for each, with its parts above and the gap below.
-class LevelsWindow {
+class LevelsWindow final : public WindowLoop {
  public:
   [[nodiscard]] static Result<std::unique_ptr<LevelsWindow>> create(Renderer& renderer,
                                                                     const LevelsViewerDef& def);
@@ -37,21 +31,21 @@ class LevelsWindow {
 
   LevelsWindow(Renderer& renderer, const LevelsViewerDef& def);
 
-  void addCommands();
   void addLevels();
   void addLooks();
   void addCamera();
   [[nodiscard]] Result<void> show(std::size_t model);
-  [[nodiscard]] Result<void> perform(const ScriptAction& action);
   void showOrClose(std::size_t model);
 
   /// It alone, or all; does nothing if the model has no such level.
   void showLevel(std::optional<std::size_t> level);
-  void close(std::string error);
 
-  void readInput();
-  void step();
-  void draw();
+  [[nodiscard]] Result<void> perform(const ScriptAction& action) override;
+  void take(const InputEvent& event) override { pointer_.take(event, renderer_.size().y); }
+  void step() override;
+  [[nodiscard]] Picture picture() override;
+  void showPanels() override;
+
   void frame();
   [[nodiscard]] Layout layout() const;
   [[nodiscard]] std::vector<Cell> cells() const;
@@ -60,20 +54,12 @@ class LevelsWindow {
   void addParts(const LevelLook& look, View& view) const;
   void addGaps(const LevelLook& look, View& view) const;
 
-  void showPanels();
   void showCaption(const Cell& cell) const;
   void showScale(const Cell& cell, float scale) const;
   [[nodiscard]] const ShownModel& model() const { return def_.models[model_]; }
 
-  Renderer& renderer_;
-  LevelsViewerDef def_;
-  std::unique_ptr<Clock> clock_;
-  Loop loop_;
-  CameraRig camera_;
+  const LevelsViewerDef& def_;
   CameraPointer pointer_{camera_};
-  Commands commands_;
-  Outputs outputs_;
-  ScriptPlayer script_;
   OpenPanels open_{.lab = false, .numbers = false};
 
   std::size_t model_ = 0;
@@ -84,9 +70,6 @@ class LevelsWindow {
   bool turning_ = true;
   bool oneScale_ = false;
   bool outlines_ = true;
-  bool panelsShown_;
-  bool closing_ = false;
-  std::string error_;
 };
 
 }  // namespace scatter::viewer

@@ -47,7 +47,7 @@ struct Item {
   bool wireframe = false;               ///< Edges of triangles only.
   bool castsShadow = true;              ///< If it is neither see-through nor a wireframe.
 
-  /// Shadows fall on it, as far as it reaches, if the scenery has no ground; for one level box in a view.
+  /// A ground for shadows, as far as it reaches, if the scenery has none; for one level box in a view.
   bool isFloor = false;
 };
 
@@ -73,6 +73,9 @@ struct Crowd {
   float shade = 0.0F;   ///< Share of the light that is missing in the middle.
 };
 
+/// What the shadows of items fall on.
+enum class Shadows : std::uint8_t { kNothing, kGround, kEverything };
+
 /// What surrounds the items. Up is +y.
 struct Scenery {
   glm::vec3 zenith{0.02F, 0.03F, 0.07F};
@@ -85,6 +88,7 @@ struct Scenery {
   float gridStep = 1.0F;     ///< Metres; every tenth line is stronger.
   float fadeRadius = 40.0F;  ///< Metres from the camera at which ground and grid are lost in haze.
   Crowd crowd{};
+  Shadows shadows = Shadows::kGround;
 };
 
 /// A part of the window, in shares of its width and height from the top left.
@@ -156,6 +160,9 @@ class Renderer {
   /// Makes the next pollInput() return the event, and the panels see it, as if the user had caused it. A
   /// kResize resizes the window.
   virtual void inject(const InputEvent& event) = 0;
+
+  /// What the window's frame says.
+  virtual void setTitle(const std::string& title) = 0;
 
   /// Of the window's inside, in pixels.
   [[nodiscard]] virtual glm::ivec2 size() const = 0;

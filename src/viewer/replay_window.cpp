@@ -21,28 +21,17 @@ constexpr std::array kRecordedViews{DebugView::kLevels, DebugView::kShapes, Debu
 }  // namespace
 
 ReplayWindow::ReplayWindow(Renderer& renderer, const ReplayDef& def, std::unique_ptr<RunHistory> history)
-    : renderer_(renderer),
-      def_(def),
+    : WindowLoop(renderer, def),
       history_(std::move(history)),
-      clock_(makeClock(def.script, def.loops)),
-      loop_(*clock_),
       looks_(renderer),
       scene_(looks_),
       time_(history_->oldest(), history_->newest()),
-      outputs_(def.out),
-      script_(def_.script, commands_, camera_, outputs_),
-      panelsShown_(def.panels) {
-  addCommands();
-  loop_.add(LoopTask::kInput, [this] {
-    const auto perform = [this](const ScriptAction& action) { return this->perform(action); };
-    if (auto done = script_.play(loop_.report().loops, perform); !done) {
-      error_ = done.error().message;
-      closing_ = true;
-    }
-    readInput();
-  });
-  loop_.add(LoopTask::kPhysics, [this] { time_.step(); });
-  loop_.add(LoopTask::kRenderer, [this] { draw(); });
+      shadows_(usualShadows(renderer)) {
+  setTitle(def.recording.string());
+  addTime();
+  addViews();
+  addCamera();
+  addWindow(switches_, outputs_, commands_);
 }
 
 Result<std::unique_ptr<ReplayWindow>> ReplayWindow::create(Renderer& renderer, const ReplayDef& def) {
@@ -59,13 +48,6 @@ Result<std::unique_ptr<ReplayWindow>> ReplayWindow::create(Renderer& renderer, c
   }
   if (def.script && !def.script->hands().empty()) return fail("nothing in a recording can be moved by hand");
   return window->script_.check().map([&] { return std::move(window); });
-}
-
-void ReplayWindow::addCommands() {
-  addTime();
-  addViews();
-  addCamera();
-  addBarAndOutput(panelsShown_, closing_, outputs_, commands_);
 }
 
 void ReplayWindow::addTime() {
@@ -95,6 +77,7 @@ void ReplayWindow::addViews() {
         std::find(kRecordedViews.begin(), kRecordedViews.end(), info.view) != kRecordedViews.end();
     if (isRecorded) addView(info, views_, commands_);
   }
+  addShadows(shadows_, commands_);
 }
 
 void ReplayWindow::addCamera() {
@@ -123,27 +106,14 @@ Result<void> ReplayWindow::perform(const ScriptAction& action) {
 }
 
 Result<ReplayReport> ReplayWindow::run() {
-  while (!closing_ && (def_.loops == 0 || loop_.report().loops < def_.loops)) loop_.runOnce();
-  if (!error_.empty()) return fail(error_);
-  if (outputs_.failed()) return fail(outputs_.message());
-  return ReplayReport{
-      .loops = loop_.report().loops, .frame = time_.frame(), .note = history_->replayed()->damage()};
-}
-
-void ReplayWindow::readInput() {
-  for (const InputEvent& event : renderer_.pollInput()) take(event);
-}
-
-void ReplayWindow::take(const InputEvent& event) {
-  if (event.kind == InputEvent::Kind::kClose) closing_ = true;
-  if (event.kind == InputEvent::Kind::kKeyDown && !event.takenByPanels && !event.control && !event.alt) {
-    if (const Command* command = commands_.find(event.key)) command->run();
-  }
-  pointer_.take(event, renderer_.size().y);
+  return runLoops().map([this] {
+    return ReplayReport{
+        .loops = loop_.report().loops, .frame = time_.frame(), .note = history_->replayed()->damage()};
+  });
 }
 
 Layout ReplayWindow::layout() const {
-  return {renderer_.size(), 1, panelsShown_ ? &open_ : nullptr};
+  return {renderer_.size(), 1, switches_.panels ? &open_ : nullptr};
 }
 
 Moment ReplayWindow::moment() const {
@@ -153,29 +123,21 @@ Moment ReplayWindow::moment() const {
   return moment;
 }
 
-View ReplayWindow::view() {
+Picture ReplayWindow::picture() {
   const Moment moment = this->moment();
   const double now = clock_->now();
   const auto seconds = static_cast<float>(now - std::exchange(aimed_, now));
   const std::vector<Actor> actors = scene_.actors(moment);
   if (!actors.empty()) camera_.watch(findAction(actors).value_or(Ball{}), layout().aspect(), seconds);
   cutaway_.update(camera_.eye(), actors, scene_.obstacles(moment), seconds);
-  View view;
+  Picture picture;
+  View& view = picture.views.emplace_back();
   view.area = layout().area(0);
   view.camera = camera_.camera();
   scene_.add(moment, views_, cutaway_, view);
   finishScenery(camera_.distance(), view);
-  return view;
-}
-
-void ReplayWindow::draw() {
-  if (closing_) return;
-  Picture picture;
-  picture.views.push_back(view());
-  Image image;
-  renderer_.draw(
-      picture, [this] { showPanels(); }, outputs_.wantsPicture() ? &image : nullptr);
-  if (outputs_.wantsPicture()) outputs_.take(image);
+  view.scenery.shadows = shadows_;
+  return picture;
 }
 
 std::string ReplayWindow::label() const {
@@ -195,7 +157,8 @@ void ReplayWindow::showPanels() {
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   ImGui::GetBackgroundDrawList()->AddText({0.5F * (place.window().x - size.x), 8.0F * place.scale()},
                                           IM_COL32(235, 240, 245, 255), text.c_str());
-  if (!panelsShown_) return;
+  if (switches_.help) showHelpPanel(commands_, cameraHelp(), place);
+  if (switches_.help || !switches_.panels) return;
   if (beginPanel("Time", place.time(), false)) {
     int frame = static_cast<int>(time_.frame());
     char format[64];
@@ -208,6 +171,12 @@ void ReplayWindow::showPanels() {
     }
     commandButtons(commands_, "Time");
     commandButtons(commands_, "Views");
+    ImGui::SameLine();
+    ImGui::TextUnformatted("shadows");
+    ImGui::SameLine();
+    commandButtons(commands_, "Shadows");
+    ImGui::SameLine();
+    commandButton(commands_, "help");
     const std::string& damage = history_->replayed()->damage();
     const std::string& said = outputs_.message().empty() ? damage : outputs_.message();
     if (!said.empty()) ImGui::TextUnformatted(said.c_str());

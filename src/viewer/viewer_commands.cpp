@@ -1,5 +1,7 @@
 #include "viewer/viewer_commands.h"
 
+#include <scatter/world/scene.h>
+
 #include <algorithm>
 #include <array>
 #include <string>
@@ -82,14 +84,15 @@ void addTime(ViewerState& state) {
 
 /// The scene so many places further in the list than the one that is shown.
 void wantScene(ViewerState& state, int further) {
-  if (state.scenes.empty()) return;
+  const auto scenes = SceneRegistry::instance().all();
+  if (scenes.empty()) return;
   const std::string& now = state.panes.front()->experiment().options().scene;
-  const auto found = std::ranges::find(state.scenes, now, &SceneChoice::name);
-  const auto count = static_cast<int>(state.scenes.size());
+  const auto found = std::ranges::find(scenes, now, [](const auto& scene) { return scene->name; });
+  const auto count = static_cast<int>(scenes.size());
   // A scene of a file is none of the list: it stands before the first.
-  const int index = found != state.scenes.end() ? static_cast<int>(found - state.scenes.begin()) : -1;
+  const int index = found != scenes.end() ? static_cast<int>(found - scenes.begin()) : -1;
   const int next = index < 0 && further < 0 ? count - 1 : (index + further + count) % count;
-  state.wantedScene = state.scenes[static_cast<std::size_t>(next)].name;
+  state.wantedScene = scenes[static_cast<std::size_t>(next)]->name;
 }
 
 void addScenes(ViewerState& state) {
@@ -112,6 +115,7 @@ void addScenes(ViewerState& state) {
 void addViews(ViewerState& state) {
   addPresets(state.views, state.commands);
   for (const DebugViewInfo& info : debugViews()) addView(info, state.views, state.commands);
+  addShadows(state.shadows, state.commands);
 }
 
 void addCamera(ViewerState& state) {
@@ -205,12 +209,7 @@ void addFold(ViewerState& state, const char* name, const char* label, Key key, b
 }
 
 void addOutput(ViewerState& state) {
-  state.commands.add({"help", "Window", "help", "This panel", Key::kF1,
-                      [&state] { state.helpShown = !state.helpShown; },
-                      [&state] { return state.helpShown; }});
-  state.commands.add({"panels", "Window", "panels", "Show or hide all panels", Key::kTab,
-                      [&state] { state.panelsShown = !state.panelsShown; },
-                      [&state] { return state.panelsShown; }});
+  addPanels(state.switches, state.commands);
   addFold(state, "lab-panel", "fold lab", Key::kF2, state.open.lab);
   addFold(state, "numbers-panel", "fold numbers", Key::kF3, state.open.numbers);
   addFold(state, "time-panel", "fold time", Key::kF4, state.open.time);
@@ -227,8 +226,7 @@ void addOutput(ViewerState& state) {
                       Key::kF10,
                       [&state] { state.outputs.writeRuns(state.panes); },
                       {}});
-  state.commands.add(
-      {"close", "Window", "close", "Close the window", Key::kEscape, [&state] { state.closing = true; }, {}});
+  addClose(state.switches, state.commands);
 }
 
 }  // namespace

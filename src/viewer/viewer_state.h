@@ -1,5 +1,7 @@
 #pragma once
 
+#include <scatter/world/scene.h>
+
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -15,15 +17,10 @@
 #include "viewer/pane.h"
 #include "viewer/playback.h"
 #include "viewer/renderer.h"
+#include "viewer/window_commands.h"
 #include "viewer/world_control.h"
 
 namespace scatter::viewer {
-
-/// A scene that a window can open.
-struct SceneChoice {
-  std::string name;
-  std::string summary;  ///< One line.
-};
 
 /// Everything that a window shows and that its panels change. What is referred to outlives it.
 struct ViewerState {
@@ -35,15 +32,14 @@ struct ViewerState {
   CameraRig& camera;
   DebugViewSet& views;
   Commands& commands;
+  WindowSwitches& switches;
 
-  bool panelsShown = true;
   OpenPanels open{};
-  bool helpShown = false;
-  bool closing = false;
+  Shadows shadows = Shadows::kGround;
 
-  std::vector<SceneChoice> scenes{};         ///< To choose from, by name.
-  std::optional<std::string> wantedScene{};  ///< To be opened before the next step.
-  std::string hovered{};                     ///< The object under the pointer; empty if there is none.
+  std::vector<std::shared_ptr<const SceneInfo>> scenes{};  ///< As they were when the list was opened.
+  std::optional<std::string> wantedScene{};                ///< To be opened before the next step.
+  std::string hovered{};  ///< The object under the pointer; empty if there is none.
 
   float aspect = 1.0F;            ///< Of one world's picture, width by height.
   float draggedBudget = 0.0F;     ///< Of the slider, milliseconds, until it is let go.

@@ -1,10 +1,8 @@
 #include "viewer/window.h"
 
 #include <scatter/lab/summary.h>
-#include <scatter/world/scene.h>
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 #include "viewer/hand_lines.h"
@@ -19,16 +17,6 @@ constexpr float kCrowdShade = 0.35F;
 constexpr float kNamedReach = 2000.0F;  // metres, of what is named under the pointer
 constexpr float kFlySpeed = 0.02F;      // of the distance to what is looked at, a loop
 
-class Stopwatch {
- public:
-  [[nodiscard]] double milliseconds() const {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
 std::string viewNames() {
   std::string names;
   for (const DebugViewInfo& info : debugViews())
@@ -39,36 +27,32 @@ std::string viewNames() {
 }  // namespace
 
 Window::Window(Renderer& renderer, const ViewerDef& def)
-    : renderer_(renderer),
-      def_(def),
-      clock_(makeClock(def.script, def.loops)),
-      loop_(*clock_),
-      looks_(renderer),
-      playback_(loop_, panes_),
-      hands_(panes_),
-      outputs_(def.out),
-      script_(def_.script, commands_, camera_, outputs_) {}
+    : WindowLoop(renderer, def), def_(def), looks_(renderer), playback_(loop_, panes_), hands_(panes_) {
+  loop_.add(LoopTask::kInput, [this] {
+    openWanted();
+    fly();
+  });
+}
 
 Result<std::unique_ptr<Window>> Window::create(Renderer& renderer, const ViewerDef& def) {
   std::unique_ptr<Window> window(new Window(renderer, def));
   return window->openWorlds().and_then([&] { return window->script_.check(); }).map([&] {
-    window->addTasks();
     return std::move(window);
   });
 }
 
 Result<void> Window::openWorlds() {
-  for (RunOptions& options : def_.worlds) {
+  for (RunOptions options : def_.worlds) {
     if (def_.script) options.hands = def_.script->hands();
     auto pane = Pane::create(options, looks_);
     if (!pane) return tl::unexpected(pane.error());
     panes_.push_back(std::move(*pane));
   }
   control_.emplace(panes_);
-  state_.emplace(ViewerState{panes_, playback_, hands_, *control_, outputs_, camera_, views_, commands_});
-  for (const auto& scene : SceneRegistry::instance().all())
-    state_->scenes.push_back({scene->name, scene->summary});
-  state_->panelsShown = def_.panels;
+  state_.emplace(
+      ViewerState{panes_, playback_, hands_, *control_, outputs_, camera_, views_, commands_, switches_});
+  state_->shadows = usualShadows(renderer_);
+  setTitle(def_.worlds.front().scene);
   const bool narrow = Layout::isNarrow(renderer_.size());
   state_->open.lab = state_->open.numbers = !narrow;
   addCommands(*state_);
@@ -82,42 +66,21 @@ Result<void> Window::openWorlds() {
   return {};
 }
 
-void Window::addTasks() {
-  loop_.add(LoopTask::kInput, [this] {
-    const auto perform = [this](const ScriptAction& action) { return this->perform(action); };
-    if (auto done = script_.play(loop_.report().loops, perform); !done) {
-      error_ = done.error().message;
-      state_->closing = true;
-    }
-    readInput();
-    openWanted();
-    fly();
-  });
-  loop_.add(LoopTask::kPhysics, [this] {
-    playback_.step();
-    checkHands();
-  });
-  loop_.add(LoopTask::kRenderer, [this] { draw(); });
+Result<ViewerReport> Window::run() {
+  const auto ran = runLoops();
+  outputs_.setRecording(panes_, false);
+  return ran.map([this] { return report(); });
 }
 
-Result<ViewerReport> Window::run() {
-  while (!state_->closing && (def_.loops == 0 || loop_.report().loops < def_.loops)) {
-    const Stopwatch watch;
-    loop_.runOnce();
-    loopMs_.push_back(watch.milliseconds());
-  }
-  outputs_.setRecording(panes_, false);
-  if (!error_.empty()) return fail(error_);
-  if (outputs_.failed()) return fail(outputs_.message());
-  return report();
+void Window::step() {
+  playback_.step();
+  checkHands();
 }
 
 // What the script's hands could not do ends the window, as other lines of it that cannot be done.
 void Window::checkHands() {
   for (const auto& pane : panes_) {
-    if (pane->experiment().scriptError().empty()) continue;
-    error_ = pane->experiment().scriptError();
-    state_->closing = true;
+    if (!pane->experiment().scriptError().empty()) close(pane->experiment().scriptError());
   }
 }
 
@@ -152,6 +115,7 @@ Result<void> Window::openScene(const std::string& name) {
   looks_.clear();
   cutaway_ = {};
   camera_ = {};
+  setTitle(panes_.front()->experiment().options().scene);
   return opened;
 }
 
@@ -162,19 +126,10 @@ void Window::openWanted() {
   if (const auto opened = openScene(name); !opened) hands_.say(opened.error().message);
 }
 
-void Window::readInput() {
-  for (const InputEvent& event : renderer_.pollInput()) take(event);
-}
-
 void Window::take(const InputEvent& event) {
   switch (event.kind) {
-    case InputEvent::Kind::kClose:
-      state_->closing = true;
-      break;
     case InputEvent::Kind::kKeyDown:
       keys_[static_cast<std::size_t>(event.key)] = !event.takenByPanels;
-      if (event.takenByPanels || event.control || event.alt) break;
-      if (const Command* command = commands_.find(event.key)) command->run();
       break;
     case InputEvent::Kind::kKeyUp:
       keys_[static_cast<std::size_t>(event.key)] = false;
@@ -185,6 +140,7 @@ void Window::take(const InputEvent& event) {
     case InputEvent::Kind::kWheel:
       takePointer(event);
       break;
+    case InputEvent::Kind::kClose:
     case InputEvent::Kind::kText:
     case InputEvent::Kind::kResize:
       break;
@@ -231,7 +187,7 @@ void Window::fly() {
 // Only at rest: what is being dragged or turned needs no name, and looking for it takes time.
 std::string Window::hoveredName() const {
   const bool busy = std::ranges::any_of(buttons_, [](bool down) { return down; });
-  if (busy || !state_->panelsShown || playback_.past() || !layout().isPicture(pointer_)) return {};
+  if (busy || !switches_.panels || playback_.past() || !layout().isPicture(pointer_)) return {};
   const Pointed pointed = pointedAt(pointer_);
   const auto hit = panes_[pointed.pane]->experiment().hands().pick(
       pointed.ray.origin, pointed.ray.origin + kNamedReach * pointed.ray.direction);
@@ -240,7 +196,7 @@ std::string Window::hoveredName() const {
 }
 
 Layout Window::layout() const {
-  return {renderer_.size(), panes_.size(), state_->panelsShown ? &state_->open : nullptr};
+  return {renderer_.size(), panes_.size(), switches_.panels ? &state_->open : nullptr};
 }
 
 View Window::emptyView(std::size_t pane) const {
@@ -264,7 +220,7 @@ std::optional<glm::vec2> Window::positionOf(const std::string& object) const {
 ObservationParts Window::parts() const {
   ObservationParts parts = playback_.past() ? ObservationParts{false, false, false} : views_.parts();
   // The inspector tells of the present, whatever is shown.
-  const bool inspected = state_->panelsShown && hands_.picked().has_value();
+  const bool inspected = switches_.panels && hands_.picked().has_value();
   parts.bodies = parts.bodies || inspected;
   parts.pairs = parts.pairs || inspected;
   return parts;
@@ -308,23 +264,16 @@ Picture Window::picture() {
     addSpring(panes_[i]->experiment().hands(), view.linesOnTop);
     finishScenery(camera_.distance(), view);
     if (view.scenery.stars) view.scenery.crowd = crowd_;
+    view.scenery.shadows = state_->shadows;
     picture.views.push_back(std::move(view));
   }
+  state_->hovered = hoveredName();
   return picture;
 }
 
-void Window::draw() {
-  if (state_->closing) return;
-  const Picture shown = picture();
-  state_->hovered = hoveredName();
-  const Stopwatch watch;
-  Image image;
-  renderer_.draw(
-      shown, [this] { showPanels(*state_, layout()); }, outputs_.wantsPicture() ? &image : nullptr);
-  drawMs_.push_back(watch.milliseconds());
-  state_->drawMilliseconds += 0.1 * (drawMs_.back() - state_->drawMilliseconds);
-  state_->statistics = renderer_.statistics();
-  if (outputs_.wantsPicture()) outputs_.take(image);
+void Window::showPanels() {
+  if (!drawMs_.empty()) state_->drawMilliseconds += 0.1 * (drawMs_.back() - state_->drawMilliseconds);
+  viewer::showPanels(*state_, layout());
 }
 
 ViewerReport Window::report() const {

@@ -15,6 +15,28 @@ void addView(const DebugViewInfo& info, DebugViewSet& views, Commands& commands)
                 [&views, view = info.view] { return views.has(view); }});
 }
 
+Shadows usualShadows(const Renderer& renderer) {
+  return renderer.isSoftware() ? Shadows::kGround : Shadows::kEverything;
+}
+
+void addShadows(Shadows& shadows, Commands& commands) {
+  const auto add = [&](const char* where, const char* help, Shadows value) {
+    commands.add({"shadows-" + std::string(where), "Shadows", where, help, Key::kNone,
+                  [&shadows, value] { shadows = value; }, [&shadows, value] { return shadows == value; }});
+  };
+  add("off", "No shadows", Shadows::kNothing);
+  add("ground", "Shadows on the ground and on floors", Shadows::kGround);
+  add("all", "Shadows on everything: bodies shade each other", Shadows::kEverything);
+}
+
+void addPanels(WindowSwitches& switches, Commands& commands) {
+  commands.add({"help", "Window", "help", "This panel", Key::kF1,
+                [&switches] { switches.help = !switches.help; }, [&switches] { return switches.help; }});
+  commands.add({"panels", "Window", "panels", "Show or hide all panels", Key::kTab,
+                [&switches] { switches.panels = !switches.panels; },
+                [&switches] { return switches.panels; }});
+}
+
 void addScreenshot(Outputs& outputs, Commands& commands) {
   commands.add({"screenshot",
                 "Window",
@@ -31,13 +53,21 @@ void addFilm(Outputs& outputs, Commands& commands) {
                 [&outputs] { return outputs.filming(); }});
 }
 
-void addBarAndOutput(bool& barShown, bool& closing, Outputs& outputs, Commands& commands) {
-  commands.add({"panels", "Window", "panels", "Show or hide the bar", Key::kTab,
-                [&barShown] { barShown = !barShown; }, [&barShown] { return barShown; }});
+void addClose(WindowSwitches& switches, Commands& commands) {
+  commands.add({"close",
+                "Window",
+                "close",
+                "Close the window",
+                Key::kEscape,
+                [&switches] { switches.closing = true; },
+                {}});
+}
+
+void addWindow(WindowSwitches& switches, Outputs& outputs, Commands& commands) {
+  addPanels(switches, commands);
   addScreenshot(outputs, commands);
   addFilm(outputs, commands);
-  commands.add(
-      {"close", "Window", "close", "Close the window", Key::kEscape, [&closing] { closing = true; }, {}});
+  addClose(switches, commands);
 }
 
 }  // namespace scatter::viewer

@@ -6,14 +6,27 @@
 
 namespace scatter::viewer {
 
+/// Where a window's shadows fall if nobody says: on everything, but not where that takes a processor long.
+[[nodiscard]] Shadows usualShadows(const Renderer& renderer);
+
+/// What of a window itself a user switches.
+struct WindowSwitches {
+  bool panels = true;  ///< Shown.
+  bool help = false;   ///< Shown, over everything.
+  bool closing = false;
+};
+
 /// Commands that every window has, whatever it shows. What they act on must outlive them.
 /// @{
 void addView(const DebugViewInfo& info, DebugViewSet& views, Commands& commands);
+void addShadows(Shadows& shadows, Commands& commands);
+void addPanels(WindowSwitches& switches, Commands& commands);
 void addScreenshot(Outputs& outputs, Commands& commands);
 void addFilm(Outputs& outputs, Commands& commands);
+void addClose(WindowSwitches& switches, Commands& commands);
 /// @}
 
-/// Those of a window with a bar and no other panels: the bar, pictures, films, and the window's end.
-void addBarAndOutput(bool& barShown, bool& closing, Outputs& outputs, Commands& commands);
+/// All of those but views and shadows, for a window that has no others of its kind.
+void addWindow(WindowSwitches& switches, Outputs& outputs, Commands& commands);
 
 }  // namespace scatter::viewer

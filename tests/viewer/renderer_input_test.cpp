@@ -182,6 +182,14 @@ TEST_P(RendererWindow, WindowResizedByTheUserTells) {
   EXPECT_EQ(renderer_->size(), glm::ivec2(700, 300));
 }
 
+TEST_P(RendererWindow, TitleIsThatOfTheFrame) {
+  (void)shoot(Picture{});
+  X11User user;
+  EXPECT_EQ(user.title(), "Scatter");
+  renderer_->setTitle("Scatter: duel");
+  EXPECT_EQ(user.title(), "Scatter: duel");
+}
+
 TEST_P(RendererWindow, ClosingTells) {
   (void)shoot(Picture{});
   X11User user;

@@ -252,6 +252,37 @@ TEST_P(RendererPicture, GroundCarriesShadowsAndHidesWhatIsBelow) {
   EXPECT_GT(brightness(at(shot, ground.x, ground.y)), 200);
   EXPECT_LT(brightness(at(shot, shadow.x, shadow.y)), brightness(at(shot, ground.x, ground.y)) - 80);
   EXPECT_EQ(at(shot, below.x, below.y), at(shot, ground.x, ground.y));
+  view.scenery.shadows = viewer::Shadows::kNothing;
+  EXPECT_EQ(at(shoot(view), shadow.x, shadow.y), at(shot, ground.x, ground.y));
+}
+
+TEST_P(RendererPicture, ItemsShadeEachOther) {
+  const MeshId box = renderer_->addMesh(boxMesh());
+  View view = viewFromFront();
+  view.camera.eye = {0.0F, 8.0F, 8.0F};
+  view.scenery.toLight = {0.3F, 1.0F, 0.0F};
+  Item plate;
+  plate.mesh = box;
+  plate.color = Color(0.8F, 0.8F, 0.8F, 1.0F);
+  plate.pose.position.y = -0.5F;
+  plate.scale = {6.0F, 1.0F, 6.0F};
+  Item above = plate;
+  above.pose.position = {0.6F, 2.0F, 0.0F};
+  above.scale = Vec3(1.0F);
+  view.items = {plate, above};
+  const glm::ivec2 under = viewer::pixelOf(view, {640, 400}, {0.0F, 0.0F, 0.0F}).value();
+  const glm::ivec2 beside = viewer::pixelOf(view, {640, 400}, {-1.5F, 0.0F, 0.0F}).value();
+  const auto darkening = [&](viewer::Shadows shadows) {
+    view.scenery.shadows = shadows;
+    const Image shot = shoot(view);
+    return brightness(at(shot, beside.x, beside.y)) - brightness(at(shot, under.x, under.y));
+  };
+  EXPECT_NEAR(darkening(viewer::Shadows::kGround), 0, 30);
+  EXPECT_GT(darkening(viewer::Shadows::kEverything), 150);
+  EXPECT_NEAR(darkening(viewer::Shadows::kNothing), 0, 30);
+  // What is not there any more leaves nothing in the shadows.
+  view.items.pop_back();
+  EXPECT_NEAR(darkening(viewer::Shadows::kEverything), 0, 30);
 }
 
 TEST_P(RendererPicture, PanelsLieOverEverything) {

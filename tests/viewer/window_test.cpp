@@ -20,6 +20,7 @@
 #include "viewer/replay.h"
 #include "viewer/view_presets.h"
 #include "viewer/viewer.h"
+#include "viewer/x11_user.h"
 #include "viewer/xvfb.h"
 
 namespace scatter::viewer {
@@ -188,6 +189,17 @@ TEST_P(WindowTest, AnotherSceneOpensWithoutLeaving) {
   EXPECT_EQ(played("duel", 60, "20 key N\n25 do previous-scene\n").objects, alone.objects);
 }
 
+TEST_P(WindowTest, TheTitleIsThatOfThePresentScene) {
+  if (!shows()) GTEST_SKIP() << "needs a window";
+  auto renderer = makeRenderer(GetParam(), {.size = {640, 400}});
+  ViewerDef def;
+  def.worlds = {world("duel")};
+  def.loops = 8;
+  def.script = ViewScript::parse("4 open convergence\n", "test").value();
+  ASSERT_TRUE(runViewer(**renderer, def));
+  EXPECT_EQ(test::X11User().title(), "Scatter: convergence");
+}
+
 TEST_P(WindowTest, PresetsShowTheirViewsAlone) {
   std::string script = "1 look 0 2 0 30 20 14\n40 do pause\n";
   int loop = 41;
@@ -204,6 +216,20 @@ TEST_P(WindowTest, PresetsShowTheirViewsAlone) {
   EXPECT_GT(differentPixels(plain, picture("show-contacts.png")), 100);
   EXPECT_GT(differentPixels(plain, picture("show-cost.png")), 1000);
   EXPECT_GT(differentPixels(picture("show-contacts.png"), picture("show-cost.png")), 1000);
+}
+
+TEST_P(WindowTest, ShadowsFallWhereTheyAreWanted) {
+  if (!shows()) GTEST_SKIP() << "needs pictures";
+  std::string script = "1 look 0 1 0 30 30 12\n2 do pause\n" + shot(3, "first.png");
+  int loop = 4;
+  for (const std::string where : {"off", "ground", "all"}) {
+    script += std::to_string(loop) + " set shadows-" + where + " on\n" + shot(loop + 1, where + ".png");
+    loop += 2;
+  }
+  (void)played("tower", static_cast<std::uint64_t>(loop) + 1, script);
+  EXPECT_GT(differentPixels(picture("off.png"), picture("ground.png")), 200);
+  EXPECT_GT(differentPixels(picture("ground.png"), picture("all.png")), 200);
+  EXPECT_EQ(differentPixels(picture("first.png"), picture("ground.png")), 0) << "where a processor draws";
 }
 
 TEST_P(WindowTest, TheCameraFollowsUntilItIsTakenAndTheSameWayEveryTime) {
@@ -384,6 +410,13 @@ TEST_P(WindowTest, StoresTheRunFromItsFirstFrameOnAndReplaysItBothWays) {
     EXPECT_TRUE(renderer) << renderer.error().message;
     return runReplay(**renderer, def);
   };
+  // The help lies over everything, as in the window of a scene.
+  const auto helped =
+      replay("1 set panels off\n" + shot(3, "replay.png") + "4 key F1\n" + shot(6, "replay_help.png"));
+  ASSERT_TRUE(helped) << helped.error().message;
+  if (shows()) {
+    EXPECT_GT(differentPixels(picture("replay.png"), picture("replay_help.png")), 5000);
+  }
   EXPECT_THAT(replay("0 do pause\n").error().message,
               HasSubstr("no command is called \"pause\"; known: play, "));
   EXPECT_EQ(replay("0 gather 0 0 0\n").error().message, "nothing in a recording can be moved by hand");

@@ -60,6 +60,15 @@ void X11User::resize(const glm::ivec2& size) {
   XSync(connection_->display, False);
 }
 
+std::string X11User::title() const {
+  char* name = nullptr;
+  XSync(connection_->display, False);
+  if (XFetchName(connection_->display, connection_->window, &name) == 0) return {};
+  std::string title(name);
+  XFree(name);
+  return title;
+}
+
 void X11User::close() {
   Display* display = connection_->display;
   XEvent event{};

@@ -25,6 +25,9 @@ class X11User {
   void button(unsigned number, bool down);
 
   void resize(const glm::ivec2& size);
+
+  /// What the window's frame says.
+  [[nodiscard]] std::string title() const;
   void close();
 
  private:

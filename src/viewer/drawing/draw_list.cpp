@@ -49,12 +49,8 @@ class Frustum {
   std::array<Vec3, 4> sides_{};
 };
 
-std::size_t detailFor(const MeshOutline& outline, float scale, float pixelsPerMetre, float errorPixels) {
-  std::size_t detail = 0;
-  while (detail + 1 < outline.errors.size() &&
-         outline.errors[detail + 1] * scale * pixelsPerMetre <= errorPixels)
-    ++detail;
-  return detail;
+float largestScale(const Item& item) {
+  return std::max({std::abs(item.scale.x), std::abs(item.scale.y), std::abs(item.scale.z)});
 }
 
 /// Flattens the world onto the ground along the light's rays.
@@ -104,29 +100,27 @@ class Lister {
   }
 
   void add(const Item& item, const MeshOutline& outline, DrawList& list) const {
-    const float scale = std::max({std::abs(item.scale.x), std::abs(item.scale.y), std::abs(item.scale.z)});
-    const Vec3 center = item.pose(item.scale * outline.center);
-    const float radius = scale * outline.radius;
+    const auto [center, radius] = ballAround(item, outline);
     const float distance = glm::distance(center, view_.camera.eye);
     const float pixelsPerMetre = pixelsAtOneMetre_ / std::max(distance - radius, view_.camera.near);
     const glm::mat4 model = modelMatrix(item);
     const bool isSolid = item.color.a >= 1.0F;
-    if (plane_ && isSolid && item.castsShadow && !item.isFloor && !item.wireframe) {
-      const std::size_t detail = detailFor(outline, scale, pixelsPerMetre, kShadowErrorPixels);
+    if (plane_ && throwsShadow(item)) {
+      const std::size_t detail = detailFor(item, outline, pixelsPerMetre, kShadowErrorPixels);
       addShadow({&item, detail, Vec3(0.0F), model}, center, radius, list);
     }
     if (!frustum_.sees(center, radius)) {
       ++list.culled;
       return;
     }
-    const std::size_t detail = detailFor(outline, scale, pixelsPerMetre, kErrorPixels);
+    const std::size_t detail = detailFor(item, outline, pixelsPerMetre, kErrorPixels);
     std::vector<DrawCall>& calls = !isSolid ? list.seeThrough : item.isFloor ? list.floors : list.solid;
     calls.push_back({&item, detail, distance, model});
   }
 
  private:
   void castOn(const ShadowPlane& plane) {
-    if (!lightIsHigh_) return;
+    if (!lightIsHigh_ || view_.scenery.shadows == Shadows::kNothing) return;
     plane_ = plane;
     flatten_ = flattening(view_.scenery.toLight, plane.height);
   }
@@ -166,8 +160,22 @@ class Lister {
 
 }  // namespace
 
-DrawList listDraws(const View& view, const PixelArea& pixels,
-                   const std::function<const MeshOutline&(MeshId)>& outlineOf) {
+ItemBall ballAround(const Item& item, const MeshOutline& outline) {
+  return {item.pose(item.scale * outline.center), largestScale(item) * outline.radius};
+}
+
+bool throwsShadow(const Item& item) {
+  return item.castsShadow && item.color.a >= 1.0F && !item.wireframe && !item.isFloor;
+}
+
+std::size_t detailFor(const Item& item, const MeshOutline& outline, float unitsPerMetre, float error) {
+  const float units = largestScale(item) * unitsPerMetre;
+  std::size_t detail = 0;
+  while (detail + 1 < outline.errors.size() && outline.errors[detail + 1] * units <= error) ++detail;
+  return detail;
+}
+
+DrawList listDraws(const View& view, const PixelArea& pixels, const OutlineOf& outlineOf) {
   DrawList list;
   Lister lister(view, pixels);
   for (const Item& item : view.items) {
@@ -182,8 +190,7 @@ DrawList listDraws(const View& view, const PixelArea& pixels,
   return list;
 }
 
-void count(const View& view, const DrawList& list, const std::function<const MeshOutline&(MeshId)>& outlineOf,
-           DrawStatistics& statistics) {
+void count(const View& view, const DrawList& list, const OutlineOf& outlineOf, DrawStatistics& statistics) {
   statistics.items += list.floors.size() + list.solid.size() + list.seeThrough.size();
   statistics.culled += list.culled;
   statistics.shadows += list.shadows.size();

@@ -36,12 +36,27 @@ struct DrawList {
   std::size_t culled = 0;
 };
 
-/// `outlineOf(mesh)` is a mesh's outline, which stays where it is.
-[[nodiscard]] DrawList listDraws(const View& view, const PixelArea& pixels,
-                                 const std::function<const MeshOutline&(MeshId)>& outlineOf);
+struct ItemBall {
+  Vec3 center{0.0F};
+  float radius = 0.0F;
+};
+
+/// What an item fits into, in the world.
+[[nodiscard]] ItemBall ballAround(const Item& item, const MeshOutline& outline);
+
+[[nodiscard]] bool throwsShadow(const Item& item);
+
+/// The coarsest detail of an item's mesh that differs by no more than an error, in units of which so many
+/// make a metre.
+[[nodiscard]] std::size_t detailFor(const Item& item, const MeshOutline& outline, float unitsPerMetre,
+                                    float error);
+
+/// A mesh's outline, which stays where it is.
+using OutlineOf = std::function<const MeshOutline&(MeshId)>;
+
+[[nodiscard]] DrawList listDraws(const View& view, const PixelArea& pixels, const OutlineOf& outlineOf);
 
 /// Adds a view's part to the frame's statistics.
-void count(const View& view, const DrawList& list, const std::function<const MeshOutline&(MeshId)>& outlineOf,
-           DrawStatistics& statistics);
+void count(const View& view, const DrawList& list, const OutlineOf& outlineOf, DrawStatistics& statistics);
 
 }  // namespace scatter::viewer

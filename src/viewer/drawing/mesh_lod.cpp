@@ -157,6 +157,7 @@ MeshOutline outlineOf(const std::vector<MeshDetail>& details) {
   for (const MeshDetail& detail : details) {
     outline.errors.push_back(detail.error);
     outline.triangles.push_back(detail.mesh.indices.size() / 3);
+    outline.shadows.push_back({detail.mesh.positions, detail.mesh.indices, detail.mesh.twoSided});
   }
   return outline;
 }

@@ -20,12 +20,20 @@ struct MeshDetail {
 /// The mesh and coarser versions of it, finest first. A version that would save little is left out.
 [[nodiscard]] std::vector<MeshDetail> makeDetails(const MeshData& mesh);
 
-/// What a renderer must know of a mesh to choose what to draw.
+/// What of a mesh makes its shadow.
+struct ShadowMesh {
+  std::vector<Vec3> positions{};
+  std::vector<std::uint32_t> indices{};
+  bool twoSided = false;
+};
+
+/// What a renderer must know of a mesh to choose what to draw, and to draw its shadow.
 struct MeshOutline {
   Vec3 center{0.0F};                     ///< Of a sphere around it,
   float radius = 0.0F;                   ///< and its radius.
   std::vector<float> errors{};           ///< Of each detail, finest first.
   std::vector<std::size_t> triangles{};  ///< Of each detail.
+  std::vector<ShadowMesh> shadows{};     ///< Of each detail.
 };
 
 [[nodiscard]] MeshOutline outlineOf(const std::vector<MeshDetail>& details);

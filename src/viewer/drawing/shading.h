@@ -1,5 +1,9 @@
 #pragma once
 
+#include <glm/mat4x4.hpp>
+#include <string>
+
+#include "viewer/drawing/shadow_map.h"
 #include "viewer/renderer.h"
 
 namespace scatter::viewer {
@@ -12,6 +16,14 @@ struct LightInView {
 };
 
 [[nodiscard]] LightInView lightOf(const View& view);
+
+/// A shadow map as the shader sees it.
+struct ShadowsInView {
+  glm::mat4 fromCamera{1.0F};  ///< To ShadowMap::fromWorld().
+  float lift = 0.0F;           ///< ShadowMap::lift().
+};
+
+[[nodiscard]] ShadowsInView shadowsOf(const View& view, const ShadowMap& map);
 
 /// How the shader sees an item.
 struct ItemLook {
@@ -28,10 +40,14 @@ struct ItemLook {
 /// before it what toClip and toCamera (matrices) and turnNormal (a macro, to the camera's axes) are.
 extern const char* const kItemVertexShader;
 
+/// In front of the shaders of items: the key light reaches no pixel in a shadow. More uniforms: toShadow,
+/// lift (ShadowsInView), and shadowMap, a ShadowMap's texels as red, green and blue, not smoothed.
+[[nodiscard]] std::string shadowed(const char* shader);
+
 /// The colour of the vertices, for lines and scenery. Only toClip is needed.
 extern const char* const kPaintedVertexShader;
 
-/// For both.
+/// For all of them.
 extern const char* const kPixelShader;
 
 }  // namespace scatter::viewer

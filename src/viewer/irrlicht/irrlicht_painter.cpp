@@ -90,7 +90,9 @@ void IrrlichtPainter::draw(const View& view, const glm::ivec2& window, DrawStati
   count(view, list, outlineOf, statistics);
   setCamera(view, pixels);
   drawSurroundings(view, list);
-  for (const DrawCall& call : list.solid) drawItem(call);
+  const bool shadowed = shadows_.draw(view, pixels, list, outlineOf) &&
+                        shading_.setShadows(shadows_, shadowsOf(view, shadows_));
+  for (const DrawCall& call : list.solid) drawItem(call, shadowed);
   drawLines(view, view.lines, false);
   for (const DrawCall& call : list.seeThrough) drawItem(call);
   drawLines(view, view.linesOnTop, true);
@@ -124,12 +126,14 @@ void IrrlichtPainter::drawSurroundings(const View& view, const DrawList& list) {
   drawPainted(groundGrid(view), scene::EPT_LINES, paintMaterial(true, false, false));
 }
 
-void IrrlichtPainter::drawItem(const DrawCall& call) {
+void IrrlichtPainter::drawItem(const DrawCall& call, bool shadowed) {
   const Item& item = *call.item;
   const Mesh& mesh = meshes_.at(item.mesh);
   shading_.setLook({item.color, item.glow, 0.0F, mesh.twoSided ? 1.0F : 0.0F});
   driver_.setTransform(video::ETS_WORLD, toIrrlicht(call.model));
-  driver_.setMaterial(shading_.material(item.color.a >= 1.0F, item.wireframe, mesh.twoSided));
+  driver_.setMaterial(shadowed && !item.wireframe
+                          ? shading_.shadowedMaterial(mesh.twoSided)
+                          : shading_.material(item.color.a >= 1.0F, item.wireframe, mesh.twoSided));
   driver_.drawMeshBuffer(mesh.details[call.detail].get());
 }
 

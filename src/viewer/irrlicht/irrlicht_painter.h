@@ -42,7 +42,7 @@ class IrrlichtPainter {
 
   void setCamera(const View& view, const PixelArea& pixels);
   void drawSurroundings(const View& view, const DrawList& list);
-  void drawItem(const DrawCall& call);
+  void drawItem(const DrawCall& call, bool shadowed = false);
   void drawShadow(const ShadowCall& call);
   void drawPainted(const PaintedMesh& mesh, irr::scene::E_PRIMITIVE_TYPE type,
                    const irr::video::SMaterial& material);
@@ -52,6 +52,7 @@ class IrrlichtPainter {
   IrrlichtShading shading_;
   std::map<MeshId, Mesh> meshes_;
   std::uint32_t nextMesh_ = 0;
+  ShadowMap shadows_;
   std::vector<irr::video::S3DVertex> scratch_;  ///< Kept to save allocations.
 };
 

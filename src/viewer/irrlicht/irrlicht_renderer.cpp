@@ -38,6 +38,7 @@ class IrrlichtRenderer final : public Renderer {
   void draw(const Picture& picture, const Panels& panels, Image* shot) override;
   [[nodiscard]] std::vector<InputEvent> pollInput() override;
   void inject(const InputEvent& event) override;
+  void setTitle(const std::string& title) override;
   [[nodiscard]] glm::ivec2 size() const override;
   void resize(const glm::ivec2& size) override;
   [[nodiscard]] const DrawStatistics& statistics() const override { return statistics_; }
@@ -91,7 +92,7 @@ Result<void> IrrlichtRenderer::open(const WindowDef& window) {
   if (!painter_->isReady())
     return fail(
         "the display's OpenGL has no shaders (GLSL 1.10); install libgl1-mesa-dri, or use --renderer null");
-  device_->setWindowCaption(std::wstring(window.title.begin(), window.title.end()).c_str());
+  setTitle(window.title);
   device_->setResizable(true);
   // A key that is held is one that goes down many times, not up and down.
   XkbSetDetectableAutoRepeat(display(), True, nullptr);
@@ -170,6 +171,11 @@ void IrrlichtRenderer::inject(const InputEvent& event) {
   } else {
     input_.add(event);
   }
+}
+
+void IrrlichtRenderer::setTitle(const std::string& title) {
+  // Irrlicht's own call takes wide letters, and names of files are UTF-8.
+  nameWindow(display(), windowId(), title);
 }
 
 glm::ivec2 IrrlichtRenderer::size() const {

@@ -54,6 +54,7 @@ class NullRenderer final : public Renderer {
     }
   }
 
+  void setTitle(const std::string& /*title*/) override {}
   [[nodiscard]] glm::ivec2 size() const override { return size_; }
 
   void resize(const glm::ivec2& size) override {

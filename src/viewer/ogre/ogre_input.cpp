@@ -9,6 +9,8 @@
 #include <array>
 #include <utility>
 
+#include "viewer/display.h"
+
 namespace scatter::viewer {
 
 namespace {
@@ -119,6 +121,10 @@ void OgreInput::resize(const glm::ivec2& size) {
   XResizeWindow(display_, window_, static_cast<unsigned>(std::max(1, size.x)),
                 static_cast<unsigned>(std::max(1, size.y)));
   XSync(display_, False);
+}
+
+void OgreInput::setTitle(const std::string& title) {
+  nameWindow(display_, window_, title);
 }
 
 }  // namespace scatter::viewer

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "viewer/panel_frame.h"
 
 struct _XDisplay;  // NOLINT(bugprone-reserved-identifier, readability-identifier-naming): Xlib's Display
@@ -16,6 +18,8 @@ class OgreInput {
 
   /// Asks the X server for another size.
   void resize(const glm::ivec2& size);
+
+  void setTitle(const std::string& title);
 
  private:
   _XDisplay* display_;

@@ -115,7 +115,9 @@ void OgrePainter::draw(const View& view, Ogre::Viewport& viewport, const glm::iv
   shading_.setCamera(viewMatrix(view.camera), projectionMatrix(view.camera, aspect), lightOf(view));
 
   drawSurroundings(view, list);
-  for (const DrawCall& call : list.solid) drawItem(call);
+  const bool shadowed = shadows_.draw(view, pixels, list, outlineOf) &&
+                        shading_.setShadows(shadows_, shadowsOf(view, shadows_));
+  for (const DrawCall& call : list.solid) drawItem(call, shadowed);
   OgreState lines;
   lines.blended = true;
   lines.depthWritten = false;
@@ -142,7 +144,7 @@ void OgrePainter::drawSurroundings(const View& view, const DrawList& list) {
   drawPainted(groundGrid(view), Ogre::RenderOperation::OT_LINE_LIST, over);
 }
 
-void OgrePainter::drawItem(const DrawCall& call) {
+void OgrePainter::drawItem(const DrawCall& call, bool shadowed) {
   const Item& item = *call.item;
   const Mesh& mesh = meshes_.at(item.mesh);
   OgreState state;
@@ -150,6 +152,7 @@ void OgrePainter::drawItem(const DrawCall& call) {
   state.depthWritten = !state.blended;
   state.culled = !item.wireframe && !mesh.twoSided;
   state.wireframe = item.wireframe;
+  state.shadowed = shadowed && !item.wireframe;
   if (mesh.outline.triangles[call.detail] == 0) return;
   auto operation = mesh.details[call.detail].operation(Ogre::RenderOperation::OT_TRIANGLE_LIST);
   shading_.drawItem(operation, call.model, {item.color, item.glow, 0.0F, mesh.twoSided ? 1.0F : 0.0F}, state);

@@ -43,7 +43,7 @@ class OgrePainter {
   };
 
   void drawSurroundings(const View& view, const DrawList& list);
-  void drawItem(const DrawCall& call);
+  void drawItem(const DrawCall& call, bool shadowed = false);
   void drawShadow(const ShadowCall& call);
   void drawPainted(const PaintedMesh& mesh, Ogre::RenderOperation::OperationType type,
                    const OgreState& state);
@@ -51,6 +51,7 @@ class OgrePainter {
   OgreShading shading_;
   std::map<MeshId, Mesh> meshes_;
   std::uint32_t nextMesh_ = 0;
+  ShadowMap shadows_;
   OgreGeometry stream_;  ///< For painted meshes, one after the other.
 };
 

@@ -38,6 +38,7 @@ class OgreRenderer final : public Renderer {
   void inject(const InputEvent& event) override;
   [[nodiscard]] glm::ivec2 size() const override;
   void resize(const glm::ivec2& size) override { windowInput_->resize(size); }
+  void setTitle(const std::string& title) override { windowInput_->setTitle(title); }
   [[nodiscard]] const DrawStatistics& statistics() const override { return statistics_; }
 
  private:

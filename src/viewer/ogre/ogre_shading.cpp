@@ -25,11 +25,11 @@ void addProgram(const std::string& name, const std::string& source, Ogre::GpuPro
     OGRE_EXCEPT(Ogre::Exception::ERR_RENDERINGAPI_ERROR, name + " does not compile", "addProgram");
 }
 
-Ogre::Pass* makePass(const std::string& name) {
+Ogre::Pass* makePass(const std::string& name, const std::string& pixelProgram = "Pixel") {
   const Ogre::MaterialPtr material = Ogre::MaterialManager::getSingleton().create(name, Ogre::RGN_DEFAULT);
   Ogre::Pass* pass = material->getTechnique(0)->getPass(0);
   pass->setVertexProgram(name + "Vertex");
-  pass->setFragmentProgram("Pixel");
+  pass->setFragmentProgram(pixelProgram);
   pass->setPolygonModeOverrideable(false);
   material->load();
   if (material->getSupportedTechniques().empty())
@@ -59,22 +59,58 @@ OgreShading::OgreShading(Ogre::SceneManager& scene) : scene_(scene) {
   addProgram("Pixel", kPixelShader, Ogre::GPT_FRAGMENT_PROGRAM);
   item_ = makePass("Item");
   painted_ = makePass("Painted");
+  try {
+    makeShadowed();
+  } catch (const Ogre::Exception&) {
+    // A card that can do all the rest has its shadows on the ground.
+    shadowed_ = nullptr;
+  }
+}
+
+void OgreShading::makeShadowed() {
+  addProgram("ShadowedVertex", shadowed((std::string(kMatrices) + kItemVertexShader).c_str()),
+             Ogre::GPT_VERTEX_PROGRAM);
+  addProgram("ShadowedPixel", shadowed(kPixelShader), Ogre::GPT_FRAGMENT_PROGRAM);
+  shadowed_ = makePass("Shadowed", "ShadowedPixel");
+  shadowMap_ = Ogre::TextureManager::getSingleton().createManual(
+      "ShadowMap", Ogre::RGN_DEFAULT, Ogre::TEX_TYPE_2D, ShadowMap::kSize, ShadowMap::kSize, 0,
+      Ogre::PF_A8R8G8B8, Ogre::TU_DYNAMIC_WRITE_ONLY_DISCARDABLE);
+  Ogre::TextureUnitState* unit = shadowed_->createTextureUnitState();
+  unit->setTexture(shadowMap_);
+  unit->setTextureFiltering(Ogre::TFO_NONE);
+  unit->setTextureAddressingMode(Ogre::TAM_CLAMP);
 }
 
 void OgreShading::setCamera(const glm::mat4& view, const glm::mat4& projection, const LightInView& light) {
   view_ = view;
   projection_ = projection;
-  const auto constants = item_->getVertexProgramParameters();
-  constants->setNamedConstant("toLight", toOgre(light.toLight));
-  constants->setNamedConstant("worldUp", toOgre(light.up));
-  constants->setNamedConstant("crowd", Ogre::Vector4(toOgre(light.crowd.center), light.crowd.radius));
-  constants->setNamedConstant("crowdShade", light.crowd.shade);
+  for (Ogre::Pass* pass : {item_, shadowed_}) {
+    if (pass == nullptr) continue;
+    const auto constants = pass->getVertexProgramParameters();
+    constants->setNamedConstant("toLight", toOgre(light.toLight));
+    constants->setNamedConstant("worldUp", toOgre(light.up));
+    constants->setNamedConstant("crowd", Ogre::Vector4(toOgre(light.crowd.center), light.crowd.radius));
+    constants->setNamedConstant("crowdShade", light.crowd.shade);
+  }
   painted_->getVertexProgramParameters()->setNamedConstant("toClip", toOgre(projection * view));
+}
+
+bool OgreShading::setShadows(const ShadowMap& map, const ShadowsInView& shadows) {
+  if (shadowed_ == nullptr) return false;
+  const auto constants = shadowed_->getVertexProgramParameters();
+  constants->setNamedConstant("toShadow", toOgre(shadows.fromCamera));
+  constants->setNamedConstant("lift", shadows.lift);
+  // Ogre only reads them.
+  auto* texels = const_cast<std::uint32_t*>(map.texels().data());
+  shadowMap_->getBuffer()->blitFromMemory(
+      Ogre::PixelBox(ShadowMap::kSize, ShadowMap::kSize, 1, Ogre::PF_A8R8G8B8, texels));
+  return true;
 }
 
 void OgreShading::drawItem(Ogre::RenderOperation& operation, const glm::mat4& model, const ItemLook& look,
                            const OgreState& state) {
-  const auto constants = item_->getVertexProgramParameters();
+  Ogre::Pass& pass = state.shadowed ? *shadowed_ : *item_;
+  const auto constants = pass.getVertexProgramParameters();
   const glm::mat4 toCamera = view_ * model;
   const glm::mat4 normals(glm::inverse(glm::transpose(glm::mat3(toCamera))));
   constants->setNamedConstant("toClip", toOgre(projection_ * toCamera));
@@ -83,7 +119,7 @@ void OgreShading::drawItem(Ogre::RenderOperation& operation, const glm::mat4& mo
   constants->setNamedConstant("itemColor",
                               Ogre::Vector4(look.color.r, look.color.g, look.color.b, look.color.a));
   constants->setNamedConstant("itemLook", Ogre::Vector3(look.glow, look.flat, look.twoSided));
-  draw(operation, *item_, state);
+  draw(operation, pass, state);
 }
 
 void OgreShading::drawPainted(Ogre::RenderOperation& operation, const OgreState& state) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
 
 #include "viewer/palette.h"
@@ -66,9 +67,11 @@ void showScenes(ViewerState& state) {
   const std::string& now = state.panes.front()->experiment().options().scene;
   ImGui::SetNextItemWidth(-1.0F);
   if (ImGui::BeginCombo("##scene", now.c_str(), ImGuiComboFlags_HeightLarge)) {
-    for (const SceneChoice& scene : state.scenes) {
-      if (ImGui::Selectable(scene.name.c_str(), scene.name == now)) state.wantedScene = scene.name;
-      if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", scene.summary.c_str());
+    // Files of scenes come and go.
+    if (ImGui::IsWindowAppearing()) state.scenes = SceneRegistry::instance().all();
+    for (const auto& scene : state.scenes) {
+      if (ImGui::Selectable(scene->name.c_str(), scene->name == now)) state.wantedScene = scene->name;
+      if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", scene->summary.c_str());
     }
     ImGui::EndCombo();
   }
@@ -78,20 +81,11 @@ void showScenes(ViewerState& state) {
 }
 
 /// A bar of colours with words at its ends.
-template <class ColorAt>
-void showLegend(const char* first, const char* last, ColorAt colorAt) {
-  constexpr int kSteps = 24;
+void showLegend(const char* first, const char* last, const std::function<Color(float)>& colorAt) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x / static_cast<float>(kSteps);
-  const float height = 0.4F * ImGui::GetTextLineHeight();
-  for (int i = 0; i < kSteps; ++i) {
-    const Color color = colorAt((static_cast<float>(i) + 0.5F) / static_cast<float>(kSteps));
-    const float left = corner.x + static_cast<float>(i) * width;
-    ImGui::GetWindowDrawList()->AddRectFilled(
-        {left, corner.y}, {left + width, corner.y + height},
-        ImGui::ColorConvertFloat4ToU32({color.r, color.g, color.b, 1.0F}));
-  }
-  ImGui::Dummy({1.0F, height});
+  const glm::vec2 size(ImGui::GetContentRegionAvail().x, 0.4F * ImGui::GetTextLineHeight());
+  drawColorBar(*ImGui::GetWindowDrawList(), {{corner.x, corner.y}, size}, colorAt);
+  ImGui::Dummy({1.0F, size.y});
   ImGui::TextUnformatted(first);
   ImGui::SameLine(std::max(0.0F, ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(last).x));
   ImGui::TextUnformatted(last);
@@ -113,6 +107,8 @@ void showLegends(const DebugViewSet& views) {
 void showViews(ViewerState& state) {
   commandButtons(state.commands, "Show");
   showLegends(state.views);
+  ImGui::TextUnformatted("shadows");
+  commandButtons(state.commands, "Shadows");
   if (ImGui::TreeNode("single views")) {
     commandButtons(state.commands, "Views");
     ImGui::TreePop();

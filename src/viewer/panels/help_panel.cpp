@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "viewer/panels/panels.h"
@@ -9,23 +10,8 @@
 namespace scatter::viewer {
 namespace {
 
-struct HelpLine {
-  std::string key{};
-  std::string what{};
-  std::string help{};  ///< Empty in a heading.
-};
-
 void addHeading(const std::string& title, std::vector<HelpLine>& lines) {
   lines.push_back({"", title, ""});
-}
-
-void addMouse(std::vector<HelpLine>& lines) {
-  addHeading("Mouse", lines);
-  lines.push_back({"left", "hand", "What the chosen hand does, in both worlds"});
-  lines.push_back({"right", "turn", "Drag: turn the camera"});
-  lines.push_back({"middle", "move", "Drag: move the camera sideways"});
-  lines.push_back({"wheel", "zoom", "Come nearer or go away"});
-  lines.push_back({"WASDQE", "fly", "Move the flying camera"});
 }
 
 void addCommandLines(const Commands& commands, std::vector<HelpLine>& lines) {
@@ -34,17 +20,6 @@ void addCommandLines(const Commands& commands, std::vector<HelpLine>& lines) {
     if (command.group != group) addHeading(group = command.group, lines);
     lines.push_back({std::string(keyName(command.key)), command.label, command.help});
   }
-}
-
-/// What has no key: sliders and boxes of the panels.
-void addSliders(std::vector<HelpLine>& lines) {
-  addHeading("Sliders", lines);
-  lines.push_back({"", "frame", "The bar at the bottom: any frame that is kept"});
-  lines.push_back({"", "rate of time", "Of the physics, 0.05 to 4; Ctrl and click to type"});
-  lines.push_back({"", "push, throw", "Speed that a push or a throw gives, m/s"});
-  lines.push_back({"", "budget", "Processor time of a physics step, for hybrid worlds"});
-  lines.push_back({"", "levels of", "What has a level: pairs, or bodies"});
-  lines.push_back({"", "policies", "What asks for levels; see `scatter list`"});
 }
 
 void showLine(const HelpLine& line) {
@@ -85,16 +60,23 @@ void showColumn(const char* name, std::span<const HelpLine> lines, float width, 
 
 }  // namespace
 
-void showHelpPanel(ViewerState& state, const Layout& layout) {
-  std::vector<HelpLine> lines;
-  addMouse(lines);
-  addCommandLines(state.commands, lines);
-  addSliders(lines);
+std::vector<HelpLine> cameraHelp() {
+  return {{"", "Mouse", ""},
+          {"right", "turn", "Drag: turn the camera"},
+          {"middle", "move", "Drag: move the camera sideways"},
+          {"wheel", "zoom", "Come nearer or go away"}};
+}
+
+void showHelpPanel(const Commands& commands, std::vector<HelpLine> mouse, const Layout& layout,
+                   const std::vector<HelpLine>& after) {
+  std::vector<HelpLine> lines = std::move(mouse);
+  addCommandLines(commands, lines);
+  lines.insert(lines.end(), after.begin(), after.end());
   const std::size_t second = secondColumn(lines);
   const float scale = layout.scale();
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(4.0F * scale, 1.0F * scale));
   if (beginPanel("Help", layout.help(), false)) {
-    commandButton(state.commands, "help");
+    commandButton(commands, "help");
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const ImVec2 corner = ImGui::GetCursorPos();
     const float width = 0.5F * (ImGui::GetContentRegionAvail().x - gap);
@@ -104,6 +86,20 @@ void showHelpPanel(ViewerState& state, const Layout& layout) {
   }
   ImGui::End();
   ImGui::PopStyleVar();
+}
+
+void showLabHelp(const ViewerState& state, const Layout& layout) {
+  std::vector<HelpLine> mouse = cameraHelp();
+  mouse.insert(mouse.begin() + 1, {"left", "hand", "What the chosen hand does, in both worlds"});
+  mouse.push_back({"WASDQE", "fly", "Move the flying camera"});
+  showHelpPanel(state.commands, std::move(mouse), layout,
+                {{"", "Sliders", ""},
+                 {"", "frame", "The bar at the bottom: any frame that is kept"},
+                 {"", "rate of time", "Of the physics, 0.05 to 4; Ctrl and click to type"},
+                 {"", "push, throw", "Speed that a push or a throw gives, m/s"},
+                 {"", "budget", "Processor time of a physics step, for hybrid worlds"},
+                 {"", "levels of", "What has a level: pairs, or bodies"},
+                 {"", "policies", "What asks for levels; see `scatter list`"}});
 }
 
 }  // namespace scatter::viewer

@@ -71,11 +71,22 @@ bool beginFoldingPanel(const char* title, const Place& place, bool& open) {
   return shown;
 }
 
+void drawColorBar(ImDrawList& list, const Place& place, const std::function<Color(float)>& colorAt) {
+  constexpr int kSteps = 32;
+  const float step = place.size.x / static_cast<float>(kSteps);
+  for (int i = 0; i < kSteps; ++i) {
+    const Color color = colorAt((static_cast<float>(i) + 0.5F) / static_cast<float>(kSteps));
+    const float left = place.corner.x + static_cast<float>(i) * step;
+    list.AddRectFilled({left, place.corner.y}, {left + step, place.corner.y + place.size.y},
+                       ImGui::ColorConvertFloat4ToU32({color.r, color.g, color.b, 1.0F}));
+  }
+}
+
 void showPanels(ViewerState& state, const Layout& layout) {
   showLabels(state, layout);
-  if (state.helpShown) {
-    showHelpPanel(state, layout);
-  } else if (state.panelsShown) {
+  if (state.switches.help) {
+    showLabHelp(state, layout);
+  } else if (state.switches.panels) {
     showControlPanel(state, layout);
     showNumbersPanel(state, layout);
     showInspectorPanel(state, layout);
