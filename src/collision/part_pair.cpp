@@ -80,6 +80,16 @@ bool findContact(const ChildRule& rule, const Frame& frameB, const GjkResult& re
   return true;
 }
 
+// A list without room for so many gets some, with some more to grow little by little; one with far too much
+// gives it to others. What is in it is lost then.
+template <class Child>
+void fit(std::pmr::vector<Child>& list, std::size_t count) {
+  const std::size_t room = count + count / 4 + 1;
+  if (count <= list.capacity() && list.capacity() <= 2 * room) return;
+  list = std::pmr::vector<Child>(list.get_allocator());
+  list.reserve(room);
+}
+
 Vec3 towards(const Vec3& from, const Vec3& to) {
   const Vec3 between = to - from;
   const float length = glm::length(between);
@@ -280,9 +290,7 @@ void PartPair::merge(PartBody& a, PartBody& b, std::span<const Neighbours> found
     takeSeparation(child, near);
   }
   for (; old != children_.cend(); ++old) drop(*old);
-  // With room to grow, so that a pair that comes to its greatest length little by little seldom takes memory.
-  const std::size_t count = scratch.merged.size();
-  if (count > children_.capacity()) children_.reserve(count + count / 4);
+  fit(children_, scratch.merged.size());
   children_.assign(scratch.merged.cbegin(), scratch.merged.cend());
   forgetWakeful();
 }
@@ -382,11 +390,15 @@ void PartPair::learnAxis(ChildPair& child, const PartBody& a, const PartBody& b,
 void PartPair::findWakeful() {
   constexpr float kSteps = 8.0F;
   wakefulUntil_ = listedMotion_ + static_cast<double>(std::max(kSteps * lastMotion_, 0.05F * threshold_));
+  const auto isWakeful = [this](const ChildPair& child) {
+    return child.touching || child.wake < wakefulUntil_;
+  };
   othersWake_ = std::numeric_limits<double>::max();
   wakeful_.clear();
+  fit(wakeful_, static_cast<std::size_t>(std::ranges::count_if(children_, isWakeful)));
   for (std::size_t i = 0; i < children_.size(); ++i) {
     const ChildPair& child = children_[i];
-    if (child.touching || child.wake < wakefulUntil_) {
+    if (isWakeful(child)) {
       wakeful_.push_back({child.wake, static_cast<int>(i), child.touching});
     } else {
       othersWake_ = std::min(othersWake_, child.wake);

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
+#include <memory_resource>
 #include <span>
 #include <vector>
 
@@ -90,6 +92,16 @@ struct PairScratch {
 /// bound tells when a look is needed at all: bodies that move together do not move against each other.
 class PartPair {
  public:
+  using Children = std::pmr::vector<ChildPair>;
+
+  /// Where the child pairs are from now on; it must outlive the pair, which must have none yet.
+  void useMemory(std::pmr::memory_resource& memory) {
+    std::destroy_at(&children_);
+    std::construct_at(&children_, &memory);
+    std::destroy_at(&wakeful_);
+    std::construct_at(&wakeful_, &memory);
+  }
+
   /// Forgets everything, but keeps its memory. `threshold`: parts closer than this are in contact, metres.
   void reset(float threshold);
 
@@ -102,7 +114,7 @@ class PartPair {
   [[nodiscard]] bool advance(PartBody& a, PartBody& b, const PairSteps& steps, PairScratch& scratch,
                              PairWork& work);
 
-  [[nodiscard]] std::vector<ChildPair>& children() { return children_; }
+  [[nodiscard]] Children& children() { return children_; }
   [[nodiscard]] std::span<const ChildPair> children() const { return children_; }
 
   /// The child pairs that may have to be looked at, in ascending order: those that touch, and those that are
@@ -213,8 +225,8 @@ class PartPair {
   [[nodiscard]] float skin() const;
   void wakeAfter(ChildPair& child, float separation, float threshold) const;
 
-  std::vector<ChildPair> children_;
-  std::vector<WakefulChild> wakeful_;
+  Children children_;
+  std::pmr::vector<WakefulChild> wakeful_;
   double wakefulUntil_ = std::numeric_limits<double>::lowest();  ///< A motion of the listed parts.
   double othersWake_ = 0.0;  ///< The least ChildPair::wake of those that are not wakeful.
   Frame frameB_;

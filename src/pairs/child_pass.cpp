@@ -3,7 +3,7 @@
 namespace scatter::pairs {
 
 void ChildPass::run(std::vector<int>& awake) {
-  std::vector<ChildPair>& children = parts_.children();
+  PartPair::Children& children = parts_.children();
   findAwake(awake);
   for (const int i : awake) {
     const ChildPair& child = children[static_cast<std::size_t>(i)];

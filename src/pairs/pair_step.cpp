@@ -207,7 +207,7 @@ class PairStep {
   // The contacts of the step before, where the bodies are now.
   void keepContacts() {
     scratch_.looked.clear();
-    std::vector<ChildPair>& children = pair_.parts.children();
+    PartPair::Children& children = pair_.parts.children();
     for (std::size_t i = 0; i < children.size(); ++i) {
       if (!children[i].touching) continue;
       children[i].touching = engine_.outlasts(children[i].contact);

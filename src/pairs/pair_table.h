@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "collision/child_memory.h"
 #include "pairs/ground_pair.h"
 #include "pairs/pair.h"
 
@@ -19,7 +20,7 @@ class TableOf {
   /// A new pair. `place` is where its owner keeps its index, as long as the pair lives.
   void add(int* place) {
     const std::size_t index = places_.size();
-    if (index == blocks_.size() * kBlock) blocks_.push_back(std::make_unique<std::array<AnyPair, kBlock>>());
+    if (index == blocks_.size() * kBlock) addBlock();
     *place = static_cast<int>(index);
     places_.push_back(place);
     (*this)[*place].renew();
@@ -50,6 +51,12 @@ class TableOf {
  private:
   static constexpr std::size_t kBlock = 64;
 
+  void addBlock() {
+    blocks_.push_back(std::make_unique<std::array<AnyPair, kBlock>>());
+    for (AnyPair& pair : *blocks_.back()) pair.parts.useMemory(*memory_);
+  }
+
+  std::unique_ptr<ChildMemory> memory_ = std::make_unique<ChildMemory>();  ///< Of the pairs' child pairs.
   std::vector<std::unique_ptr<std::array<AnyPair, kBlock>>>
       blocks_;  ///< Pairs that have ended are behind the others.
   std::vector<int*> places_;
