@@ -124,6 +124,7 @@ Command addCompareCommand(CLI::App& program, std::string commandLine) {
   auto arguments = std::make_shared<CompareArguments>();
   arguments->commandLine = std::move(commandLine);
   addRunArguments(*command, arguments->run);
+  addScriptArgument(*command, arguments->run);
   command
       ->add_option("--worlds", arguments->worlds,
                    "What to compare, the first being what the others are compared to; see `scatter list`")

@@ -213,13 +213,17 @@ void addRunArguments(CLI::App& command, RunArguments& arguments) {
           "thread alone [1]")
       ->check(CLI::Range(1, kMostThreads))
       ->type_name("N");
-  command
-      .add_option("--script", arguments.script,
-                  "Do by hand what FILE says, in every world, such as the hands.txt of a run in a window; see "
-                  "docs/window.md")
-      ->type_name("FILE");
   command.add_flag("--no-profiling", arguments.noProfiling, "Do not time the stages of a step");
   command.add_flag("--quiet", arguments.quiet, "No progress on standard error");
+}
+
+void addScriptArgument(CLI::App& command, RunArguments& arguments) {
+  command
+      .add_option(
+          "--script", arguments.script,
+          "Do by hand what FILE says, in every world, such as the hands.txt of a run in a window; see "
+          "docs/window.md")
+      ->type_name("FILE");
 }
 
 Result<std::vector<RunOptions>> makeRuns(const RunArguments& arguments,

@@ -39,6 +39,9 @@ struct RunArguments {
 /// `arguments` must outlive the parsing.
 void addRunArguments(CLI::App& command, RunArguments& arguments);
 
+/// --script FILE, of commands without a window.
+void addScriptArgument(CLI::App& command, RunArguments& arguments);
+
 /// Frames from one measurement of fidelity to the next, if it is asked for without a number.
 inline constexpr int kFidelityEvery = 10;
 

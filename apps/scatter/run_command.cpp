@@ -83,6 +83,7 @@ Command addRunCommand(CLI::App& program) {
   CLI::App* command = program.add_subcommand("run", "Run a scene in one world");
   auto arguments = std::make_shared<RunCommandArguments>();
   addRunArguments(*command, arguments->run);
+  addScriptArgument(*command, arguments->run);
   command
       ->add_option("--world", arguments->world,
                    "hybrid, standard, finest, coarsest and more; see `scatter list`")
