@@ -13,7 +13,7 @@ const size_t c_ahead[btHybridLookahead::NUM_STAGES] = {14, 10, 6, 3};
 
 // Of a pair: more would push out what is needed first.
 const size_t c_mostWakefulBytes = 8 * c_line;
-const size_t c_mostChildren = 16;
+const size_t c_mostAwakeChildren = 16;
 const size_t c_mostContacts = 6;
 
 void fetch(const void* from, size_t bytes)
@@ -56,7 +56,7 @@ void forEachAwake(const scatter::pairs::Pair& pair, size_t most, const Use& use)
 
 void fetchChildren(const scatter::pairs::Pair& pair)
 {
-	forEachAwake(pair, c_mostChildren, [](const scatter::ChildPair& child)
+	forEachAwake(pair, c_mostAwakeChildren, [](const scatter::ChildPair& child)
 	             { fetch(&child, sizeof(child)); });
 }
 

@@ -16,12 +16,12 @@ namespace scatter::viewer {
 namespace {
 
 constexpr std::uint32_t kEmpty = 0xffffffU;
-constexpr float kDeepest = 0.998F;              // as a share of kEmpty, for items
-constexpr float kMargin = 2.0F;                 // texels around what is seen
-constexpr float kErrorTexels = 2.0F;            // by which a detail's outline may differ,
-constexpr float kMostErrorTexels = 16.0F;       // or this if there are very many triangles
-constexpr std::size_t kMostTriangles = 40'000;  // take a few milliseconds
-constexpr float kSeenPixels = 2.0F;             // radius of the smallest item that takes shadows
+constexpr float kDeepest = 0.998F;                  // as a share of kEmpty, for items
+constexpr float kMargin = 2.0F;                     // texels around what is seen
+constexpr float kErrorTexels = 2.0F;                // by which a detail's outline may differ,
+constexpr float kMostErrorTexels = 16.0F;           // or this if there are very many triangles
+constexpr std::size_t kMostCastTriangles = 40'000;  // take a few milliseconds
+constexpr float kSeenPixels = 2.0F;                 // radius of the smallest item that takes shadows
 constexpr float kLiftTexels = 1.5F;
 
 /// The world's axes turned so that z points to the light.
@@ -137,7 +137,7 @@ float ShadowMap::errorFor(const View& view, const OutlineOf& outlineOf) const {
       const MeshOutline& outline = outlineOf(item.mesh);
       if (throwsShadow(item)) triangles += outline.triangles[detailFor(item, outline, 1.0F, error)];
     }
-    if (triangles <= kMostTriangles) break;
+    if (triangles <= kMostCastTriangles) break;
   }
   return error;
 }
