@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <map>
 
@@ -59,20 +60,37 @@ void addContact(const ObservedContact& contact, float distance, const Color& col
   lines.push_back({contact.pointB, contact.pointB + kNormalLength * distance * contact.normal, color});
 }
 
+/// Lines between the centres of bodies. At floors and walls, and whatever else does not move, they end in the
+/// nearest place of its bounds: its centre may be far off, or nowhere.
 class PairLines {
  public:
-  PairLines(const DebugViewSet& views, const World& world) : views_(views) {
-    for (const auto& object : world.objects()) centers_[object->body()] = object->state().centerOfMass;
+  PairLines(const DebugViewSet& views, const World& world, const Observation& observed) : views_(views) {
+    for (const auto& object : world.objects()) ends_[object->body()].center = object->state().centerOfMass;
+    for (const ObservedBody& body : observed.bodies) {
+      const auto end = ends_.find(body.body);
+      if (body.island < 0 && end != ends_.end()) end->second.still = &body;
+    }
   }
 
   void add(const ObservedPair& pair, std::vector<Line>& lines) const {
-    const auto a = centers_.find(pair.a);
-    const auto b = centers_.find(pair.b);
-    if (a == centers_.end() || b == centers_.end()) return;
-    if (const auto color = colorOf(pair)) lines.push_back({a->second, b->second, *color});
+    const auto a = ends_.find(pair.a);
+    const auto b = ends_.find(pair.b);
+    if (a == ends_.end() || b == ends_.end()) return;
+    if (const auto color = colorOf(pair)) {
+      lines.push_back({a->second.nearTo(b->second.center), b->second.nearTo(a->second.center), *color});
+    }
   }
 
  private:
+  struct End {
+    Vec3 center{0.0F};
+    const ObservedBody* still = nullptr;  ///< If it is a body that nothing moves.
+
+    [[nodiscard]] Vec3 nearTo(const Vec3& other) const {
+      return still != nullptr ? glm::clamp(other, still->boundsMin, still->boundsMax) : center;
+    }
+  };
+
   [[nodiscard]] std::optional<Color> colorOf(const ObservedPair& pair) const {
     if (views_.has(DebugView::kCredit) && pair.credited) return kCreditColor;
     if (views_.has(DebugView::kPairLevels) && pair.level > 0 && pair.nearness != Nearness::kApart) {
@@ -84,7 +102,7 @@ class PairLines {
   }
 
   const DebugViewSet& views_;
-  std::map<BodyId, Vec3> centers_;
+  std::map<BodyId, End> ends_;
 };
 
 }  // namespace
@@ -109,10 +127,10 @@ const std::array<DebugViewInfo, kDebugViewCount>& debugViews() {
 
 ObservationParts DebugViewSet::parts() const {
   ObservationParts parts;
-  parts.bodies = has(DebugView::kBounds) || has(DebugView::kLevels) || has(DebugView::kIslands) ||
-                 has(DebugView::kSleeping) || has(DebugView::kMarks);
   parts.pairs = has(DebugView::kPairLevels) || has(DebugView::kPairs) || has(DebugView::kCredit) ||
                 has(DebugView::kCost);
+  parts.bodies = parts.pairs || has(DebugView::kBounds) || has(DebugView::kLevels) ||
+                 has(DebugView::kIslands) || has(DebugView::kSleeping) || has(DebugView::kMarks);
   parts.contacts = has(DebugView::kContacts) || has(DebugView::kCredit);
   return parts;
 }
@@ -121,7 +139,7 @@ void addDebugLines(const DebugViewSet& views, const World& world, const Observat
   if (views.has(DebugView::kBounds)) addBounds(observed, view.lines);
   if (views.has(DebugView::kVelocities)) addVelocities(world, view.linesOnTop);
   if (!observed.pairs.empty()) {
-    const PairLines pairs(views, world);
+    const PairLines pairs(views, world, observed);
     for (const ObservedPair& pair : observed.pairs) pairs.add(pair, view.linesOnTop);
   }
   const float distance = glm::length(view.camera.target - view.camera.eye);
