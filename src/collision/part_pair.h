@@ -124,15 +124,18 @@ class PartPair {
     return wakeful_;
   }
 
-  /// Calls `use(index)` for each child pair that is to be looked at, in ascending order. Returns how many are
-  /// wakeful.
+  /// Calls `use(index)` for each child pair that is to be looked at, in ascending order. Counts those that
+  /// are wakeful, and of them those that sleep.
   template <class Use>
-  int forEachAwake(Use&& use) {
+  void forEachAwake(PairWork& work, Use&& use) {
     for (const WakefulChild& one : wakeful()) {
-      if (isAsleep(one) || isAsleep(children_[static_cast<std::size_t>(one.index)])) continue;
-      use(one.index);
+      ++work.childPairs;
+      if (isAsleep(one) || isAsleep(children_[static_cast<std::size_t>(one.index)])) {
+        ++work.childPairsAsleep;
+      } else {
+        use(one.index);
+      }
     }
-    return static_cast<int>(wakeful_.size());
   }
 
   /// What wakeful() told last.

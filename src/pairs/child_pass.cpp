@@ -20,9 +20,7 @@ void ChildPass::findAwake(std::vector<int>& awake) {
     return;
   }
   awake.clear();
-  const int wakeful = parts_.forEachAwake([&awake](int index) { awake.push_back(index); });
-  work_.childPairs += wakeful;
-  work_.childPairsAsleep += wakeful - static_cast<int>(awake.size());
+  parts_.forEachAwake(work_, [&awake](int index) { awake.push_back(index); });
 }
 
 bool ChildPass::overlap(const ChildPair& child, const ChildLook* seen) {

@@ -39,10 +39,7 @@ class ChildForesight {
 
   /// Whether no child pair needs a detector that works on one thread alone.
   bool run() {
-    const int wakeful = parts_.forEachAwake([this](int index) { foresight_.awake.push_back(index); });
-    PairWork& work = foresight_.work;
-    work.childPairs += wakeful;
-    work.childPairsAsleep += wakeful - static_cast<int>(foresight_.awake.size());
+    parts_.forEachAwake(foresight_.work, [this](int index) { foresight_.awake.push_back(index); });
     bool isApart = steps_.lazyManifolds;
     bool isDecided = true;
     for (const int i : foresight_.awake) {
@@ -121,9 +118,7 @@ namespace {
 // Whether two parts touch depends on no engine, but for what the engine's own detector has to say.
 void judgeAll(PartPair& parts, const PartBody& region, const PartBody& body, const PairSteps& steps,
               Foresight& foresight) {
-  int awake = 0;
-  const int wakeful = parts.forEachAwake([&](int index) {
-    ++awake;
+  parts.forEachAwake(foresight.work, [&](int index) {
     ChildPair& child = parts.children()[static_cast<std::size_t>(index)];
     ChildLook look;
     look.state = ChildLook::State::kMeasured;
@@ -132,8 +127,6 @@ void judgeAll(PartPair& parts, const PartBody& region, const PartBody& body, con
     foresight.awake.push_back(index);
     foresight.looks.push_back(look);
   });
-  foresight.work.childPairs += wakeful;
-  foresight.work.childPairsAsleep += wakeful - awake;
 }
 
 }  // namespace

@@ -338,16 +338,12 @@ void GroundLook::judge(const PartBody& region) {
                region.frame());
     return;
   }
-  int awake = 0;
-  const int wakeful = pair_.parts.forEachAwake([&](int index) {
-    ++awake;
+  pair_.parts.forEachAwake(work_, [&](int index) {
     ChildPair& child = pair_.parts.children()[static_cast<std::size_t>(index)];
     PartContact contact;
     const ChildVerdict verdict = pair_.parts.judge(child, region, *body_, steps_, contact, work_);
     consider(index, verdict, contact, region.frame());
   });
-  work_.childPairs += wakeful;
-  work_.childPairsAsleep += wakeful - awake;
 }
 
 // A piece and a part of the body of which it is known how near they are.

@@ -131,7 +131,9 @@ class MotionLaw {
     const bool isAwake = pair_.advance(a_, b_, steps, scratch_, work_);
     std::vector<bool> inContact = findContacts();
     std::vector<bool> isLooked(pair_.children().size(), false);
-    pair_.forEachAwake([&isLooked](int child) { isLooked[static_cast<std::size_t>(child)] = true; });
+    PairWork uncounted;
+    pair_.forEachAwake(uncounted,
+                       [&isLooked](int child) { isLooked[static_cast<std::size_t>(child)] = true; });
     for (std::size_t i = 0; i < pair_.children().size(); ++i) {
       ChildPair& child = pair_.children()[i];
       const auto index = static_cast<std::size_t>(child.a * listB_.count() + child.b);

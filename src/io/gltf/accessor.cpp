@@ -7,17 +7,10 @@
 #include <string>
 #include <type_traits>
 
+#include "io/gltf/component.h"
+
 namespace scatter::io {
 namespace {
-
-enum class Component : std::uint16_t {
-  kByte = 5120,
-  kUnsignedByte = 5121,
-  kShort = 5122,
-  kUnsignedShort = 5123,
-  kUnsignedInt = 5125,
-  kFloat = 5126
-};
 
 std::size_t sizeOf(Component component) {
   switch (component) {

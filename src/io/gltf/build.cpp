@@ -6,6 +6,7 @@
 
 #include "io/gltf/base64.h"
 #include "io/gltf/bodies.h"
+#include "io/gltf/component.h"
 #include "io/gltf/container.h"
 #include "io/numbers.h"
 
@@ -16,9 +17,6 @@ using nlohmann::json;
 
 constexpr int kVertices = 34962;
 constexpr int kIndices = 34963;
-constexpr int kUnsignedShort = 5123;
-constexpr int kUnsignedInt = 5125;
-constexpr int kFloat = 5126;
 
 std::size_t append(json& list, json value) {
   list.push_back(std::move(value));
@@ -107,7 +105,7 @@ std::size_t GltfBuild::addPositions(const std::vector<Vec3>& positions) {
   }
   const std::size_t view = addView(positions.data(), positions.size() * sizeof(Vec3), kVertices);
   return append((*root_)["accessors"], {{"bufferView", view},
-                                        {"componentType", kFloat},
+                                        {"componentType", Component::kFloat},
                                         {"type", "VEC3"},
                                         {"count", positions.size()},
                                         {"min", toJson(low)},
@@ -129,10 +127,11 @@ std::size_t GltfBuild::addIndices(const std::vector<std::array<std::uint32_t, 3>
                    isSmall ? sizeof small : sizeof corner);
     }
   }
-  return append((*root_)["accessors"], {{"bufferView", addView(bytes.data(), bytes.size(), kIndices)},
-                                        {"componentType", isSmall ? kUnsignedShort : kUnsignedInt},
-                                        {"type", "SCALAR"},
-                                        {"count", 3 * triangles.size()}});
+  return append((*root_)["accessors"],
+                {{"bufferView", addView(bytes.data(), bytes.size(), kIndices)},
+                 {"componentType", isSmall ? Component::kUnsignedShort : Component::kUnsignedInt},
+                 {"type", "SCALAR"},
+                 {"count", 3 * triangles.size()}});
 }
 
 std::size_t GltfBuild::addMesh(const VisualMesh& mesh, const std::string& name) {
@@ -168,7 +167,7 @@ std::size_t GltfBuild::addNumbers(const std::vector<float>& numbers, std::size_t
   }
   return append((*root_)["accessors"],
                 {{"bufferView", addView(numbers.data(), numbers.size() * sizeof(float))},
-                 {"componentType", kFloat},
+                 {"componentType", Component::kFloat},
                  {"type", each == 1   ? "SCALAR"
                           : each == 3 ? "VEC3"
                                       : "VEC4"},

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "io/gltf/accessor.h"
+#include "io/gltf/component.h"
 #include "io/gltf/container.h"
 #include "io/gltf/file.h"
 #include "io/mesh/meshopt.h"
@@ -18,10 +19,6 @@ namespace scatter::io {
 namespace {
 
 using nlohmann::json;
-
-constexpr int kUnsignedShort = 5123;
-constexpr int kUnsignedInt = 5125;
-constexpr int kFloat = 5126;
 
 /// Writes what Assimp is to know of a file anew.
 class PlainWriter {
@@ -51,7 +48,7 @@ class PlainWriter {
   };
 
   template <class Value>
-  Numbers add(const std::vector<Value>& values, std::size_t width, int component, const char* type) {
+  Numbers add(const std::vector<Value>& values, std::size_t width, Component component, const char* type) {
     const std::size_t bytes = values.size() * sizeof(Value);
     result_["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", data_.size()}, {"byteLength", bytes}});
     data_.append(reinterpret_cast<const char*>(values.data()), bytes);
@@ -72,8 +69,9 @@ class PlainWriter {
   }
 
   const Numbers& floats(const JsonPlace& reference, const char* type, std::size_t width) {
-    return once(reference, 'f',
-                [&] { return add(readFloats(source_, reference, type, width), width, kFloat, type); });
+    return once(reference, 'f', [&] {
+      return add(readFloats(source_, reference, type, width), width, Component::kFloat, type);
+    });
   }
 
   const Numbers& joints(const JsonPlace& reference) {
@@ -81,14 +79,14 @@ class PlainWriter {
       std::vector<std::uint16_t> joints;
       for (const float joint : readFloats(source_, reference, "VEC4", 4))
         joints.push_back(static_cast<std::uint16_t>(std::clamp(joint, 0.0F, 65535.0F)));
-      return add(joints, 4, kUnsignedShort, "VEC4");
+      return add(joints, 4, Component::kUnsignedShort, "VEC4");
     });
   }
 
   const Numbers& indices(const JsonPlace& reference) {
     return once(reference, 'i', [&] {
       const std::vector<std::uint32_t> indices = readIndices(source_, reference);
-      Numbers numbers = add(indices, 1, kUnsignedInt, "SCALAR");
+      Numbers numbers = add(indices, 1, Component::kUnsignedInt, "SCALAR");
       if (!indices.empty()) numbers.largest = *std::max_element(indices.begin(), indices.end());
       return numbers;
     });
@@ -151,7 +149,8 @@ class PlainWriter {
 
   bool hasWholePositions(const JsonPlace& primitive) {
     const auto position = primitive.find({"attributes", "POSITION"});
-    return position && source_.entry("accessors", *position).at("componentType").count() != kFloat;
+    return position && source_.entry("accessors", *position).at("componentType").count() !=
+                           static_cast<std::uint64_t>(Component::kFloat);
   }
 
   void copyNodes() {
