@@ -27,7 +27,8 @@ void nameWindow(Display* display, unsigned long window, const std::string& name)
                   XInternAtom(display, "UTF8_STRING", False), 8, PropModeReplace,
                   reinterpret_cast<const unsigned char*>(name.data()), static_cast<int>(name.size()));
   XStoreName(display, window, name.c_str());
-  XFlush(display);
+  // Other programs see the name once this returns, not when the server comes round to it.
+  XSync(display, False);
 }
 
 bool isSoftwareRenderer(std::string_view name) {
