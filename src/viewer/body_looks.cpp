@@ -55,6 +55,7 @@ void BodyLooks::clear() {
   radius_.clear();
   modelRadius_.clear();
   surfaces_.clear();
+  modelSurfaces_.clear();
 }
 
 Item BodyLooks::drawn(BodyId body, const BodyDef& def) {
@@ -101,7 +102,8 @@ float BodyLooks::radius(BodyId body, const BodyDef& def) {
 }
 
 const RayTree& BodyLooks::surface(BodyId body, const BodyDef& def) {
-  std::unique_ptr<RayTree>& surface = surfaces_[body];
+  const auto* levels = std::get_if<Levels>(&def.shape);
+  std::unique_ptr<RayTree>& surface = levels != nullptr ? modelSurfaces_[levels->get()] : surfaces_[body];
   if (!surface) surface = std::make_unique<RayTree>(meshOf(def.shape));
   return *surface;
 }

@@ -33,7 +33,8 @@ class BodyLooks {
   /// Around the origin of the body, such that all of it is inside.
   [[nodiscard]] float radius(BodyId body, const BodyDef& def);
 
-  /// Its finest shape, in its frame, to be asked what it hides. Lives as long as this.
+  /// Its finest shape, in its frame, to be asked what it hides; one for all bodies of a model. Lives as long
+  /// as this.
   [[nodiscard]] const RayTree& surface(BodyId body, const BodyDef& def);
 
  private:
@@ -53,6 +54,7 @@ class BodyLooks {
   std::map<BodyId, float> radius_;
   std::map<const void*, float> modelRadius_;  ///< By level set.
   std::map<BodyId, std::unique_ptr<RayTree>> surfaces_;
+  std::map<const void*, std::unique_ptr<RayTree>> modelSurfaces_;  ///< By level set.
   std::optional<MeshId> box_;
   std::optional<MeshId> sphere_;
 };

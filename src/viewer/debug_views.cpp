@@ -142,8 +142,12 @@ void addDebugLines(const DebugViewSet& views, const World& world, const Observat
     const PairLines pairs(views, world, observed);
     for (const ObservedPair& pair : observed.pairs) pairs.add(pair, view.linesOnTop);
   }
+  addContactLines(views, observed.contacts, view);
+}
+
+void addContactLines(const DebugViewSet& views, std::span<const ObservedContact> contacts, View& view) {
   const float distance = glm::length(view.camera.target - view.camera.eye);
-  for (const ObservedContact& contact : observed.contacts) {
+  for (const ObservedContact& contact : contacts) {
     const bool credited = contact.credit > 0.0F;
     if (credited && views.has(DebugView::kCredit)) {
       addContact(contact, distance, kCreditColor, view.linesOnTop);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -54,5 +55,8 @@ struct DebugViewInfo {
 
 /// Adds the views that are made of lines: bounds, pair levels, contacts, credit, pairs, cost, velocities.
 void addDebugLines(const DebugViewSet& views, const World& world, const Observation& observed, View& view);
+
+/// Those of contacts and of their credit alone.
+void addContactLines(const DebugViewSet& views, std::span<const ObservedContact> contacts, View& view);
 
 }  // namespace scatter::viewer

@@ -141,7 +141,7 @@ void LevelsWindow::showOrClose(std::size_t model) {
 Result<void> LevelsWindow::perform(const ScriptAction& action) {
   const auto* input = std::get_if<DoInput>(&action);
   if (input == nullptr) return fail("nothing can be pointed at, nor opened, in a window of levels");
-  renderer_.inject(input->event);
+  inject(input->event);
   return {};
 }
 

@@ -19,7 +19,7 @@ struct ReplayDef {
   std::filesystem::path out = "out/view";  ///< Pictures go here.
   std::uint64_t loops = 0;                 ///< As ViewerDef has it, as what follows.
   std::optional<ViewScript> script{};
-  std::vector<std::string> views{"marks"};  ///< Of these shapes, levels, sleeping and marks are recorded.
+  std::vector<std::string> views{"marks"};  ///< Of these shapes, levels, contacts, credit, sleeping and marks are recorded.
   bool panels = true;
 };
 
@@ -27,6 +27,7 @@ struct ReplayDef {
 struct ReplayReport {
   std::uint64_t loops = 0;
   std::uint64_t frame = 0;  ///< That was shown last.
+  std::string picked{};     ///< The name of the body that was picked last; empty if none is.
   std::string note{};       ///< What of the recording is not whole; empty if all is.
 };
 

@@ -104,6 +104,14 @@ void addEdges(const Item& item, float alpha, std::vector<Line>& lines) {
   }
 }
 
+/// Whether a ray meets a ball closer than `limit`.
+bool mayMeet(const Ray& ray, const Vec3& center, float radius, float limit) {
+  const Vec3 way = center - ray.origin;
+  const float along = glm::dot(way, ray.direction);
+  if (along < -radius || along > limit + radius) return false;
+  return glm::dot(way, way) - along * along <= radius * radius;
+}
+
 }  // namespace
 
 struct SceneView::Shown {
@@ -247,6 +255,25 @@ std::vector<Actor> SceneView::actors(const Moment& moment) {
   }
   markMeetings(actors);
   return actors;
+}
+
+std::optional<BodyId> SceneView::pick(const Moment& moment, const Ray& ray, float limit) {
+  const RunHistory::Frame now = moment.history->frame(moment.frame);
+  std::optional<BodyId> nearest;
+  for (std::size_t i = 0; i < now.bodies().size(); ++i) {
+    const BodyId body = now.bodies()[i];
+    const BodyDef* def = moment.history->def(body);
+    if (def == nullptr || def->motion == Motion::kStatic) continue;
+    const Transform& pose = now.pose(i);
+    if (!mayMeet(ray, pose.position, looks_.radius(body, *def), limit)) continue;
+    const glm::quat back = glm::conjugate(pose.rotation);
+    const float hit = looks_.surface(body, *def)
+                          .nearestHit(back * (ray.origin - pose.position), back * ray.direction, limit);
+    if (!(hit < limit)) continue;
+    limit = hit;
+    nearest = body;
+  }
+  return nearest;
 }
 
 std::vector<Obstacle> SceneView::obstacles(const Moment& moment) {

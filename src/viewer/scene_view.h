@@ -14,6 +14,7 @@
 #include "viewer/body_looks.h"
 #include "viewer/cutaway.h"
 #include "viewer/debug_views.h"
+#include "viewer/drawing/projection.h"
 #include "viewer/level_marks.h"
 
 namespace scatter::viewer {
@@ -47,6 +48,9 @@ class SceneView {
 
   /// The bodies that can move, with what meets what.
   [[nodiscard]] std::vector<Actor> actors(const Moment& moment);
+
+  /// The body that can move and is met first by a ray, closer than `limit` metres.
+  [[nodiscard]] std::optional<BodyId> pick(const Moment& moment, const Ray& ray, float limit);
 
   /// The bodies that cannot move, but for endless ones. Their surfaces live as long as the looks.
   [[nodiscard]] std::vector<Obstacle> obstacles(const Moment& moment);

@@ -203,16 +203,11 @@ void addLevels(ViewerState& state) {
                       {}});
 }
 
-void addFold(ViewerState& state, const char* name, const char* label, Key key, bool& open) {
-  state.commands.add({name, "Window", label, "Leave only the panel's title, or open it", key,
-                      [&open] { open = !open; }, [&open] { return !open; }});
-}
-
 void addOutput(ViewerState& state) {
   addPanels(state.switches, state.commands);
-  addFold(state, "lab-panel", "fold lab", Key::kF2, state.open.lab);
-  addFold(state, "numbers-panel", "fold numbers", Key::kF3, state.open.numbers);
-  addFold(state, "time-panel", "fold time", Key::kF4, state.open.time);
+  addFold("lab", Key::kF2, state.open.lab, state.commands);
+  addFold("numbers", Key::kF3, state.open.numbers, state.commands);
+  addFold("time", Key::kF4, state.open.time, state.commands);
   addScreenshot(state.outputs, state.commands);
   const auto isRecording = [&state] { return state.panes.front()->experiment().history().isRecording(); };
   state.commands.add(

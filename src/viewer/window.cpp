@@ -84,17 +84,6 @@ void Window::checkHands() {
   }
 }
 
-void Window::inject(InputEvent event) {
-  const bool pointed = event.kind == InputEvent::Kind::kMouseDown ||
-                       event.kind == InputEvent::Kind::kMouseUp || event.kind == InputEvent::Kind::kWheel;
-  if (event.kind == InputEvent::Kind::kMouseMove) pointer_ = event.position;
-  if (pointed) event.position = pointer_;
-  renderer_.inject(event);
-  if (event.kind != InputEvent::Kind::kKeyDown) return;
-  event.kind = InputEvent::Kind::kKeyUp;
-  renderer_.inject(event);
-}
-
 Result<void> Window::perform(const ScriptAction& action) {
   if (const auto* input = std::get_if<DoInput>(&action)) inject(input->event);
   if (const auto* point = std::get_if<PointAt>(&action)) {

@@ -35,7 +35,6 @@ class Window final : public WindowLoop {
   void showPanels() override;
 
   [[nodiscard]] Result<void> openScene(const std::string& name);
-  void inject(InputEvent event);
 
   void openWanted();
   void takePointer(const InputEvent& event);

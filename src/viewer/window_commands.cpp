@@ -37,6 +37,11 @@ void addPanels(WindowSwitches& switches, Commands& commands) {
                 [&switches] { return switches.panels; }});
 }
 
+void addFold(const std::string& panel, Key key, bool& open, Commands& commands) {
+  commands.add({panel + "-panel", "Window", "fold " + panel, "Leave only the panel's title, or open it", key,
+                [&open] { open = !open; }, [&open] { return !open; }});
+}
+
 void addScreenshot(Outputs& outputs, Commands& commands) {
   commands.add({"screenshot",
                 "Window",

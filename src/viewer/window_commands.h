@@ -21,6 +21,9 @@ struct WindowSwitches {
 void addView(const DebugViewInfo& info, DebugViewSet& views, Commands& commands);
 void addShadows(Shadows& shadows, Commands& commands);
 void addPanels(WindowSwitches& switches, Commands& commands);
+/// A panel that folds, by its name.
+void addFold(const std::string& panel, Key key, bool& open, Commands& commands);
+
 void addScreenshot(Outputs& outputs, Commands& commands);
 void addFilm(Outputs& outputs, Commands& commands);
 void addClose(WindowSwitches& switches, Commands& commands);

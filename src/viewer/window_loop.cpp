@@ -51,6 +51,18 @@ void WindowLoop::close(std::string error) {
   switches_.closing = true;
 }
 
+void WindowLoop::inject(InputEvent event) {
+  using Kind = InputEvent::Kind;
+  if (event.kind == Kind::kMouseMove) scriptPointer_ = event.position;
+  const bool isPointed =
+      event.kind == Kind::kMouseDown || event.kind == Kind::kMouseUp || event.kind == Kind::kWheel;
+  if (isPointed) event.position = scriptPointer_;
+  renderer_.inject(event);
+  if (event.kind != Kind::kKeyDown) return;
+  event.kind = Kind::kKeyUp;
+  renderer_.inject(event);
+}
+
 void WindowLoop::playScript() {
   const auto perform = [this](const ScriptAction& action) { return this->perform(action); };
   if (auto done = script_.play(loop_.report().loops, perform); !done) close(done.error().message);

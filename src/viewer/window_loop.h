@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <glm/vec2.hpp>
 #include <memory>
 #include <optional>
 #include <string>
@@ -42,6 +43,10 @@ class WindowLoop {
   /// Says in the window's title what is shown.
   void setTitle(const std::string& shown) { renderer_.setTitle("Scatter: " + shown); }
 
+  /// What a script's hand does: buttons and the wheel are where its pointer is, and a key that goes down
+  /// comes up.
+  void inject(InputEvent event);
+
   /// An action of the script that is no command, picture or look.
   [[nodiscard]] virtual Result<void> perform(const ScriptAction& action) = 0;
 
@@ -74,6 +79,7 @@ class WindowLoop {
   void draw();
 
   std::uint64_t loops_ = 0;  ///< Until it is closed.
+  glm::vec2 scriptPointer_{0.0F};
   std::string error_;
 };
 

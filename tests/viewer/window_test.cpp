@@ -121,6 +121,20 @@ TEST_P(WindowTest, EverySceneOpens) {
   }
 }
 
+TEST_P(WindowTest, AClickInACurveStopsAndShowsThatFrame) {
+  if (!shows()) GTEST_SKIP() << "nothing is drawn";
+  ViewerDef def;
+  def.worlds = {world("duel")};
+  def.loops = 60;
+  const std::string open = "1 key F3\n30 move 512 70\n";
+  const auto clicked = play(
+      def, open + "31 down left\n32 up left\n" + shot(40, "then.png") + "41 key End\n" + shot(43, "now.png"));
+  ASSERT_TRUE(clicked) << clicked.error().message;
+  EXPECT_GE(clicked->frames.front(), 28U);
+  EXPECT_LE(clicked->frames.front(), 33U);
+  EXPECT_GT(differentPixels(picture("then.png"), picture("now.png")), 100);
+}
+
 TEST_P(WindowTest, CostsThePhysicsNothing) {
   RunOptions alone = world("duel");
   alone.frames = 249;
@@ -403,10 +417,10 @@ TEST_P(WindowTest, StoresTheRunFromItsFirstFrameOnAndReplaysItBothWays) {
   EXPECT_GE((*second)->last(), 58U);
   EXPECT_EQ((*second)->damage(), "");
 
-  const auto replay = [&](const std::string& script) {
+  const auto replay = [&](const std::string& script, const glm::ivec2& size = {640, 400}) {
     ReplayDef def{.recording = folder_ / "out" / "run-2.rec", .out = folder_ / "out", .loops = 40};
     def.script = ViewScript::parse(script, "script").value();
-    auto renderer = makeRenderer(GetParam(), {.size = {640, 400}});
+    auto renderer = makeRenderer(GetParam(), {.size = size});
     EXPECT_TRUE(renderer) << renderer.error().message;
     return runReplay(**renderer, def);
   };
@@ -428,6 +442,20 @@ TEST_P(WindowTest, StoresTheRunFromItsFirstFrameOnAndReplaysItBothWays) {
   ASSERT_TRUE(backwards) << backwards.error().message;
   EXPECT_LT(backwards->frame, (*second)->last() - 15);
   EXPECT_GT(backwards->frame, (*second)->last() - 25);
+
+  // A click picks what is under the pointer, a drag turns, and beside all bodies none is picked.
+  const std::string click = "2 point hunter\n3 down left\n4 up left\n";
+  EXPECT_EQ(replay("0 do play\n" + click)->picked, "hunter");
+  EXPECT_EQ(replay("0 do play\n" + click + "5 down left\n6 move 500 300\n7 up left\n")->picked, "hunter");
+  EXPECT_EQ(replay("0 do play\n" + click + "5 move 2 300\n6 down left\n7 up left\n")->picked, "");
+  EXPECT_EQ(replay("0 do play\n" + click + "5 do let-go\n")->picked, "");
+  EXPECT_EQ(replay("2 point nobody\n").error().message,
+            "\"nobody\" is no body of this frame, or behind the camera");
+  if (!shows()) return;
+  // In the middle of the curve of the physics' time.
+  const auto sought = replay("0 do play\n2 move 1147 100\n3 down left\n4 up left\n", {1280, 720});
+  ASSERT_TRUE(sought) << sought.error().message;
+  EXPECT_NEAR(static_cast<double>(sought->frame), 0.5 * static_cast<double>((*second)->last()), 2.0);
 }
 
 TEST_P(WindowTest, RefusesWhatDoesNotExist) {

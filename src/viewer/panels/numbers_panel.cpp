@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "viewer/panels/frame_plots.h"
 #include "viewer/panels/panels.h"
 #include "viewer/panels/plot.h"
 
@@ -14,20 +15,6 @@ namespace {
 constexpr std::size_t kFrames = 300;
 
 constexpr std::array<ImU32, 2> kPaneColors{IM_COL32(240, 160, 70, 255), IM_COL32(90, 215, 160, 255)};
-
-constexpr std::array<ImU32, kStageCount> kStageColors{
-    IM_COL32(120, 170, 230, 255), IM_COL32(170, 200, 240, 255), IM_COL32(240, 150, 80, 255),
-    IM_COL32(150, 130, 210, 255), IM_COL32(220, 120, 180, 255), IM_COL32(225, 95, 95, 255),
-    IM_COL32(130, 200, 130, 255), IM_COL32(160, 160, 160, 255), IM_COL32(200, 200, 130, 255),
-    IM_COL32(90, 215, 190, 255)};
-
-/// "collision detection" of "collision_detection_ms".
-std::string stageName(Stage stage) {
-  std::string name(stageColumn(stage));
-  name = name.substr(0, name.size() - 3);
-  std::replace(name.begin(), name.end(), '_', ' ');
-  return name;
-}
 
 std::vector<float> values(const FrameData& data, std::string_view channel) {
   std::vector<float> values;
@@ -51,32 +38,8 @@ PlotDef plotOf(const ViewerState& state, const char* title, std::string_view cha
   return plot;
 }
 
-/// Levels in use: pairs at their finest level, and all pairs of the narrowphase, of the last world.
-PlotDef levelsPlot(const ViewerState& state) {
-  const FrameData& data = state.panes.back()->experiment().data();
-  PlotDef plot;
-  plot.title = "pairs by level, " + state.panes.back()->label();
-  const std::vector<float> finest = values(data, "finest_pairs");
-  std::vector<float> coarser = values(data, "narrowphase_pairs");
-  for (std::size_t i = 0; i < coarser.size(); ++i) coarser[i] = std::max(0.0F, coarser[i] - finest[i]);
-  plot.lines = {{"finest", IM_COL32(90, 215, 120, 255), finest},
-                {"coarser", IM_COL32(235, 110, 80, 255), coarser}};
-  plot.stacked = true;
-  return plot;
-}
-
-PlotDef stagesPlot(const Pane& pane) {
-  PlotDef plot;
-  plot.title = "stages, " + pane.label();
-  plot.unit = "ms";
-  plot.stacked = true;
-  for (std::size_t i = 0; i < kStageCount; ++i) {
-    const auto stage = static_cast<Stage>(i);
-    std::vector<float> line = values(pane.experiment().data(), stageColumn(stage));
-    const bool matters = std::any_of(line.begin(), line.end(), [](float value) { return value > 0.05F; });
-    if (matters) plot.lines.push_back({stageName(stage), kStageColors[i], std::move(line)});
-  }
-  return plot;
+ChannelValues valuesOf(const Pane& pane) {
+  return [&data = pane.experiment().data()](std::string_view channel) { return values(data, channel); };
 }
 
 struct StageFigures {
@@ -127,16 +90,30 @@ void showStageTable(const Pane& pane) {
   ImGui::PopStyleVar();
 }
 
+/// A click goes to a frame of the past.
+void draw(PlotDef plot, const ViewerState& state, float scale) {
+  std::size_t count = 0;
+  for (const PlotLine& line : plot.lines) count = std::max(count, line.values.size());
+  if (count == 0) return;
+  Playback& time = state.playback;
+  const std::uint64_t first = time.newest() + 1 - std::min<std::uint64_t>(count, time.newest() + 1);
+  // What is older than the plot is shown by none of its values.
+  const std::uint64_t now = time.shown() >= first ? time.shown() - first : count;
+  plot.time = PlotTime{.values = count, .now = static_cast<std::size_t>(now), .firstFrame = first};
+  if (const auto held = drawPlot(plot, scale)) time.show(std::max(time.oldest(), first + *held));
+}
+
 void showPlots(const ViewerState& state, float scale) {
   PlotDef time = plotOf(state, "physics", "physics_cpu_ms", "ms");
   time.limit = static_cast<float>(state.control.now().budget.milliseconds);
   time.height = 100.0F;
-  drawPlot(time, scale);
-  drawPlot(stagesPlot(*state.panes.back()), scale);
-  drawPlot(plotOf(state, "manifolds", "manifolds", ""), scale);
-  drawPlot(plotOf(state, "contacts", "contacts", ""), scale);
-  drawPlot(plotOf(state, "pairs", "narrowphase_pairs", ""), scale);
-  drawPlot(levelsPlot(state), scale);
+  draw(time, state, scale);
+  const Pane& last = *state.panes.back();
+  draw(stagesPlot(valuesOf(last), last.label()), state, scale);
+  draw(plotOf(state, "manifolds", "manifolds", ""), state, scale);
+  draw(plotOf(state, "contacts", "contacts", ""), state, scale);
+  draw(plotOf(state, "pairs", "narrowphase_pairs", ""), state, scale);
+  draw(levelsPlot(valuesOf(last), last.label()), state, scale);
 }
 
 }  // namespace

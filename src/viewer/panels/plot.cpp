@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <span>
+#include <utility>
 
 #include "viewer/panels/plot_axis.h"
 
@@ -14,6 +16,7 @@ constexpr ImU32 kLimit = IM_COL32(255, 80, 80, 200);
 constexpr ImU32 kMark = IM_COL32(130, 145, 165, 110);
 constexpr ImU32 kMarkText = IM_COL32(150, 165, 185, 255);
 constexpr ImU32 kPeak = IM_COL32(255, 255, 255, 230);
+constexpr ImU32 kNow = IM_COL32(255, 255, 255, 150);
 
 std::string withUnit(float value, const std::string& unit) {
   char text[48];
@@ -25,12 +28,6 @@ std::string withUnit(float value, const std::string& unit) {
   return text;
 }
 
-std::size_t framesOf(const PlotDef& plot) {
-  std::size_t frames = 0;
-  for (const PlotLine& line : plot.lines) frames = std::max(frames, line.values.size());
-  return frames;
-}
-
 float valueAt(const PlotLine& line, std::size_t frame) {
   return frame < line.values.size() ? line.values[frame] : 0.0F;
 }
@@ -38,7 +35,7 @@ float valueAt(const PlotLine& line, std::size_t frame) {
 PlotAxis axisOf(const PlotDef& plot) {
   std::vector<std::vector<float>> values;
   if (plot.stacked) {
-    values.emplace_back(framesOf(plot), 0.0F);
+    values.emplace_back(plot.time.values, 0.0F);
     for (const PlotLine& line : plot.lines) {
       for (std::size_t frame = 0; frame < line.values.size(); ++frame)
         values.front()[frame] += line.values[frame];
@@ -53,7 +50,7 @@ PlotAxis axisOf(const PlotDef& plot) {
 class Canvas {
  public:
   Canvas(const PlotDef& plot, const PlotAxis& axis, const ImVec2& corner, const ImVec2& size)
-      : corner_(corner), size_(size), axis_(axis), frames_(framesOf(plot)) {}
+      : corner_(corner), size_(size), axis_(axis), frames_(plot.time.values) {}
 
   [[nodiscard]] ImVec2 at(std::size_t frame, float value) const {
     const float share = frames_ > 1 ? static_cast<float>(frame) / static_cast<float>(frames_ - 1) : 0.0F;
@@ -73,16 +70,32 @@ class Canvas {
   std::size_t frames_;
 };
 
+/// A strip of two vertices a value: of quads, which share none, a window would have more than a list of them
+/// can hold.
+void drawLayer(const Canvas& canvas, std::span<const float> below, std::span<const float> above, ImU32 color,
+               ImDrawList& draw) {
+  if (below.size() < 2) return;
+  const auto count = static_cast<int>(below.size());
+  draw.PrimReserve(6 * (count - 1), 2 * count);
+  const unsigned first = draw._VtxCurrentIdx;
+  const ImVec2 white = ImGui::GetFontTexUvWhitePixel();
+  for (std::size_t i = 0; i < below.size(); ++i) {
+    draw.PrimWriteVtx(canvas.at(i, below[i]), white, color);
+    draw.PrimWriteVtx(canvas.at(i, above[i]), white, color);
+  }
+  for (int i = 0; i + 1 < count; ++i) {
+    for (const int corner : {0, 1, 3, 0, 3, 2})
+      draw.PrimWriteIdx(static_cast<ImDrawIdx>(first + static_cast<unsigned>(2 * i + corner)));
+  }
+}
+
 void drawLayers(const PlotDef& plot, const Canvas& canvas, ImDrawList& draw) {
-  std::vector<float> below(framesOf(plot), 0.0F);
+  std::vector<float> below(plot.time.values, 0.0F);
   for (const PlotLine& line : plot.lines) {
-    for (std::size_t frame = 0; frame + 1 < below.size(); ++frame) {
-      const float from = below[frame] + valueAt(line, frame);
-      const float to = below[frame + 1] + valueAt(line, frame + 1);
-      draw.AddQuadFilled(canvas.at(frame, below[frame]), canvas.at(frame, from), canvas.at(frame + 1, to),
-                         canvas.at(frame + 1, below[frame + 1]), line.color);
-    }
-    for (std::size_t frame = 0; frame < below.size(); ++frame) below[frame] += valueAt(line, frame);
+    std::vector<float> above = below;
+    for (std::size_t frame = 0; frame < above.size(); ++frame) above[frame] += valueAt(line, frame);
+    drawLayer(canvas, below, above, line.color, draw);
+    below = std::move(above);
   }
 }
 
@@ -133,12 +146,22 @@ void markPeak(const PlotDef& plot, const Canvas& canvas, float scale, ImDrawList
   draw.AddText({std::max(low.x, left), std::max(low.y + 1.0F, at.y - 1.4F * half.y)}, kPeak, text.c_str());
 }
 
+std::string nowText(const PlotLine& line, const PlotDef& plot) {
+  return plot.time.now < line.values.size() ? withUnit(line.values[plot.time.now], plot.unit) : "-";
+}
+
+/// Which frames a value is of.
+std::string whenText(const PlotTime& time, std::size_t value) {
+  const std::uint64_t first = time.firstFrame + value * time.framesEach;
+  if (time.framesEach == 1) return "frame " + std::to_string(first);
+  return "the most of frames " + std::to_string(first) + " to " + std::to_string(first + time.framesEach - 1);
+}
+
 void drawLegend(const PlotDef& plot, bool logarithmic) {
   ImGui::Text("%s%s", plot.title.c_str(), logarithmic ? ", log scale" : "");
   for (const PlotLine& line : plot.lines) {
     ImGui::SameLine();
-    const std::string text =
-        line.name + " " + (line.values.empty() ? "-" : withUnit(line.values.back(), plot.unit));
+    const std::string text = line.name + (line.name.empty() ? "" : " ") + nowText(line, plot);
     if (ImGui::GetContentRegionAvail().x < ImGui::CalcTextSize(text.c_str()).x) ImGui::NewLine();
     ImGui::PushStyleColor(ImGuiCol_Text, line.color);
     ImGui::TextUnformatted(text.c_str());
@@ -149,23 +172,25 @@ void drawLegend(const PlotDef& plot, bool logarithmic) {
 void showTip(const PlotDef& plot, const Canvas& canvas) {
   const std::size_t frame = canvas.frameAt(ImGui::GetIO().MousePos.x);
   ImGui::BeginTooltip();
-  ImGui::Text("%zu frames ago", framesOf(plot) - 1 - frame);
+  ImGui::TextUnformatted(whenText(plot.time, frame).c_str());
   for (const PlotLine& line : plot.lines) {
-    ImGui::Text("%s: %s", line.name.c_str(), withUnit(valueAt(line, frame), plot.unit).c_str());
+    const std::string value = withUnit(valueAt(line, frame), plot.unit);
+    ImGui::TextUnformatted((line.name + (line.name.empty() ? "" : ": ") + value).c_str());
   }
   ImGui::EndTooltip();
 }
 
 }  // namespace
 
-void drawPlot(const PlotDef& plot, float scale) {
-  if (framesOf(plot) == 0) return;
+std::optional<std::size_t> drawPlot(const PlotDef& plot, float scale) {
+  if (plot.time.values == 0) return std::nullopt;
   const PlotAxis axis = axisOf(plot);
   drawLegend(plot, axis.logarithmic);
   const ImVec2 size(std::max(40.0F, ImGui::GetContentRegionAvail().x), scale * plot.height);
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton(plot.title.c_str(), size);
   const bool pointed = ImGui::IsItemHovered();
+  const bool held = ImGui::IsItemActive();
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const Canvas canvas(plot, axis, corner, size);
   draw.AddRectFilled(corner, {corner.x + size.x, corner.y + size.y}, kBackground, 3.0F);
@@ -177,8 +202,11 @@ void drawPlot(const PlotDef& plot, float scale) {
     draw.AddLine({corner.x, y}, {corner.x + size.x, y}, kLimit, scale);
   }
   if (!plot.stacked) markPeak(plot, canvas, scale, draw);
+  const float x = canvas.at(plot.time.now, 0.0F).x;
+  draw.AddLine({x, corner.y}, {x, corner.y + size.y}, kNow, scale);
   draw.PopClipRect();
   if (pointed) showTip(plot, canvas);
+  return held ? std::optional(canvas.frameAt(ImGui::GetIO().MousePos.x)) : std::nullopt;
 }
 
 }  // namespace scatter::viewer
