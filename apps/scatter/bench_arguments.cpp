@@ -58,29 +58,37 @@ std::vector<std::uint64_t> seedsUpTo(int count) {
 }
 
 Result<void> prepareCsv(const BenchArguments& arguments) {
-  if (!arguments.csv) {
+  return prepareCsv("--csv", arguments.csv);
+}
+
+Result<void> prepareCsv(const std::string& name, const std::optional<std::string>& csv) {
+  if (!csv) {
     return {};
   }
-  const std::filesystem::path file(*arguments.csv);
+  const std::filesystem::path file(*csv);
   if (!file.has_filename() || std::filesystem::is_directory(file)) {
-    return fail("--csv \"" + *arguments.csv + "\" does not name a file; give it a name such as table.csv");
+    return fail(name + " \"" + *csv + "\" does not name a file; give it a name such as table.csv");
   }
   return prepareOutputFolder(file.has_parent_path() ? file.parent_path() : ".");
 }
 
-ExitStatus report(const BenchArguments& arguments, const std::string& table, const std::string& csv) {
-  fmt::print("{}", table);
-  if (!arguments.csv) {
+ExitStatus writeCsv(const std::optional<std::string>& csv, const std::string& what, const std::string& text) {
+  if (!csv) {
     return ExitStatus::kOk;
   }
-  const std::filesystem::path file(*arguments.csv);
+  const std::filesystem::path file(*csv);
   std::error_code error;
   std::filesystem::create_directories(file.parent_path(), error);
-  if (auto written = writeFile(file, csv); !written) {
+  if (auto written = writeFile(file, text); !written) {
     return refuse(written.error());
   }
-  fmt::print("the numbers: {}\n", *arguments.csv);
+  fmt::print("{}: {}\n", what, *csv);
   return ExitStatus::kOk;
+}
+
+ExitStatus report(const BenchArguments& arguments, const std::string& table, const std::string& csv) {
+  fmt::print("{}", table);
+  return writeCsv(arguments.csv, "the numbers", csv);
 }
 
 std::function<void(const CompareProgress&)> benchProgress(const BenchArguments& arguments, std::string work) {

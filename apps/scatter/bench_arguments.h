@@ -37,6 +37,13 @@ void addSceneArgument(CLI::App& command, std::string& scene);
 /// Proves, before the long run, that the CSV file can be written; nothing to do without one.
 [[nodiscard]] Result<void> prepareCsv(const BenchArguments& arguments);
 
+/// The same of a file that the option `name` names.
+[[nodiscard]] Result<void> prepareCsv(const std::string& name, const std::optional<std::string>& csv);
+
+/// Writes `text` into the file if there is one, and says so: `what`: where. Status 2 if it cannot be written.
+[[nodiscard]] ExitStatus writeCsv(const std::optional<std::string>& csv, const std::string& what,
+                                  const std::string& text);
+
 /// Prints `table`, and writes `csv` if the arguments name a file. Status 2 if it cannot be written.
 [[nodiscard]] ExitStatus report(const BenchArguments& arguments, const std::string& table,
                                 const std::string& csv);

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct BenchBudgetArguments {
   bool byClock = false;
   double cut = 0.0;
   int cutFrames = 0;
+  std::optional<std::string> over;
 };
 
 std::string nameOf(const std::string& scene) {
@@ -106,11 +108,17 @@ ExitStatus study(const CLI::App& command, const BenchBudgetArguments& arguments)
   if (auto writable = prepareCsv(arguments.bench); !writable) {
     return refuse(writable.error());
   }
+  if (auto writable = prepareCsv("--over", arguments.over); !writable) {
+    return refuse(writable.error());
+  }
   const auto result = studyBudgets(*options, benchProgress(arguments.bench, "budgets"));
   if (!result) {
     return failed(result.error());
   }
-  return report(arguments.bench, formatBudgets(*result), budgetsCsv(*result));
+  const ExitStatus reported = report(arguments.bench, formatBudgets(*result), budgetsCsv(*result));
+  const ExitStatus told =
+      writeCsv(arguments.over, "the frames over their budget", budgetOverrunsCsv(*result));
+  return reported == ExitStatus::kOk ? told : reported;
 }
 
 }  // namespace
@@ -148,6 +156,10 @@ Command addBenchBudgetCommand(CLI::App& bench) {
                    "The cut ends after so many frames, and it is measured when detail is back [to the end]")
       ->check(wholeNumber<int>(1))
       ->type_name("N");
+  command
+      ->add_option("--over", arguments->over,
+                   "Write the frames that took more than 1.02 of their budget into this file")
+      ->type_name("FILE");
   addBenchArguments(*command, arguments->bench);
   return {command, [command, arguments] { return study(*command, *arguments); }};
 }

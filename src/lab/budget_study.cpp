@@ -99,6 +99,17 @@ std::optional<int> framesUntilBack(const Run& cut, const Run& uncut, std::size_t
   return std::nullopt;
 }
 
+BudgetOverrun overrunOf(const Run& run, std::size_t frame, double taken) {
+  const auto of = [&](const char* column) { return run.table.values(column)[frame]; };
+  return {.frame = static_cast<int>(frame),
+          .taken = taken,
+          .units = of("cost_units"),
+          .planned = of("planned_units"),
+          .floor = of("floor_units"),
+          .before = frame > 0 ? run.table.values("cost_units")[frame - 1] : 0.0,
+          .verdict = static_cast<BudgetVerdict>(static_cast<int>(of("budget_verdict")))};
+}
+
 void judge(const Run& run, const BudgetStudyOptions& options, BudgetTrial& trial) {
   const auto& costs = costsOf(run, options.byClock);
   const auto& units = run.table.values("cost_units");
@@ -110,7 +121,7 @@ void judge(const Run& run, const BudgetStudyOptions& options, BudgetTrial& trial
   const Cut cut(options, costs.size());
   for (std::size_t i = cut.firstJudged(); i < cut.endJudged(); ++i) {
     const double taken = costs[i] / trial.budget;
-    trial.over2 += taken > kOver2 ? 1 : 0;
+    if (taken > kOver2) trial.overruns.push_back(overrunOf(run, i, taken));
     trial.over5 += taken > kOver5 ? 1 : 0;
     trial.worst = std::max(trial.worst, taken);
     trial.impossible += taken > kOver2 && units[i] > 0.0 && floors[i] / units[i] * taken > 1.0 ? 1 : 0;
@@ -118,6 +129,7 @@ void judge(const Run& run, const BudgetStudyOptions& options, BudgetTrial& trial
       withheld.push_back(taken);
     }
   }
+  trial.over2 = static_cast<int>(trial.overruns.size());
   trial.withheld = static_cast<int>(withheld.size());
   trial.use = nearestRank(std::move(withheld), 0.5);
   trial.finest = shareOf(run, "touching_finest_pairs", "touching_pairs");
@@ -257,6 +269,21 @@ std::string budgetsCsv(const BudgetStudy& study) {
                      lab::shortestNumber(trial.use), lab::shortestNumber(trial.finest),
                      std::to_string(trial.impossible)});
     if (study.cutEnds) lines.back().push_back(trial.back ? std::to_string(*trial.back) : "");
+  }
+  return lab::csvText(lines);
+}
+
+std::string budgetOverrunsCsv(const BudgetStudy& study) {
+  std::vector<Cells> lines{{"scene", "floors", "frame", "taken", "units", "planned_units", "floor_units",
+                            "units_before", "verdict"}};
+  for (const BudgetTrial& trial : study.trials) {
+    for (const BudgetOverrun& overrun : trial.overruns) {
+      lines.push_back({trial.scene, lab::shortestNumber(trial.floors), std::to_string(overrun.frame),
+                       lab::shortestNumber(overrun.taken), lab::shortestNumber(overrun.units),
+                       lab::shortestNumber(overrun.planned), lab::shortestNumber(overrun.floor),
+                       lab::shortestNumber(overrun.before),
+                       std::to_string(static_cast<int>(overrun.verdict))});
+    }
   }
   return lab::csvText(lines);
 }

@@ -60,6 +60,10 @@ double CostModel::units(const PairWorkload& work) const {
          weights_.manifold * work.manifolds + weights_.piece * counts.pieces;
 }
 
+double CostModel::contactUnits(const PairWorkload& work) const {
+  return weights_.contact * work.contacts + (weights_.manifold + weights_.childPair) * work.manifolds;
+}
+
 double CostModel::commonUnits(const PairWorkload& work) const {
   return weights_.pair + weights_.rebuild * work.counts.rebuilds;
 }
@@ -73,7 +77,8 @@ double CostModel::units(const LooseContacts& contacts) const {
   return weights_.looseManifold * contacts.manifolds + weights_.contact * contacts.points;
 }
 
-void CostModel::learn(PairCost& cost, int level, int finest, bool touching, double units, double common) {
+void CostModel::learn(PairCost& cost, int level, int finest, bool touching, double units, double common,
+                      double contacts) {
   assert(level >= 1 && level <= finest);
   grow(finest);
   Kind& kind = kinds_[indexOf(level, finest)];
@@ -85,10 +90,11 @@ void CostModel::learn(PairCost& cost, int level, int finest, bool touching, doub
       kind.byTouch[touching ? 1 : 0].common.add(std::min(common, units));
     }
   } else {
-    // The first step at a level makes lists anew: what that takes does not belong to the level.
+    // The first step at a level makes lists anew: what that takes does not belong to the level. What its
+    // contacts take does.
     const double expected = predict(cost, level, cost.level, finest, touching);
     cost.level = static_cast<std::uint8_t>(level);
-    follow(cost, slot, std::min(units, expected));
+    follow(cost, slot, std::max(std::min(units, expected), contacts));
   }
   cost.touching[slot] = touching;
   constexpr std::uint32_t kEvery = 64;

@@ -79,15 +79,20 @@ class CostModel {
   [[nodiscard]] const CostWeights& weights() const { return weights_; }
   [[nodiscard]] double units(const PairWorkload& work) const;
 
+  /// Of these, what contacts take that stay: with looking at their parts again.
+  [[nodiscard]] double contactUnits(const PairWorkload& work) const;
+
   /// Of these, what a pair costs at any level.
   [[nodiscard]] double commonUnits(const PairWorkload& work) const;
   [[nodiscard]] double units(const StepLoad& load) const;
   [[nodiscard]] double units(const LooseContacts& contacts) const;
 
   /// After a pair was processed at `level` of `finest`, 1 <= level <= finest: takes in what it cost, and what
-  /// of that it would have cost at any level. A pair that was left out of a step because it sleeps cost 0:
-  /// say so, or it counts as dear as before. (0 does not count in what is known of other pairs.)
-  void learn(PairCost& cost, int level, int finest, bool touching, double units, double common = 0.0);
+  /// of that it would have cost at any level, and what its contacts are going to cost again. A pair that was
+  /// left out of a step because it sleeps cost 0: say so, or it counts as dear as before. (0 does not count
+  /// in what is known of other pairs.)
+  void learn(PairCost& cost, int level, int finest, bool touching, double units, double common = 0.0,
+             double contacts = 0.0);
 
   /// Units a step at `level` for a pair that is at `now` (0: new), without what the switch costs.
   [[nodiscard]] double predict(const PairCost& cost, int level, int now, int finest, bool touching) const {

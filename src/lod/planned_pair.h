@@ -23,11 +23,12 @@ struct PlannedPair {
   /// A switch was not safe: not to be tried again for so many steps.
   std::uint8_t blockedSteps = 0;
 
-  float relieved = 0.0F;    ///< Units a step that it did cost when it was last relieved of its detail.
-  float expected = 0.0F;    ///< Units that the step under way is expected to take for it, not corrected.
-  std::uint8_t target = 0;  ///< The plan: the level that the pair should have; 0: not planned yet.
-  bool mustSave = false;    ///< The finer target is the cheaper one: not to be put off for want of budget.
-  bool byBudget = false;    ///< The governor, not a policy, took detail away.
+  float relieved = 0.0F;     ///< Units a step that it did cost when it was last relieved of its detail.
+  float expected = 0.0F;     ///< Units that the step under way is expected to take for it, not corrected.
+  std::uint8_t target = 0;   ///< The plan: the level that the pair should have; 0: not planned yet.
+  bool mustSave = false;     ///< The finer target is the cheaper one: not to be put off for want of budget.
+  bool hasContacts = false;  ///< In its last step, however far apart their points are.
+  bool byBudget = false;     ///< The governor, not a policy, took detail away.
 };
 
 }  // namespace scatter::lod

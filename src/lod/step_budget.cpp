@@ -68,12 +68,13 @@ PairUnits StepBudget::takeWork(PlannedPair& pair, const PairWorkload& work) {
   const double units = costs_.units(work) - saved;
   units_ += units;
   governor_.spend(pair, units, work.reuses ? std::max(static_cast<double>(pair.expected), units) : units);
-  return {units, costs_.commonUnits(work)};
+  return {units, costs_.commonUnits(work), std::min(costs_.contactUnits(work) - saved, units)};
 }
 
 void StepBudget::learn(PlannedPair& pair, bool touching, const PairUnits& units) {
   if (!isLimited()) return;
-  costs_.learn(pair.cost, pair.view.level, pair.view.finest, touching, units.all, units.common);
+  costs_.learn(pair.cost, pair.view.level, pair.view.finest, touching, units.all, units.common,
+               units.contacts);
 }
 
 void StepBudget::takeLoose(const LooseContacts& contacts) {

@@ -16,6 +16,7 @@ namespace scatter::lod {
 struct PairUnits {
   double all = 0.0;
   double common = 0.0;
+  double contacts = 0.0;  ///< What its contacts are going to take in the next steps, too: less than all.
 };
 
 /// What the step under way costs and may cost: the governor with what it is given to govern by. Clock-free

@@ -230,12 +230,12 @@ lod::SwitchRules Planner::rulesOf(std::size_t pair) const {
   return rules;
 }
 
-// Queries that a pair in contact must have made before it should keep its contacts for this step, as the
+// Queries that a pair with contacts must have made before it should keep its contacts for this step, as the
 // budget is about to be exceeded.
 int Planner::keepsFrom(std::size_t pair) const {
   const PlannedPair& planned = planned_[pair];
   const PairView& view = planned.view;
-  const bool isPlain = view.touching && !view.credited;
+  const bool isPlain = planned.hasContacts && !view.credited;
   if (!plans_ || !isPlain || planned.wish.atLeast >= view.finest) return PairPlan::kNever;
   for (int queries = 0; queries <= view.finest; ++queries) {
     if (budget_.isShortAfterQueries(queries)) return queries;
@@ -348,6 +348,7 @@ void Planner::takeWork(std::size_t pair, const PairOutcome& outcome) {
     ++view.contactSteps;
   }
   view.touching = outcome.touching;
+  planned.hasContacts = outcome.work.contacts > 0;
   view.credited = outcome.credited;
   count(planned);
   counts_.touchingPairs += outcome.touching ? 1 : 0;

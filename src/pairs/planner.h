@@ -130,7 +130,7 @@ class Planner {
   [[nodiscard]] bool isForeseeable(int index, int level) const {
     const lod::PlannedPair& planned = pair(index);
     return planned.view.level == level && planned.target == level && !planned.view.credited &&
-           !(plans_ && planned.view.touching);
+           !(plans_ && planned.hasContacts);
   }
 
   /// Whether anything asks for other levels than the finest.

@@ -19,7 +19,8 @@ struct ReplayDef {
   std::filesystem::path out = "out/view";  ///< Pictures go here.
   std::uint64_t loops = 0;                 ///< As ViewerDef has it, as what follows.
   std::optional<ViewScript> script{};
-  std::vector<std::string> views{"marks"};  ///< Of these shapes, levels, contacts, credit, sleeping and marks are recorded.
+  std::vector<std::string> views{
+      "marks"};  ///< Of these shapes, levels, contacts, credit, sleeping and marks are recorded.
   bool panels = true;
 };
 

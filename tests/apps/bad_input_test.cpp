@@ -158,6 +158,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"noVerification", {"run", "tower", "--verify-contacts", "0"}, "needs a whole number from 1"},
         Refusal{
             "cutFramesWithoutCut", {"bench", "budget", "--cut-frames", "9"}, "--cut-frames says how long"},
+        Refusal{"overIntoAFolder", {"bench", "budget", "--over", "."}, "--over \".\" does not name a file"},
         Refusal{"cutByTheClock", {"bench", "budget", "--cut", "2", "--clock"}, "--cut has no meaning"},
         Refusal{"budgetSeedsWithoutFamily",
                 {"bench", "budget", "--scenes", "duel", "--seeds", "2"},

@@ -64,6 +64,10 @@ TEST(BudgetStudy, CountsFramesThatTookMoreAndThoseThatHadTo) {
   const std::string table = formatBudgets(*study);
   EXPECT_THAT(table, HasSubstr("1 runs, 7 frames: 57.14 % took more than 1.02"));
   EXPECT_THAT(budgetsCsv(*study), HasSubstr("a,1,100,7,4,2,1.5,3,0.9,1,2"));
+  std::vector<int> frames;
+  for (const BudgetOverrun& overrun : trial.overruns) frames.push_back(overrun.frame);
+  EXPECT_EQ(frames, (std::vector<int>{0, 1, 2, 6}));
+  EXPECT_THAT(budgetOverrunsCsv(*study), HasSubstr("\na,1,1,1.04,104,0,102,103,"));
 }
 
 TEST(BudgetStudy, ABudgetThatIsCutIsJudgedOnceThereWasTimeForIt) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <scatter/lab/comparison.h>
+#include <scatter/lod/budget_state.h>
 
 #include <functional>
 #include <optional>
@@ -27,6 +28,17 @@ struct BudgetStudyOptions {
   int cutFrames = 0;
 };
 
+/// A frame that took more than 1.02 of its budget.
+struct BudgetOverrun {
+  int frame = 0;                                 ///< From 0.
+  double taken = 0.0;                            ///< In budgets.
+  double units = 0.0;                            ///< That it took,
+  double planned = 0.0;                          ///< and was planned to take.
+  double floor = 0.0;                            ///< Units that could not be given up in it, about.
+  double before = 0.0;                           ///< Units of the frame before; 0 of the first one.
+  BudgetVerdict verdict = BudgetVerdict::kNone;  ///< What the world said of it.
+};
+
 /// How one budget was kept in one scene.
 struct BudgetTrial {
   std::string scene;
@@ -42,6 +54,7 @@ struct BudgetTrial {
   double finest =
       0.0;  ///< Of touching pairs with a hybrid, over all frames, at their finest level; 1 for none.
   int impossible = 0;  ///< Frames over the budget in which what could not be given up was over it as well.
+  std::vector<BudgetOverrun> overruns{};  ///< The frames of over2.
 
   /// After a cut that ends: frames until the share of touching pairs that are at their finest level is again,
   /// over kDetailWindow frames, at most kDetailBack below that of the same run without a cut. Absent: not in
@@ -73,5 +86,8 @@ struct BudgetStudy {
 
 /// One line for each trial.
 [[nodiscard]] std::string budgetsCsv(const BudgetStudy& study);
+
+/// One line for each frame that took more than 1.02 of its budget.
+[[nodiscard]] std::string budgetOverrunsCsv(const BudgetStudy& study);
 
 }  // namespace scatter
