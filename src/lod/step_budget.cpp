@@ -63,12 +63,13 @@ void StepBudget::countAudit(const PairWorkload& work) {
 PairUnits StepBudget::takeWork(PlannedPair& pair, const PairWorkload& work) {
   const int spare = contacts_.concerns(work.contacts) ? work.contacts : 0;
   const double saved = contacts_.expected(spare);
+  const double hidden = costs_.weights().hiddenContact * spare;
   ownSpare_ += spare;
   savedUnits_ += saved;
   const double units = costs_.units(work) - saved;
   units_ += units;
   governor_.spend(pair, units, work.reuses ? std::max(static_cast<double>(pair.expected), units) : units);
-  return {units, costs_.commonUnits(work), std::min(costs_.contactUnits(work) - saved, units)};
+  return {units, costs_.commonUnits(work), std::min(costs_.contactUnits(work) - hidden, units)};
 }
 
 void StepBudget::learn(PlannedPair& pair, bool touching, const PairUnits& units) {
