@@ -229,7 +229,9 @@ void SceneView::add(const Moment& moment, const DebugViewSet& views, const Cutaw
     shown.cutAway = cutaway.share(body);
     shown.observed = observedOf(moment.observed, body);
     if (costs && def->motion != Motion::kStatic) shown.cost = (*costs)[body];
-    if (const auto mark = marks.find(body); mark != marks.end()) shown.mark = mark->second;
+    // A floor has pairs with all that lies on it: it would flash all the time.
+    const auto mark = def->motion != Motion::kStatic ? marks.find(body) : marks.end();
+    if (mark != marks.end()) shown.mark = mark->second;
     if (const auto earlier = moving ? before.find(body) : std::nullopt) {
       shown.pose = between(before.pose(*earlier), shown.pose, moment.fraction);
     }
