@@ -281,22 +281,6 @@ int Governor::levelFor(const PlannedPair& pair, bool isAdmitted) const {
   return isMiddle_ ? std::clamp(middleOf(pair, def_.creditLevel), low, high) : low;
 }
 
-/// What a switch takes besides what the pair takes anyway: lists are made anew, and all that is near is
-/// looked at, which is dear where bodies have many parts.
-double Governor::switchUnits(const PlannedPair& pair, const CostModel& costs) const {
-  const Kind& kind = kinds_[pair.kind];
-  const double usual = costs.weights().switched + costs.weights().separationQuery;
-  if (kind.switches <= 0.0) return usual;
-  return usual + std::max(kind.switching - predict(pair, costs, pair.view.level), 0.0);
-}
-
-void Governor::learnSwitch(const PlannedPair& pair, double units) {
-  constexpr double kMemory = 30.0;  // switches
-  Kind& kind = kinds_[pair.kind];
-  kind.switches = std::min(kind.switches + 1.0, kMemory);
-  kind.switching += (units - kind.switching) / kind.switches;
-}
-
 // The wish's bounds, and pairs that are apart.
 void Governor::planPair(PlannedPair& pair, const CostModel& costs) {
   const PairView& view = pair.view;
@@ -315,7 +299,7 @@ void Governor::planPair(PlannedPair& pair, const CostModel& costs) {
     const int wanted = isMiddle_ && !admitted ? target : levelFor(pair, admitted);
     double& room = wanted < view.level ? coarserRoom_ : finerRoom_;
     if (wanted != view.level && room > 0.0) {
-      room -= switchUnits(pair, costs);
+      room -= costs.weights().switched + costs.weights().separationQuery;
       target = wanted;
     }
   }
@@ -348,8 +332,7 @@ void Governor::acceptRelief(std::span<PlannedPair> pairs, const CostModel& costs
   for (Offer& offer : offers_) {
     PlannedPair& pair = pairs[offer.pair];
     pair.relieved = static_cast<float>(predict(pair, costs, pair.view.level));
-    const double looks = each + static_cast<double>(pair.relieved);
-    offer.cost = static_cast<float>(correction_ * std::max(looks, switchUnits(pair, costs)));
+    offer.cost = static_cast<float>(correction_ * (each + static_cast<double>(pair.relieved)));
   }
   accept(pairs, std::max({kRelief * capacity_, kReliefShare * excess, bestCost()}), 1.0);
 }
@@ -382,8 +365,7 @@ void Governor::giveBack(std::span<PlannedPair> pairs, const CostModel& costs, do
     const int high = highest(pair);
     if (!(pair.view.touching || pair.view.credited) || pair.target >= high || pair.blockedSteps > 0) continue;
     const double dearer = finestUnits(pair, costs) - predict(pair, costs, pair.view.level);
-    const double looks = std::max(dearer, 0.0) + costs.weights().switched;
-    const auto extra = static_cast<float>(correction_ * std::max(looks, switchUnits(pair, costs)));
+    const auto extra = static_cast<float>(correction_ * (std::max(dearer, 0.0) + costs.weights().switched));
     if (extra > room) continue;
     const float gain = (pair.view.credited ? kCreditLoss : kCoarseLoss) * importanceOf(pair);
     offers_.push_back({gain / extra, extra, i, static_cast<std::uint8_t>(high)});

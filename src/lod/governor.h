@@ -56,10 +56,6 @@ class Governor {
   }
   void spend(double units) { spent_ += units; }
 
-  /// What a pair took in a step in which it switched, without queries: for the room that the next ones of its
-  /// kind need.
-  void learnSwitch(const PlannedPair& pair, double units);
-
   /// Whether the step under way is about to exceed its budget: what can be put off to the next one should be.
   /// `more`: units that are going to be spent.
   [[nodiscard]] bool isShort(double more = 0.0) const {
@@ -94,7 +90,6 @@ class Governor {
   void learnKind(const PlannedPair& pair, double units);
   void learnCredit(const PlannedPair& pair, double units);
   void shareOut();
-  [[nodiscard]] double switchUnits(const PlannedPair& pair, const CostModel& costs) const;
   [[nodiscard]] double creditUnits(const PlannedPair& pair, int level, double now) const;
   [[nodiscard]] double finestUnits(const PlannedPair& pair, const CostModel& costs) const;
   [[nodiscard]] bool isAdmitted(const PlannedPair& pair) const;
@@ -113,8 +108,6 @@ class Governor {
     double weight = 0.0;
     double onCredit = 0.0;
     double beforeCredit = 0.0;
-    double switching = 0.0;  ///< What a pair takes in a step in which it switches.
-    double switches = 0.0;   ///< How many that is the mean of.
     double share[2]{1.0, 1.0};
   };
 

@@ -16,8 +16,7 @@ namespace scatter::lod {
 struct PairUnits {
   double all = 0.0;
   double common = 0.0;
-  double contacts =
-      0.0;  ///< What its contacts take in the next steps, too, if all are hidden that may be; less than all.
+  double contacts = 0.0;  ///< What its contacts take in the next steps, too, if all are hidden that may be.
 };
 
 /// What the step under way costs and may cost: the governor with what it is given to govern by. Clock-free
@@ -63,9 +62,6 @@ class StepBudget {
 
   /// What a pair's step did cost.
   PairUnits takeWork(PlannedPair& pair, const PairWorkload& work);
-
-  /// Then, of a pair that has switched in this step: what it took.
-  void takeSwitch(const PlannedPair& pair, const PairUnits& units) { governor_.learnSwitch(pair, units.all); }
 
   /// A pair was left without a look.
   void takeQuiet(PlannedPair& pair) { governor_.spend(pair, 0.0, 0.0); }

@@ -263,7 +263,6 @@ PairPlan Planner::planPair(int index) {
 
 void Planner::take(int index, const PairOutcome& outcome) {
   const auto i = static_cast<std::size_t>(index);
-  const bool isNew = planned_[i].view.level == 0;
   if (outcome.tried) acknowledge(i);
   takeQueries(outcome.choiceQueries);
   if (outcome.tried) takeChoice(i, outcome.choice);
@@ -275,11 +274,7 @@ void Planner::take(int index, const PairOutcome& outcome) {
     ++counts_.separationQueries;
     budget_.countAudit(outcome.auditWork);
   }
-  const lod::PairUnits units = takeWork(i, outcome);
-  const lod::SwitchKind kind = outcome.choice.kind;
-  const bool switches =
-      outcome.tried && !isNew && (kind == lod::SwitchKind::kFree || kind == lod::SwitchKind::kOnCredit);
-  if (switches) budget_.takeSwitch(planned_[i], units);
+  takeWork(i, outcome);
 }
 
 void Planner::takeQueries(int queries) {
@@ -331,12 +326,11 @@ void Planner::takeQuiet(const QuietPairs& pairs) {
   counts_.finestPairs += pairs.atFinest;
 }
 
-lod::PairUnits Planner::takeWork(std::size_t pair, const PairOutcome& outcome) {
+void Planner::takeWork(std::size_t pair, const PairOutcome& outcome) {
   PlannedPair& planned = planned_[pair];
   PairView& view = planned.view;
   Known& known = known_[pair];
-  const lod::PairUnits taken = budget_.takeWork(planned, outcome.work);
-  lod::PairUnits units = taken;
+  lod::PairUnits units = budget_.takeWork(planned, outcome.work);
   known.step = step_;
   known.units = static_cast<float>(units.all);
   own_.manifolds += outcome.work.manifolds;
@@ -359,7 +353,6 @@ lod::PairUnits Planner::takeWork(std::size_t pair, const PairOutcome& outcome) {
   count(planned);
   counts_.touchingPairs += outcome.touching ? 1 : 0;
   counts_.touchingFinest += outcome.touching && view.level == view.finest ? 1 : 0;
-  return taken;
 }
 
 void Planner::finish() {
