@@ -165,6 +165,21 @@ TEST(CostModel, TheFirstStepAtALevelDoesNotCount) {
   EXPECT_NEAR(costs.predict(cost, 3, 3, 3, kTouching), before, 0.1);
 }
 
+TEST(CostModel, OfTheFirstStepWhatItsContactsTakeCounts) {
+  const CostModel costs{CostWeights{}};
+  const CostWeights weights;
+  EXPECT_DOUBLE_EQ(
+      costs.contactUnits(PairWorkload{.counts = {.childPairs = 50}, .contacts = 4, .manifolds = 2}),
+      4.0 * weights.contact + 2.0 * (weights.manifold + weights.childPair));
+  CostModel learning{CostWeights{}};
+  PairCost apart;
+  PairCost withContacts;
+  learning.learn(apart, 3, 3, !kTouching, 40.0, 1.0, 0.0);
+  learning.learn(withContacts, 3, 3, !kTouching, 40.0, 1.0, 25.0);
+  EXPECT_LT(learning.predict(apart, 3, 3, 3, !kTouching), 5.0);
+  EXPECT_GE(learning.predict(withContacts, 3, 3, 3, !kTouching), 25.0);
+}
+
 TEST(CostModel, SleepingPairsBecomeCheapAndTeachNothingAboutOthers) {
   CostModel costs{CostWeights{}};
   PairCost cost;
