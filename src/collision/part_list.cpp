@@ -121,7 +121,25 @@ void PartList::addBoxes(std::span<const PartDef> parts) {
     if (part.asksBounds) {
       asking_.push_back(i);
     } else if (isTurned(part.boundsAxes)) {
-      turned_.push_back({i, part.boundsAxes, part.boundsHalf});
+      turned_.part.push_back(i);
+    }
+  }
+  addTurned(parts);
+}
+
+void PartList::addTurned(std::span<const PartDef> parts) {
+  const auto room = static_cast<std::size_t>(simd::padded(static_cast<int>(turned_.part.size())));
+  resize(turned_.boxes, room);
+  turned_.margin.assign(room, 0.0F);
+  for (std::vector<float>(&axis)[3] : turned_.axes) {
+    for (std::vector<float>& values : axis) values.assign(room, 0.0F);
+  }
+  for (std::size_t i = 0; i < turned_.part.size(); ++i) {
+    const PartDef& part = parts[turned_.part[i]];
+    setBox(turned_.boxes, i, part.boundsCenter, part.boundsHalf);
+    turned_.margin[i] = part.boundsMargin;
+    for (int axis = 0; axis < 3; ++axis) {
+      for (int k = 0; k < 3; ++k) turned_.axes[axis][k][i] = part.boundsAxes[axis][k];
     }
   }
 }
@@ -162,15 +180,33 @@ void PartList::worldBounds(const Frame& frame, std::vector<float>& bounds) const
       (center + half).copy_to(high + i, simd::stdx::element_aligned);
     }
   }
-  for (const TurnedBounds& turned : turned_) {
-    const Vec3 center(engineBoxes_.center[0][turned.part], engineBoxes_.center[1][turned.part],
-                      engineBoxes_.center[2][turned.part]);
-    const Vec3 world = frame(center);
+  boundTurned<L>(frame, bounds);
+}
+
+// In the order of operations in which glm multiplies a vector and a matrix.
+template <class L>
+void PartList::boundTurned(const Frame& frame, std::vector<float>& bounds) const {
+  constexpr auto kStep = L::size();
+  const auto room = static_cast<std::size_t>(paddedCount());
+  for (std::size_t i = 0; i < turned_.part.size(); i += kStep) {
+    const auto at = [i](const std::vector<float>& values) { return simd::load<L>(values.data() + i); };
+    const std::size_t count = std::min(kStep, turned_.part.size() - i);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const Vec3 row = frame.row[axis] * turned.axes;
-      const float half = glm::dot(glm::abs(row), turned.half) + engineMargin_[turned.part];
-      bounds[axis * room + turned.part] = world[static_cast<int>(axis)] - half;
-      bounds[(axis + 3) * room + turned.part] = world[static_cast<int>(axis)] + half;
+      const Vec3& row = frame.row[axis];
+      const auto along = [&](const std::vector<float>(&of)[3]) {
+        return L(row.x) * at(of[0]) + L(row.y) * at(of[1]) + L(row.z) * at(of[2]);
+      };
+      const L center = along(turned_.boxes.center) + L(frame.origin[static_cast<int>(axis)]);
+      const L half = simd::stdx::abs(along(turned_.axes[0])) * at(turned_.boxes.half[0]) +
+                     simd::stdx::abs(along(turned_.axes[1])) * at(turned_.boxes.half[1]) +
+                     simd::stdx::abs(along(turned_.axes[2])) * at(turned_.boxes.half[2]) + at(turned_.margin);
+      const L low = center - half;
+      const L high = center + half;
+      float* const to = bounds.data() + axis * room;
+      for (std::size_t lane = 0; lane < count; ++lane) {
+        to[turned_.part[i + lane]] = low[lane];
+        to[3 * room + turned_.part[i + lane]] = high[lane];
+      }
     }
   }
 }
@@ -193,9 +229,11 @@ void PartList::askBounds(const EngineBounds& engine, const Frame& frame, std::ve
 
 std::size_t PartList::bytes() const {
   const std::size_t boxArrays = 2 * 6 + 1;
-  return sizeof(*this) + parts_.size() * sizeof(Part) + turned_.size() * sizeof(TurnedBounds) +
-         asking_.size() * sizeof(std::size_t) +
-         sizeof(float) * (vertices_.size() + boxArrays * static_cast<std::size_t>(paddedCount()));
+  const std::size_t turnedArrays = 6 + 9 + 1;
+  return sizeof(*this) + parts_.size() * sizeof(Part) +
+         (turned_.part.size() + asking_.size()) * sizeof(std::size_t) +
+         sizeof(float) * (vertices_.size() + boxArrays * static_cast<std::size_t>(paddedCount()) +
+                          turnedArrays * turned_.margin.size());
 }
 
 }  // namespace scatter
