@@ -48,7 +48,7 @@ bool btHybridContactGroups::add(btPersistentManifold* manifold, Side side0, Side
 	return isOurs;
 }
 
-// The manifolds of a pair mostly follow each other, and so do their points.
+// Points of manifolds that follow each other do so, too. In a large island few of a pair do: Bullet sorts manifolds by island, and mixes them.
 void btHybridContactGroups::add(const Member& member)
 {
 	const int count = member.m_range.m_count;

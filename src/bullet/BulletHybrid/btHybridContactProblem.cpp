@@ -68,7 +68,7 @@ int btHybridContactProblem::placeOf(Side side, std::vector<int>& places)
 	return place;
 }
 
-// A body has few neighbours that it is the first of, and the manifolds of a pair mostly follow each other.
+// A body has few neighbours that it is the first of.
 int btHybridContactProblem::pairOf(int a, int b)
 {
 	if (size_t(a) >= m_lastPair.size())
