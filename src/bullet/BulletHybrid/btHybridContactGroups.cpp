@@ -48,7 +48,7 @@ bool btHybridContactGroups::add(btPersistentManifold* manifold, Side side0, Side
 	return isOurs;
 }
 
-// Points of manifolds that follow each other do so, too. In a large island few of a pair do: Bullet sorts manifolds by island, and mixes them.
+// Manifolds that follow each other have points that do. In a large island few of a pair do: Bullet has mixed them.
 void btHybridContactGroups::add(const Member& member)
 {
 	const int count = member.m_range.m_count;
