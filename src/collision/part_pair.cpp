@@ -214,7 +214,7 @@ void PartPair::follow(const PartBody& a, const PartBody& b) {
 }
 
 // A dozen steps at the last motion: good for slow and fast bodies alike, and the number matters little. A
-// list that would not last for one step gets no room at all. With 1, 1.5, 2 or 2.5 thresholds as the widest,
+// list that would not last for one step gets no room at all. With 1.5, 2 or 2.5 thresholds as the widest,
 // `scatter run` of the families implosion, rooms, bowl and ships_heights (seeds 11, 13 to 15) in `lean` takes
 // 0.92 to 0.97 of the time that it takes where fast bodies' lists are wide, too, whichever it is.
 float PartPair::skin() const {
