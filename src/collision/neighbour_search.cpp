@@ -1,5 +1,6 @@
 #include "collision/neighbour_search.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -16,78 +17,87 @@ constexpr auto kLaneCount = Lanes::size();
 constexpr float kNoBox = 1e18F;  // as a negative extent: no box is near
 constexpr float kAxisRounding = 1e-6F;
 
-// The bounds, along the axes of the frame that `rows` lead to, of a box with these half extents.
-Vec3 halfIn(const Vec3 (&rows)[3], const Vec3& half) {
-  return {glm::dot(rows[0], half), glm::dot(rows[1], half), glm::dot(rows[2], half)};
-}
-
-// Rotation parts without signs; a little more, so that rounding does not narrow a box.
-struct Spread {
-  Vec3 toA[3]{};
-  Vec3 toB[3]{};
-
-  explicit Spread(const Frame& frameB) {
-    for (int i = 0; i < 3; ++i) toA[i] = glm::abs(frameB.row[i]) + kAxisRounding;
-    for (int i = 0; i < 3; ++i) toB[i] = Vec3(toA[0][i], toA[1][i], toA[2][i]);
-  }
-};
-
 Vec3 at(const std::vector<float> (&arrays)[3], std::size_t i) {
   return {arrays[0][i], arrays[1][i], arrays[2][i]};
 }
 
-bool isFurther(const Vec3& offset, const Vec3& reach) {
-  return std::abs(offset.x) > reach.x || std::abs(offset.y) > reach.y || std::abs(offset.z) > reach.z;
+Vec3 columnOf(const Frame& frame, int i) {
+  return {frame.row[0][i], frame.row[1][i], frame.row[2][i]};
 }
 
 // How far boxes lie apart along one axis.
-Lanes gap(const std::vector<float>& center, const std::vector<float>& half, std::size_t i, float otherCenter,
-          float otherHalf) {
-  return abs(load<Lanes>(center.data() + i) - Lanes(otherCenter)) -
-         (load<Lanes>(half.data() + i) + Lanes(otherHalf));
+Lanes gap(const float* center, const float* half, float otherCenter, float otherHalf) {
+  return abs(load<Lanes>(center) - Lanes(otherCenter)) - (load<Lanes>(half) + Lanes(otherHalf));
+}
+
+// In the order of operations of glm::dot.
+Lanes dot(const Vec3& row, const Lanes (&v)[3]) {
+  return Lanes(row.x) * v[0] + Lanes(row.y) * v[1] + Lanes(row.z) * v[2];
 }
 
 }  // namespace
 
-void NeighbourSearch::Candidates::clear() {
-  part.clear();
-  for (auto* arrays : {&centerInA, &halfInA, &centerInB, &halfInB}) {
-    for (auto& array : *arrays) array.clear();
-  }
+NeighbourSearch::Passage NeighbourSearch::Passage::outOf(const Frame& frame) {
+  Passage passage{{frame.row[0], frame.row[1], frame.row[2]}, Vec3(0.0F), frame.origin, {}};
+  passage.findSpread();
+  return passage;
 }
 
-void NeighbourSearch::Candidates::add(std::uint16_t index, const Vec3& centerA, const Vec3& halfA,
-                                      const Vec3& centerB, const Vec3& halfB) {
-  part.push_back(index);
+NeighbourSearch::Passage NeighbourSearch::Passage::into(const Frame& frame) {
+  Passage passage{
+      {columnOf(frame, 0), columnOf(frame, 1), columnOf(frame, 2)}, -frame.origin, Vec3(0.0F), {}};
+  passage.findSpread();
+  return passage;
+}
+
+void NeighbourSearch::Passage::findSpread() {
+  for (int axis = 0; axis < 3; ++axis) spread[axis] = glm::abs(row[axis]) + kAxisRounding;
+}
+
+NeighbourSearch::Box NeighbourSearch::Passage::operator()(const Box& box) const {
+  Box there{};
   for (int axis = 0; axis < 3; ++axis) {
-    centerInA[axis].push_back(centerA[axis]);
-    halfInA[axis].push_back(halfA[axis]);
-    centerInB[axis].push_back(centerB[axis]);
-    halfInB[axis].push_back(halfB[axis]);
+    there.center[axis] = glm::dot(row[axis], box.center + before) + after[axis];
+    there.half[axis] = glm::dot(spread[axis], box.half);
   }
+  return there;
+}
+
+NeighbourSearch::Faces::Faces(const Frame& frameB) {
+  for (int i = 0; i < 3; ++i) {
+    axis[0][i][i] = 1.0F;
+    axis[0][3 + i] = columnOf(frameB, i);
+  }
+  for (int i = 0; i < 6; ++i) axis[1][i] = -axis[0][i];
+}
+
+void NeighbourSearch::Candidates::clear(std::size_t most) {
+  part.clear();
+  room = most + kLaneCount;
+  if (numbers.size() < kArrays * room) numbers.resize(kArrays * room);
 }
 
 void NeighbourSearch::Candidates::pad() {
-  while (part.size() % kLaneCount != 0) add(0, Vec3(0.0F), Vec3(-kNoBox), Vec3(0.0F), Vec3(-kNoBox));
+  for (int array = 0; array < kArrays; ++array) {
+    const bool isHalf = array / 3 % 2 == 1;
+    std::fill_n(of(array) + part.size(), kLaneCount, isHalf ? -kNoBox : 0.0F);
+  }
 }
 
 void NeighbourSearch::byPartBoxes(const PartList& a, const PartList& b, const Frame& frameB, float limit) {
   found_.clear();
-  const Spread spread(frameB);
-  const Box boxB{frameB(b.center()), halfIn(spread.toA, b.half())};
-  collectNear(a, boxB, limit, nearA_);
-  if (nearA_.empty()) return;
-  const Box boxA{frameB.toLocal(a.center()), halfIn(spread.toB, a.half())};
-  collectNear(b, boxA, limit, nearB_);
-  if (nearB_.empty()) return;
-  collectCandidates(a, b, frameB, limit);
-  for (const std::uint16_t part : nearA_) {
-    const Box inA{at(a.boxes().center, part), at(a.boxes().half, part)};
-    const Box inB{frameB.toLocal(inA.center), halfIn(spread.toB, inA.half)};
-    if (isFurther(inB.center - b.center(), inB.half + b.half() + limit)) continue;
+  const Passage toA = Passage::outOf(frameB);
+  const Passage toB = Passage::into(frameB);
+  collect<Candidates::kCenterInA, Candidates::kCenterInB>(a, b, toB, toA, limit, nearA_);
+  if (nearA_.part.empty()) return;
+  collect<Candidates::kCenterInB, Candidates::kCenterInA>(b, a, toA, toB, limit, nearB_);
+  if (nearB_.part.empty()) return;
+  const Faces faces(frameB);
+  for (std::size_t i = 0; i < nearA_.part.size(); ++i) {
     const std::size_t first = found_.size();
-    pairUp(part, inA, inB, frameB, limit);
-    if (a.part(part).kind == PartKind::kTriangle) cutByPlane(first, a.part(part), b, frameB, limit);
+    pairUp(i, faces, limit);
+    const PartList::Part& part = a.part(nearA_.part[i]);
+    if (part.kind == PartKind::kTriangle) cutByPlane(first, part, b, frameB, limit);
   }
 }
 
@@ -111,65 +121,82 @@ void NeighbourSearch::cutByPlane(std::size_t first, const PartList::Part& triang
   found_.resize(kept);
 }
 
-void NeighbourSearch::collectNear(const PartList& list, const Box& other, float limit,
-                                  std::vector<std::uint16_t>& near) {
-  near.clear();
+// Near the box around all of the other body's parts, along the axes of either frame.
+template <NeighbourSearch::Candidates::Array kCenterHere, NeighbourSearch::Candidates::Array kCenterThere>
+void NeighbourSearch::collect(const PartList& list, const PartList& other, const Passage& there,
+                              const Passage& back, float limit, Candidates& near) {
+  const auto count = static_cast<std::size_t>(list.paddedCount());
+  near.clear(count);
   const PartList::Boxes& boxes = list.boxes();
-  const Vec3 reach = other.half + limit;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(list.paddedCount()); i += kLaneCount) {
-    Lanes apart = gap(boxes.center[0], boxes.half[0], i, other.center.x, reach.x);
-    apart = max(apart, gap(boxes.center[1], boxes.half[1], i, other.center.y, reach.y));
-    apart = max(apart, gap(boxes.center[2], boxes.half[2], i, other.center.z, reach.z));
-    simd::forEachSet(apart <= Lanes(0.0F), [&](int lane) {
-      near.push_back(static_cast<std::uint16_t>(i + static_cast<std::size_t>(lane)));
+  const Box all = back({other.center(), other.half()});
+  const Vec3 reach = all.half + limit;
+  for (std::size_t i = 0; i < count; i += kLaneCount) {
+    Lanes apart(-kNoBox);
+    for (int axis = 0; axis < 3; ++axis) {
+      apart = max(apart, gap(&boxes.center[axis][i], &boxes.half[axis][i], all.center[axis], reach[axis]));
+    }
+    auto isNear = apart <= Lanes(0.0F);
+    if (simd::stdx::none_of(isNear)) continue;
+    Lanes center[3];
+    Lanes half[3];
+    for (int axis = 0; axis < 3; ++axis) {
+      center[axis] = load<Lanes>(&boxes.center[axis][i]) + Lanes(there.before[axis]);
+      half[axis] = load<Lanes>(&boxes.half[axis][i]);
+    }
+    alignas(Lanes) float moved[6][kLaneCount];
+    for (int axis = 0; axis < 3; ++axis) {
+      const Lanes centerThere = dot(there.row[axis], center) + Lanes(there.after[axis]);
+      const Lanes halfThere = dot(there.spread[axis], half);
+      centerThere.copy_to(moved[axis], simd::stdx::vector_aligned);
+      halfThere.copy_to(moved[3 + axis], simd::stdx::vector_aligned);
+      isNear = isNear && abs(centerThere - Lanes(other.center()[axis])) <=
+                             halfThere + Lanes(other.half()[axis]) + Lanes(limit);
+    }
+    simd::forEachSet(isNear, [&](int laneIndex) {
+      const auto lane = static_cast<std::size_t>(laneIndex);
+      const std::size_t to = near.part.size();
+      near.part.push_back(static_cast<std::uint16_t>(i + lane));
+      for (int axis = 0; axis < 3; ++axis) {
+        near.of(kCenterHere + axis)[to] = boxes.center[axis][i + lane];
+        near.of(kCenterHere + 3 + axis)[to] = boxes.half[axis][i + lane];
+        near.of(kCenterThere + axis)[to] = moved[axis][lane];
+        near.of(kCenterThere + 3 + axis)[to] = moved[3 + axis][lane];
+      }
     });
   }
+  near.pad();
 }
 
-void NeighbourSearch::collectCandidates(const PartList& a, const PartList& b, const Frame& frameB,
-                                        float limit) {
-  candidates_.clear();
-  const Spread spread(frameB);
-  for (const std::uint16_t part : nearB_) {
-    const Vec3 center = at(b.boxes().center, part);
-    const Vec3 half = at(b.boxes().half, part);
-    const Vec3 centerInA = frameB(center);
-    const Vec3 halfInA = halfIn(spread.toA, half);
-    if (isFurther(centerInA - a.center(), halfInA + a.half() + limit)) continue;
-    candidates_.add(part, centerInA, halfInA, center, half);
-  }
-  candidates_.pad();
-}
-
-void NeighbourSearch::pairUp(std::uint16_t part, const Box& inA, const Box& inB, const Frame& frameB,
-                             float limit) {
-  const Candidates& others = candidates_;
+void NeighbourSearch::pairUp(std::size_t ofA, const Faces& faces, float limit) {
+  const Candidates& others = nearB_;
+  const Box box[2]{{nearA_.at(Candidates::kCenterInA, ofA), nearA_.at(Candidates::kHalfInA, ofA)},
+                   {nearA_.at(Candidates::kCenterInB, ofA), nearA_.at(Candidates::kHalfInB, ofA)}};
+  const auto along = [&](int axis, std::size_t i) {
+    const int frame = axis / 3;
+    const int array = 6 * frame + axis % 3;
+    return gap(others.of(array) + i, others.of(array + 3) + i, box[frame].center[axis % 3],
+               box[frame].half[axis % 3]);
+  };
   for (std::size_t i = 0; i < others.part.size(); i += kLaneCount) {
     Lanes gaps[6];
-    for (int axis = 0; axis < 3; ++axis) {
-      gaps[axis] = gap(others.centerInA[axis], others.halfInA[axis], i, inA.center[axis], inA.half[axis]);
-    }
+    for (int axis = 0; axis < 3; ++axis) gaps[axis] = along(axis, i);
     Lanes apart = max(gaps[0], max(gaps[1], gaps[2]));
     if (simd::stdx::none_of(apart <= Lanes(limit))) continue;
-    for (int axis = 0; axis < 3; ++axis) {
-      gaps[3 + axis] = gap(others.centerInB[axis], others.halfInB[axis], i, inB.center[axis], inB.half[axis]);
-    }
+    for (int axis = 3; axis < 6; ++axis) gaps[axis] = along(axis, i);
     apart = max(apart, max(gaps[3], max(gaps[4], gaps[5])));
-    simd::forEachSet(apart <= Lanes(limit), [&](int laneIndex) {
+    const auto isNear = apart <= Lanes(limit);
+    if (simd::stdx::none_of(isNear)) continue;
+    Lanes best(5.0F);
+    for (int axis = 4; axis >= 0; --axis) {
+      simd::stdx::where(gaps[axis] == apart, best) = Lanes(static_cast<float>(axis));
+    }
+    simd::forEachSet(isNear, [&](int laneIndex) {
       const auto lane = static_cast<std::size_t>(laneIndex);
-      int best = 0;
-      for (int axis = 1; axis < 6; ++axis) {
-        if (gaps[axis][lane] > gaps[best][lane]) best = axis;
-      }
-      Vec3 axis(0.0F);
-      if (best < 3) {
-        axis[best] = others.centerInA[best][i + lane] < inA.center[best] ? -1.0F : 1.0F;
-      } else {
-        const int column = best - 3;
-        const float sign = others.centerInB[column][i + lane] < inB.center[column] ? -1.0F : 1.0F;
-        axis = sign * Vec3(frameB.row[0][column], frameB.row[1][column], frameB.row[2][column]);
-      }
-      found_.push_back({part, others.part[i + lane], gaps[best][lane], axis});
+      const auto face = static_cast<int>(best[lane]);
+      const int frame = face / 3;
+      const bool isBelow = others.of(face + 3 * frame)[i + lane] < box[frame].center[face % 3];
+      const Vec3& axis = faces.axis[isBelow ? 1 : 0][face];
+      found_.push_back({nearA_.part[ofA], others.part[i + lane], apart[lane], axis});
     });
   }
 }

@@ -30,32 +30,60 @@ class NeighbourSearch {
   [[nodiscard]] const std::vector<Neighbours>& found() const { return found_; }
 
  private:
-  /// B's parts that are near A's box, as boxes in both frames; padded like part lists.
-  struct Candidates {
-    std::vector<std::uint16_t> part;
-    std::vector<float> centerInA[3];
-    std::vector<float> halfInA[3];
-    std::vector<float> centerInB[3];
-    std::vector<float> halfInB[3];
-    void clear();
-    void add(std::uint16_t part, const Vec3& centerA, const Vec3& halfA, const Vec3& centerB,
-             const Vec3& halfB);
-    void pad();
-  };
   struct Box {
     Vec3 center;
     Vec3 half;
   };
 
-  void collectNear(const PartList& list, const Box& other, float limit, std::vector<std::uint16_t>& near);
-  void collectCandidates(const PartList& a, const PartList& b, const Frame& frameB, float limit);
+  /// The way of boxes from one frame to another, where they get bounds along the axes that are there.
+  struct Passage {
+    Vec3 row[3];
+    Vec3 before;     ///< Added to a place before it is turned…
+    Vec3 after;      ///< …and after that.
+    Vec3 spread[3];  ///< The rows without signs; a little more, so that rounding does not narrow a box.
+
+    [[nodiscard]] static Passage outOf(const Frame& frame);
+    [[nodiscard]] static Passage into(const Frame& frame);
+    [[nodiscard]] Box operator()(const Box& box) const;
+    void findSpread();
+  };
+
+  /// The axes of A's three faces and of B's three, in A's frame; and their opposites.
+  struct Faces {
+    Vec3 axis[2][6]{};
+    explicit Faces(const Frame& frameB);
+  };
+
+  /// Parts of one body that are near all of the other's, as boxes in both frames: one array a number in one
+  /// block, padded with boxes that are nowhere near.
+  struct Candidates {
+    /// The first of three arrays.
+    enum Array : std::uint8_t { kCenterInA = 0, kHalfInA = 3, kCenterInB = 6, kHalfInB = 9, kArrays = 12 };
+
+    std::vector<std::uint16_t> part;
+    std::vector<float> numbers;
+    std::size_t room = 0;  ///< Of an array.
+
+    void clear(std::size_t most);
+    void pad();
+    [[nodiscard]] float* of(int array) { return numbers.data() + static_cast<std::size_t>(array) * room; }
+    [[nodiscard]] const float* of(int array) const {
+      return numbers.data() + static_cast<std::size_t>(array) * room;
+    }
+    [[nodiscard]] Vec3 at(Array first, std::size_t i) const {
+      return {of(first)[i], of(first + 1)[i], of(first + 2)[i]};
+    }
+  };
+
+  template <Candidates::Array kCenterHere, Candidates::Array kCenterThere>
+  static void collect(const PartList& list, const PartList& other, const Passage& there, const Passage& back,
+                      float limit, Candidates& near);
   void cutByPlane(std::size_t first, const PartList::Part& triangle, const PartList& b, const Frame& frameB,
                   float limit);
-  void pairUp(std::uint16_t part, const Box& inA, const Box& inB, const Frame& frameB, float limit);
+  void pairUp(std::size_t ofA, const Faces& faces, float limit);
 
-  std::vector<std::uint16_t> nearA_;
-  std::vector<std::uint16_t> nearB_;
-  Candidates candidates_;
+  Candidates nearA_;
+  Candidates nearB_;
   std::vector<Neighbours> found_;
 };
 

@@ -33,10 +33,6 @@ void setPlane(PartList::Part& triangle, std::span<const Vec3> corners) {
   triangle.offset = glm::dot(triangle.normal, corners[0]);
 }
 
-bool isTurned(const Mat3& axes) {
-  return axes != Mat3(1.0F);
-}
-
 void resize(PartList::Boxes& boxes, std::size_t count) {
   for (int axis = 0; axis < 3; ++axis) {
     boxes.center[axis].assign(count, 0.0F);
@@ -118,28 +114,20 @@ void PartList::addBoxes(std::span<const PartDef> parts) {
     }
     parts_[i].boxFrame.origin = part.boundsCenter;
     parts_[i].boxHalf = part.boundsHalf + Vec3(part.boundsMargin);
-    if (part.asksBounds) {
-      asking_.push_back(i);
-    } else if (isTurned(part.boundsAxes)) {
-      turned_.part.push_back(i);
-    }
+    if (part.asksBounds) asking_.push_back(i);
   }
-  addTurned(parts);
+  addEngineAxes(parts);
 }
 
-void PartList::addTurned(std::span<const PartDef> parts) {
-  const auto room = static_cast<std::size_t>(simd::padded(static_cast<int>(turned_.part.size())));
-  resize(turned_.boxes, room);
-  turned_.margin.assign(room, 0.0F);
-  for (std::vector<float>(&axis)[3] : turned_.axes) {
-    for (std::vector<float>& values : axis) values.assign(room, 0.0F);
-  }
-  for (std::size_t i = 0; i < turned_.part.size(); ++i) {
-    const PartDef& part = parts[turned_.part[i]];
-    setBox(turned_.boxes, i, part.boundsCenter, part.boundsHalf);
-    turned_.margin[i] = part.boundsMargin;
-    for (int axis = 0; axis < 3; ++axis) {
-      for (int k = 0; k < 3; ++k) turned_.axes[axis][k][i] = part.boundsAxes[axis][k];
+void PartList::addEngineAxes(std::span<const PartDef> parts) {
+  const auto isTurned = [](const PartDef& part) { return !part.asksBounds && part.boundsAxes != Mat3(1.0F); };
+  if (std::ranges::none_of(parts, isTurned)) return;
+  const auto room = static_cast<std::size_t>(paddedCount());
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int k = 0; k < 3; ++k) {
+      std::vector<float>& values = engineAxes_[axis][k];
+      values.assign(room, axis == k ? 1.0F : 0.0F);
+      for (std::size_t i = 0; i < parts.size(); ++i) values[i] = parts[i].boundsAxes[axis][k];
     }
   }
 }
@@ -158,55 +146,30 @@ void PartList::boundAll() {
   radius_ = glm::length(half_);
 }
 
+// In the order of operations in which glm multiplies a vector and a matrix.
 template <class L>
 void PartList::worldBounds(const Frame& frame, std::vector<float>& bounds) const {
   constexpr auto kStep = L::size();
   const auto room = static_cast<std::size_t>(paddedCount());
   bounds.resize(6 * room);
+  const bool areTurned = !engineAxes_[0][0].empty();
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Vec3& row = frame.row[axis];
     const L turn[3]{L(row.x), L(row.y), L(row.z)};
-    const L spread[3]{L(std::abs(row.x)), L(std::abs(row.y)), L(std::abs(row.z))};
     const L origin(frame.origin[static_cast<int>(axis)]);
     float* const low = bounds.data() + axis * room;
     float* const high = low + 3 * room;
     for (std::size_t i = 0; i < room; i += kStep) {
       const auto at = [i](const std::vector<float>& values) { return simd::load<L>(values.data() + i); };
-      const L center = turn[0] * at(engineBoxes_.center[0]) + turn[1] * at(engineBoxes_.center[1]) +
-                       turn[2] * at(engineBoxes_.center[2]) + origin;
-      const L half = spread[0] * at(engineBoxes_.half[0]) + spread[1] * at(engineBoxes_.half[1]) +
-                     spread[2] * at(engineBoxes_.half[2]) + at(engineMargin_);
+      const auto along = [&](const std::vector<float>(&of)[3]) {
+        return turn[0] * at(of[0]) + turn[1] * at(of[1]) + turn[2] * at(of[2]);
+      };
+      const auto spread = [&](int k) { return simd::stdx::abs(areTurned ? along(engineAxes_[k]) : turn[k]); };
+      const L center = along(engineBoxes_.center) + origin;
+      const L half = spread(0) * at(engineBoxes_.half[0]) + spread(1) * at(engineBoxes_.half[1]) +
+                     spread(2) * at(engineBoxes_.half[2]) + at(engineMargin_);
       (center - half).copy_to(low + i, simd::stdx::element_aligned);
       (center + half).copy_to(high + i, simd::stdx::element_aligned);
-    }
-  }
-  boundTurned<L>(frame, bounds);
-}
-
-// In the order of operations in which glm multiplies a vector and a matrix.
-template <class L>
-void PartList::boundTurned(const Frame& frame, std::vector<float>& bounds) const {
-  constexpr auto kStep = L::size();
-  const auto room = static_cast<std::size_t>(paddedCount());
-  for (std::size_t i = 0; i < turned_.part.size(); i += kStep) {
-    const auto at = [i](const std::vector<float>& values) { return simd::load<L>(values.data() + i); };
-    const std::size_t count = std::min(kStep, turned_.part.size() - i);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const Vec3& row = frame.row[axis];
-      const auto along = [&](const std::vector<float>(&of)[3]) {
-        return L(row.x) * at(of[0]) + L(row.y) * at(of[1]) + L(row.z) * at(of[2]);
-      };
-      const L center = along(turned_.boxes.center) + L(frame.origin[static_cast<int>(axis)]);
-      const L half = simd::stdx::abs(along(turned_.axes[0])) * at(turned_.boxes.half[0]) +
-                     simd::stdx::abs(along(turned_.axes[1])) * at(turned_.boxes.half[1]) +
-                     simd::stdx::abs(along(turned_.axes[2])) * at(turned_.boxes.half[2]) + at(turned_.margin);
-      const L low = center - half;
-      const L high = center + half;
-      float* const to = bounds.data() + axis * room;
-      for (std::size_t lane = 0; lane < count; ++lane) {
-        to[turned_.part[i + lane]] = low[lane];
-        to[3 * room + turned_.part[i + lane]] = high[lane];
-      }
     }
   }
 }
@@ -229,11 +192,9 @@ void PartList::askBounds(const EngineBounds& engine, const Frame& frame, std::ve
 
 std::size_t PartList::bytes() const {
   const std::size_t boxArrays = 2 * 6 + 1;
-  const std::size_t turnedArrays = 6 + 9 + 1;
-  return sizeof(*this) + parts_.size() * sizeof(Part) +
-         (turned_.part.size() + asking_.size()) * sizeof(std::size_t) +
+  return sizeof(*this) + parts_.size() * sizeof(Part) + asking_.size() * sizeof(std::size_t) +
          sizeof(float) * (vertices_.size() + boxArrays * static_cast<std::size_t>(paddedCount()) +
-                          turnedArrays * turned_.margin.size());
+                          9 * engineAxes_[0][0].size());
 }
 
 }  // namespace scatter

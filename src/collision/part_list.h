@@ -110,29 +110,19 @@ class PartList {
   [[nodiscard]] std::size_t bytes() const;
 
  private:
-  /// Parts whose engine box is not along the body's axes; one array a number, padded like Boxes.
-  struct TurnedBoxes {
-    std::vector<std::size_t> part;
-    Boxes boxes;
-    std::vector<float> axes[3][3];  ///< Of each axis its x, y and z.
-    std::vector<float> margin;
-  };
-
   void addPolytope(std::span<const Vec3> points);
   void addBoxes(std::span<const PartDef> parts);
-  void addTurned(std::span<const PartDef> parts);
+  void addEngineAxes(std::span<const PartDef> parts);
   void boundAll();
   void connectPolytopes(std::span<const PartDef> parts);
-  template <class L>
-  void boundTurned(const Frame& frame, std::vector<float>& bounds) const;
 
   std::vector<Part> parts_;
   std::vector<float> vertices_;  ///< Of all polytopes: x, y and z, padded, one polytope after the other.
   Boxes boxes_;
   Boxes engineBoxes_;
   std::vector<float> engineMargin_;
-  TurnedBoxes turned_;
-  std::vector<std::size_t> asking_;  ///< Parts whose world bounds only the engine knows.
+  std::vector<float> engineAxes_[3][3];  ///< Of each axis its x, y and z; empty if all are the body's axes.
+  std::vector<std::size_t> asking_;      ///< Parts whose world bounds only the engine knows.
   Vec3 center_{0.0F};
   Vec3 half_{0.0F};
   float radius_ = 0.0F;

@@ -80,14 +80,20 @@ bool findContact(const ChildRule& rule, const Frame& frameB, const GjkResult& re
   return true;
 }
 
+bool isOf(const ChildPair& child, const Neighbours& near) {
+  return child.a == near.a && child.b == near.b;
+}
+
 // A list without room for so many gets some, with some more to grow little by little; one with far too much
-// gives it to others. What is in it is lost then.
+// gives it to others.
 template <class Child>
 void fit(std::pmr::vector<Child>& list, std::size_t count) {
   const std::size_t room = count + count / 4 + 1;
   if (count <= list.capacity() && list.capacity() <= 2 * room) return;
-  list = std::pmr::vector<Child>(list.get_allocator());
-  list.reserve(room);
+  std::pmr::vector<Child> other(list.get_allocator());
+  other.reserve(room);
+  other.assign(list.cbegin(), list.cend());
+  list = std::move(other);
 }
 
 Vec3 towards(const Vec3& from, const Vec3& to) {
@@ -268,11 +274,28 @@ void PartPair::enclose(const PartList& parts, PairMidphase midphase) {
   listedRadius_ = 0.5F * glm::length(high - low) * 1.0001F;
 }
 
-// Both lists are in ascending order of (a, b). What touches stays as long as its contacts may, which is as
-// long as the engine's bounds overlap, even if the parts' boxes are not near any more.
+// Both lists are in ascending order of (a, b). Where they begin alike nothing has to be moved.
 void PartPair::merge(PartBody& a, PartBody& b, std::span<const Neighbours> found, PairScratch& scratch) {
+  const std::size_t most = std::min(children_.size(), found.size());
+  std::size_t same = 0;
+  for (; same < most && isOf(children_[same], found[same]); ++same) {
+    takeSeparation(children_[same], found[same]);
+  }
+  forgetWakeful();
+  if (same == children_.size() && same == found.size()) return;
+  mergeFrom(same, a, b, found, scratch);
+  const std::size_t count = same + scratch.merged.size();
+  children_.resize(same);
+  fit(children_, count);
+  children_.insert(children_.cend(), scratch.merged.cbegin(), scratch.merged.cend());
+}
+
+// What touches stays as long as its contacts may, which is as long as the engine's bounds overlap, even if
+// the parts' boxes are not near any more.
+void PartPair::mergeFrom(std::size_t first, PartBody& a, PartBody& b, std::span<const Neighbours> found,
+                         PairScratch& scratch) {
   scratch.merged.clear();
-  auto old = children_.cbegin();
+  auto old = children_.cbegin() + static_cast<std::ptrdiff_t>(first);
   const auto mayStay = [&](const ChildPair& child) {
     if (scratch.keeper == nullptr || !scratch.keeper->outlasts(child.contact)) return false;
     return isOdd(a.parts().part(child.a)) || isOdd(b.parts().part(child.b)) ||
@@ -285,19 +308,16 @@ void PartPair::merge(PartBody& a, PartBody& b, std::span<const Neighbours> found
       scratch.dropped.push_back(child.contact);
     }
   };
-  for (const Neighbours& near : found) {
+  for (const Neighbours& near : found.subspan(first)) {
     const auto isBefore = [&near](const ChildPair& child) {
       return child.a < near.a || (child.a == near.a && child.b < near.b);
     };
     for (; old != children_.cend() && isBefore(*old); ++old) drop(*old);
-    const bool isKnown = old != children_.cend() && old->a == near.a && old->b == near.b;
+    const bool isKnown = old != children_.cend() && isOf(*old, near);
     ChildPair& child = scratch.merged.emplace_back(isKnown ? *old++ : ChildPair{near.a, near.b});
     takeSeparation(child, near);
   }
   for (; old != children_.cend(); ++old) drop(*old);
-  fit(children_, scratch.merged.size());
-  children_.assign(scratch.merged.cbegin(), scratch.merged.cend());
-  forgetWakeful();
 }
 
 // The boxes may prove more than what is known.
@@ -411,44 +431,39 @@ void PartPair::findWakeful() {
   }
 }
 
-// Those that slept were not looked at.
-void PartPair::renewWakeful() {
+// Those that slept were not looked at. Where contacts are recycled, what is apart is left alone for a moment.
+double PartPair::renewWakeful(double rest) {
   static_cast<void>(wakeful());
-  for (WakefulChild& one : wakeful_) {
-    if (isAsleep(one)) continue;
-    const ChildPair& child = children_[static_cast<std::size_t>(one.index)];
-    one.wake = child.wake;
-    one.touching = child.touching;
-  }
-}
-
-// Where contacts are recycled, what is apart is left alone for a moment, too.
-void PartPair::rest(float recycling) {
-  const auto moment = static_cast<double>(std::min(recycling, 0.25F * threshold_));
-  listEnd_ = std::max(listEnd_, motion_ + moment);
-  const double wake = listedMotion_ + moment;
-  for (WakefulChild& one : wakeful_) {
-    if (one.touching || one.wake >= wake) continue;
-    one.wake = children_[static_cast<std::size_t>(one.index)].wake = wake;
-  }
-}
-
-void PartPair::findSlack(bool ofAll) {
   touches_ = false;
-  listedSlack_ = (ofAll ? othersWake_ : wakefulUntil_) - listedMotion_;
-  for (const WakefulChild& one : wakeful_) {
-    if (!one.touching) listedSlack_ = std::min(listedSlack_, one.wake - listedMotion_);
+  double least = std::numeric_limits<double>::max();
+  for (WakefulChild& one : wakeful_) {
+    ChildPair& child = children_[static_cast<std::size_t>(one.index)];
+    if (!isAsleep(one)) {
+      one.wake = child.wake;
+      one.touching = child.touching;
+    }
     touches_ = touches_ || one.touching;
+    if (one.touching) continue;
+    if (one.wake < rest) one.wake = child.wake = rest;
+    least = std::min(least, one.wake);
   }
+  return least;
 }
 
 void PartPair::settle(const PartBody& a, const PartBody& b, const PairSteps& steps) {
-  renewWakeful();
-  if (steps.recycling > 0.0F) rest(steps.recycling);
+  double rest = kAwake;
+  if (steps.recycling > 0.0F) {
+    const auto moment = static_cast<double>(std::min(steps.recycling, 0.25F * threshold_));
+    listEnd_ = std::max(listEnd_, motion_ + moment);
+    rest = listedMotion_ + moment;
+  }
+  const double wake = renewWakeful(rest);
   listSlack_ = steps.midphase == PairMidphase::kNeighbourList ? listEnd_ - motion_ : -1.0;
-  findSlack(false);
+  listedSlack_ = std::min(wake, wakefulUntil_) - listedMotion_;
   const bool rests = !touches_ || steps.recycling > 0.0F;
-  if (rests && listSlack_ > 0.0 && listedSlack_ > 0.0) findSlack(true);
+  if (rests && listSlack_ > 0.0 && listedSlack_ > 0.0) {
+    listedSlack_ = std::min(wake, othersWake_) - listedMotion_;
+  }
   const double slack = std::min(listSlack_, listedSlack_);
   quietUntil_ = slack > 0.0 && !touches_ ? a.travel() + b.travel() + slack : kAwake;
 }

@@ -215,15 +215,18 @@ class PartPair {
   void follow(const PartBody& a, const PartBody& b);
   void enclose(const PartList& parts, PairMidphase midphase);
   void findWakeful();
-  void renewWakeful();
-  void rest(float recycling);
-  void findSlack(bool ofAll);
+  /// Takes over from the child pairs what they have come to; none that is apart is to be looked at before
+  /// `rest`. The least ChildPair::wake of those that do not touch.
+  double renewWakeful(double rest);
   [[nodiscard]] float listedDisplacement(const Frame& now) const;
   [[nodiscard]] double slackLeft(const PartBody& a, const PartBody& b);
   void forgetList();
   void forgetProofs();
   void rebuild(PartBody& a, PartBody& b, const PairSteps& steps, PairScratch& scratch);
   void merge(PartBody& a, PartBody& b, std::span<const Neighbours> found, PairScratch& scratch);
+  /// To `scratch.merged`, of both lists from their `first` on.
+  void mergeFrom(std::size_t first, PartBody& a, PartBody& b, std::span<const Neighbours> found,
+                 PairScratch& scratch);
   void takeSeparation(ChildPair& child, const Neighbours& near) const;
   [[nodiscard]] float skin() const;
   void wakeAfter(ChildPair& child, float separation, float threshold) const;
