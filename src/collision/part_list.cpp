@@ -1,6 +1,7 @@
 #include "collision/part_list.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -12,16 +13,21 @@ namespace {
 constexpr float kNowhere = 1e18F;  // as a negative extent: no box is near
 
 // The corners of a kBox, which its engine box is.
-std::vector<Vec3> cornersOf(const PartDef& box) {
-  std::vector<Vec3> corners;
-  for (int corner = 0; corner < 8; ++corner) {
+std::array<Vec3, 8> cornersOf(const PartDef& box) {
+  std::array<Vec3, 8> corners{};
+  for (std::size_t corner = 0; corner < corners.size(); ++corner) {
     Vec3 local = box.boundsHalf;
     for (int axis = 0; axis < 3; ++axis) {
-      if ((corner >> axis & 1) == 0) local[axis] = -local[axis];
+      if ((corner >> axis & 1U) == 0) local[axis] = -local[axis];
     }
-    corners.push_back(box.boundsCenter + box.boundsAxes * local);
+    corners[corner] = box.boundsCenter + box.boundsAxes * local;
   }
   return corners;
+}
+
+// Floats that a polytope takes.
+std::size_t roomOf(std::size_t points) {
+  return 3 * static_cast<std::size_t>(simd::padded(static_cast<int>(points)));
 }
 
 void setPlane(PartList::Part& triangle, std::span<const Vec3> corners) {
@@ -49,44 +55,48 @@ void setBox(PartList::Boxes& boxes, std::size_t i, const Vec3& center, const Vec
 
 }  // namespace
 
-PartList::PartList(std::span<const PartDef> parts) : parts_(parts.size()) {
+PartList::PartList(std::span<const PartDef> parts) {
+  assign(parts);
+}
+
+void PartList::assign(std::span<const PartDef> parts) {
   assert(!parts.empty() && parts.size() <= std::numeric_limits<std::uint16_t>::max());
-  for (const PartDef& part : parts) {
-    assert(!part.core.empty() && part.core.size() <= std::numeric_limits<std::uint16_t>::max());
-    addPolytope(part.core);
-    if (part.kind == PartKind::kBox) addPolytope(cornersOf(part));
-  }
-  connectPolytopes(parts);
+  parts_.assign(parts.size(), Part());
+  addPolytopes(parts);
   addBoxes(parts);
+  addEngineAxes(parts);
   boundAll();
 }
 
-void PartList::addPolytope(std::span<const Vec3> points) {
-  const auto room = static_cast<std::size_t>(simd::padded(static_cast<int>(points.size())));
-  for (int axis = 0; axis < 3; ++axis) {
-    for (std::size_t i = 0; i < room; ++i) {
-      vertices_.push_back(points[std::min(i, points.size() - 1)][axis]);
-    }
+void PartList::addPolytopes(std::span<const PartDef> parts) {
+  std::size_t room = 0;
+  for (const PartDef& part : parts) {
+    assert(!part.core.empty() && part.core.size() <= std::numeric_limits<std::uint16_t>::max());
+    room += roomOf(part.core.size()) + (part.kind == PartKind::kBox ? roomOf(8) : 0);
   }
-}
-
-// Once all vertices are there, as they move while the array grows.
-void PartList::connectPolytopes(std::span<const PartDef> parts) {
-  const float* next = vertices_.data();
-  const auto take = [&next](std::size_t count) {
-    const std::ptrdiff_t room = simd::padded(static_cast<int>(count));
-    const PolytopeView view{next, next + room, next + 2 * room, static_cast<int>(count)};
-    next += 3 * room;
-    return view;
-  };
+  vertices_.resize(room);
+  hasOpaque_ = false;
+  float* next = vertices_.data();
   for (std::size_t i = 0; i < parts.size(); ++i) {
     parts_[i].kind = parts[i].kind;
     hasOpaque_ = hasOpaque_ || parts[i].kind == PartKind::kOpaque;
     parts_[i].margin = parts[i].margin;
-    parts_[i].core = take(parts[i].core.size());
-    if (parts[i].kind == PartKind::kBox) parts_[i].sharp = take(8);
+    parts_[i].core = addPolytope(parts[i].core, next);
+    if (parts[i].kind == PartKind::kBox) parts_[i].sharp = addPolytope(cornersOf(parts[i]), next);
     if (parts[i].kind == PartKind::kTriangle) setPlane(parts_[i], parts[i].core);
   }
+}
+
+PolytopeView PartList::addPolytope(std::span<const Vec3> points, float*& next) {
+  const auto room = static_cast<std::size_t>(simd::padded(static_cast<int>(points.size())));
+  for (int axis = 0; axis < 3; ++axis) {
+    float* const values = next + static_cast<std::size_t>(axis) * room;
+    for (std::size_t i = 0; i < points.size(); ++i) values[i] = points[i][axis];
+    std::fill(values + points.size(), values + room, points.back()[axis]);
+  }
+  const PolytopeView view{next, next + room, next + 2 * room, static_cast<int>(points.size())};
+  next += 3 * room;
+  return view;
 }
 
 void PartList::addBoxes(std::span<const PartDef> parts) {
@@ -94,16 +104,20 @@ void PartList::addBoxes(std::span<const PartDef> parts) {
   resize(boxes_, room);
   resize(engineBoxes_, room);
   engineMargin_.assign(room, 0.0F);
+  asking_.clear();
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const PartDef& part = parts[i];
-    const std::vector<Vec3> points = part.kind == PartKind::kBox ? cornersOf(part) : part.core;
-    Vec3 low = points[0];
-    Vec3 high = points[0];
-    for (const Vec3& point : points) {
+    Vec3 low = part.core[0];
+    Vec3 high = part.core[0];
+    const auto include = [&](const Vec3& point) {
       low = glm::min(low, point);
       high = glm::max(high, point);
-    }
-    const float margin = part.kind == PartKind::kBox ? 0.0F : part.margin;
+    };
+    const bool isBox = part.kind == PartKind::kBox;
+    if (isBox) low = high = cornersOf(part)[0];
+    if (isBox) std::ranges::for_each(cornersOf(part), include);
+    if (!isBox) std::ranges::for_each(part.core, include);
+    const float margin = isBox ? 0.0F : part.margin;
     parts_[i].center = 0.5F * (low + high);
     setBox(boxes_, i, parts_[i].center, 0.5F * (high - low) + Vec3(margin));
     setBox(engineBoxes_, i, part.boundsCenter, part.boundsHalf);
@@ -116,11 +130,13 @@ void PartList::addBoxes(std::span<const PartDef> parts) {
     parts_[i].boxHalf = part.boundsHalf + Vec3(part.boundsMargin);
     if (part.asksBounds) asking_.push_back(i);
   }
-  addEngineAxes(parts);
 }
 
 void PartList::addEngineAxes(std::span<const PartDef> parts) {
   const auto isTurned = [](const PartDef& part) { return !part.asksBounds && part.boundsAxes != Mat3(1.0F); };
+  for (std::vector<float>(&axis)[3] : engineAxes_) {
+    for (std::vector<float>& values : axis) values.clear();
+  }
   if (std::ranges::none_of(parts, isTurned)) return;
   const auto room = static_cast<std::size_t>(paddedCount());
   for (int axis = 0; axis < 3; ++axis) {

@@ -51,7 +51,7 @@ class EngineBounds {
   virtual void boundsOf(int part, const Frame& frame, Vec3& low, Vec3& high) const = 0;
 };
 
-/// The convex parts of a body as structure of arrays. Immutable and shared by all bodies of a model.
+/// The convex parts of a body as structure of arrays. Shared by all bodies of a model.
 class PartList {
  public:
   /// At most 65535 parts of at most 65535 points each.
@@ -59,6 +59,9 @@ class PartList {
   PartList(const PartList&) = delete;  // its parts point into its vertices
   PartList& operator=(const PartList&) = delete;
   ~PartList() = default;
+
+  /// Other parts in the same memory. Bodies that have the list must be given it again.
+  void assign(std::span<const PartDef> parts);
 
   /// One array a coordinate; padded to a multiple of simd::kPadding with boxes that are nowhere near.
   struct Boxes {
@@ -110,11 +113,11 @@ class PartList {
   [[nodiscard]] std::size_t bytes() const;
 
  private:
-  void addPolytope(std::span<const Vec3> points);
+  void addPolytopes(std::span<const PartDef> parts);
+  [[nodiscard]] static PolytopeView addPolytope(std::span<const Vec3> points, float*& next);
   void addBoxes(std::span<const PartDef> parts);
   void addEngineAxes(std::span<const PartDef> parts);
   void boundAll();
-  void connectPolytopes(std::span<const PartDef> parts);
 
   std::vector<Part> parts_;
   std::vector<float> vertices_;  ///< Of all polytopes: x, y and z, padded, one polytope after the other.

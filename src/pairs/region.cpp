@@ -100,10 +100,14 @@ void Region::rebuild(RegionScratch& scratch) {
   const std::size_t count = pieces_.pieces.size();
   if (scratch.parts.size() < count) scratch.parts.resize(count);
   for (std::size_t i = 0; i < count; ++i) describe(pieces_, pieces_.pieces[i], origin_, scratch.parts[i]);
-  auto list = std::make_unique<PartList>(std::span<const PartDef>(scratch.parts.data(), count));
-  if (!body_) body_ = std::make_unique<PartBody>(*list);
-  body_->setParts(*list);
-  list_ = std::move(list);
+  const std::span<const PartDef> parts(scratch.parts.data(), count);
+  if (!list_) {
+    list_ = std::make_unique<PartList>(parts);
+    body_ = std::make_unique<PartBody>(*list_);
+  } else {
+    list_->assign(parts);
+    body_->setParts(*list_);
+  }
 }
 
 // The engine tells pieces in the same order each time. Only those that are near a part of the body matter.
