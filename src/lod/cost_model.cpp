@@ -68,6 +68,10 @@ double CostModel::commonUnits(const PairWorkload& work) const {
   return weights_.pair + weights_.rebuild * work.counts.rebuilds;
 }
 
+double CostModel::boundUnits(const PairWorkload& work) const {
+  return commonUnits(work) + weights_.piece * work.counts.pieces;
+}
+
 double CostModel::units(const StepLoad& load) const {
   return weights_.object * load.objects + weights_.awakeBody * load.awake +
          weights_.broadphasePair * load.broadphasePairs + weights_.joint * load.joints;

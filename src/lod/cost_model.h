@@ -84,6 +84,9 @@ class CostModel {
 
   /// Of these, what a pair costs at any level.
   [[nodiscard]] double commonUnits(const PairWorkload& work) const;
+
+  /// Of these, what it did cost in this step at any level: with what it looked up of its ground.
+  [[nodiscard]] double boundUnits(const PairWorkload& work) const;
   [[nodiscard]] double units(const StepLoad& load) const;
   [[nodiscard]] double units(const LooseContacts& contacts) const;
 

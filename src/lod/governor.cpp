@@ -228,6 +228,13 @@ void Governor::forecast(double budget, double detail) {
   coarserRoom_ = std::clamp(capacity_ - planned(), kLeastCoarser * capacity_, kCoarser * capacity_);
 }
 
+// Lists made anew, and pieces of a ground looked up: a few large bodies take most of it.
+void Governor::learnFiner(const PlannedPair& pair, const CostModel& costs, double units) {
+  constexpr double kMemory = 1.0 / 16.0;
+  const double usual = predict(pair, costs, pair.view.level);
+  firstLook_ += kMemory * (std::max(units - usual, 0.0) - firstLook_);
+}
+
 void Governor::learnKind(const PlannedPair& pair, double units) {
   constexpr double kMemory = 2000.0;  // pairs times steps
   Kind& kind = kinds_[pair.kind];
@@ -393,6 +400,7 @@ void Governor::accept(std::span<PlannedPair> pairs, double room, double sign) {
 }
 
 int Governor::planNew(const PlannedPair& pair, const CostModel& costs) {
+  awaited_ = std::max(awaited_ - 1, 0);
   const int level = levelFor(pair, !isShort() && isAdmitted(pair));
   predicted_ += predict(pair, costs, level);
   return level;
@@ -405,9 +413,12 @@ double Governor::floorUnits(std::span<const PlannedPair> pairs, const CostModel&
     if (level == 0) continue;
     const int coarser = pair.view.touching ? middleOf(pair, def_.creditLevel) : 1;
     const int allowed = std::min(std::max(coarser, lowest(pair)), level);
-    least += std::min(predict(pair, costs, allowed), predict(pair, costs, level));
+    const auto taken = static_cast<double>(pair.taken);
+    const double coarse =
+        std::max(correction_ * predict(pair, costs, allowed), static_cast<double>(pair.bound));
+    least += allowed < level ? std::min(coarse, taken) : taken;
   }
-  return fixed_ + correction_ * least;
+  return fixed_ + least;
 }
 
 void Governor::learn(double units) {

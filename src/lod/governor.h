@@ -41,6 +41,10 @@ class Governor {
   /// even while the pair is blocked.
   void plan(std::span<PlannedPair> pairs, const CostModel& costs, double fixed, double budget);
 
+  /// Before plan(): so many pairs are going to come up after it. What they take is kept free until they have:
+  /// as much as new pairs did last.
+  void awaitNew(int pairs) { awaited_ = pairs; }
+
   /// The level for a pair that has come up after plan() (its view.level is 0).
   [[nodiscard]] int planNew(const PlannedPair& pair, const CostModel& costs);
 
@@ -48,25 +52,33 @@ class Governor {
   /// been put off.
   void spend(PlannedPair& pair, double units, double full) {
     spent_ += units;
+    pair.taken = static_cast<float>(units);
     saved_ += full - units;
     if (full > units) reuseSaves_ += kReuseMemory * ((full - units) / full - reuseSaves_);
     remaining_ -= pair.expected;
     pair.expected = 0.0F;
+    if (pair.cost.level == 0) newUnits_ += kNewMemory * (units - newUnits_);
     if (pair.view.credited && pair.view.touching && full == units) learnCredit(pair, units);
   }
   void spend(double units) { spent_ += units; }
 
+  /// A pair went to the finer level that it has now, which did cost so much in this step.
+  void learnFiner(const PlannedPair& pair, const CostModel& costs, double units);
+
   /// Whether the step under way is about to exceed its budget: what can be put off to the next one should be.
   /// `more`: units that are going to be spent.
   [[nodiscard]] bool isShort(double more = 0.0) const {
-    return fixed_ + (spent_ + more) + correction_ * remaining_ > limit_;
+    return fixed_ + (spent_ + more) + correction_ * remaining_ + awaited_ * newUnits_ > limit_;
   }
+
+  /// Whether it would if a pair went finer.
+  [[nodiscard]] bool isShortOfFiner() const { return isShort(firstLook_); }
 
   /// After each planned step: what it did cost, fixed units included, to correct the next plans.
   void learn(double actualUnits);
 
   /// Units that the step just made would have cost, as far as is known, had every pair been at the coarsest
-  /// level that it may have in its place, or at its own where that is cheaper.
+  /// level that it may have in its place: what it took where that is its own or was cheaper.
   [[nodiscard]] double floorUnits(std::span<const PlannedPair> pairs, const CostModel& costs) const;
 
   /// About what the step would cost with every pair at the coarsest level that it may have, as known a few
@@ -112,6 +124,7 @@ class Governor {
   };
 
   static constexpr double kReuseMemory = 0.005;
+  static constexpr double kNewMemory = 0.125;
 
   GovernorDef def_;
   std::array<Kind, PlannedPair::kKinds> kinds_{};
@@ -120,6 +133,8 @@ class Governor {
   double limit_ = 0.0;          ///< Units that the step should not exceed.
   double spent_ = 0.0;          ///< Of the step under way, besides the fixed units.
   double remaining_ = 0.0;      ///< What its pairs are still expected to take, not corrected.
+  int awaited_ = 0;             ///< Pairs that are still expected to come up in it.
+  double newUnits_ = 0.0;       ///< What a new pair takes in its first step.
   double saved_ = 0.0;          ///< By putting off.
   double lastActual_ = 0.0;     ///< 0: nothing was learned yet.
   double capacity_ = 0.0;       ///< Units a step may be planned to cost.
@@ -128,6 +143,7 @@ class Governor {
   double foreseen_ = 0.0;       ///< What the step was expected to cost when its narrowphase began.
   RecentQuantile<32> misses_;   ///< How much more steps did cost.
   double reuseSaves_ = 0.2;     ///< Of what a pair costs: what it saves when its contacts are reused.
+  double firstLook_ = 0.0;      ///< What a pair that goes finer takes in that step, more than usual there.
   double finerRoom_ = 0.0;      ///< Units left for pairs that are apart and get finer.
   double coarserRoom_ = 0.0;    ///< The same for those that get coarser.
   double trend_ = 0.0;          ///< Units a step by which steps get dearer.

@@ -25,6 +25,8 @@ struct PlannedPair {
 
   float relieved = 0.0F;     ///< Units a step that it did cost when it was last relieved of its detail.
   float expected = 0.0F;     ///< Units that the step under way is expected to take for it, not corrected.
+  float taken = 0.0F;        ///< Units that the step under way, or made last, took for it.
+  float bound = 0.0F;        ///< Of these, what it would have taken at any level that it may have had.
   std::uint8_t target = 0;   ///< The plan: the level that the pair should have; 0: not planned yet.
   bool mustSave = false;     ///< The finer target is the cheaper one: not to be put off for want of budget.
   bool hasContacts = false;  ///< In its last step, however far apart their points are.

@@ -17,6 +17,8 @@ void StepBudget::set(const UnitBudget& budget) {
 void StepBudget::begin(const StepLoad& load) {
   auditUnits_ = 0.0;
   ownSpare_ = 0;
+  newPairs_ = std::max(load.broadphasePairs - broadphasePairs_, 0);
+  broadphasePairs_ = load.broadphasePairs;
   savedUnits_ = looseSaved_;
   fixedUnits_ = costs_.units(load) + looseUnits_ - looseSaved_;
   units_ = fixedUnits_;
@@ -24,6 +26,7 @@ void StepBudget::begin(const StepLoad& load) {
 }
 
 void StepBudget::plan(std::span<PlannedPair> pairs, int creditLevel) {
+  governor_.awaitNew(newPairs_);
   governor_.setCreditLevel(creditLevel);
   governor_.plan(pairs, costs_, fixedUnits_, budgetUnits_);
 }
@@ -69,6 +72,7 @@ PairUnits StepBudget::takeWork(PlannedPair& pair, const PairWorkload& work) {
   const double units = costs_.units(work) - saved;
   units_ += units;
   governor_.spend(pair, units, work.reuses ? std::max(static_cast<double>(pair.expected), units) : units);
+  pair.bound = static_cast<float>(costs_.boundUnits(work));
   return {units, costs_.commonUnits(work), std::min(costs_.contactUnits(work) - hidden, units)};
 }
 

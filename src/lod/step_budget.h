@@ -47,6 +47,8 @@ class StepBudget {
   /// Whether the step under way is about to exceed its budget, if so many units more are spent.
   [[nodiscard]] bool isShort(double more = 0.0) const { return governor_.isShort(more); }
 
+  [[nodiscard]] bool isShortOfFiner() const { return governor_.isShortOfFiner(); }
+
   /// Whether it would be if so many more queries about separation are made.
   [[nodiscard]] bool isShortAfterQueries(int queries) const;
 
@@ -68,6 +70,9 @@ class StepBudget {
 
   /// What a pair costs a step at its level, for the plans to come; only a budget learns.
   void learn(PlannedPair& pair, bool touching, const PairUnits& units);
+
+  /// A pair went to the finer level that it has now, which did cost so much in this step; before learn().
+  void learnFiner(const PlannedPair& pair, double units) { governor_.learnFiner(pair, costs_, units); }
 
   /// After the narrowphase: contacts that belong to no pair.
   void takeLoose(const LooseContacts& contacts);
@@ -107,7 +112,9 @@ class StepBudget {
   ContactThinning contacts_;
   double savedUnits_ = 0.0;  ///< What contacts that are not shown are taken to save of units_.
   double looseSaved_ = 0.0;  ///< Of these, by contacts that belong to no pair.
-  int ownSpare_ = 0;         ///< Contacts of pairs that may have some to spare.
+  int broadphasePairs_ = 0;
+  int newPairs_ = 0;  ///< By how many more they are than in the step before.
+  int ownSpare_ = 0;  ///< Contacts of pairs that may have some to spare.
   double fixedUnits_ = 0.0;
   double looseUnits_ = 0.0;  ///< Of these, as they are taken to be.
   double units_ = 0.0;

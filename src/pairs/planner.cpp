@@ -30,6 +30,19 @@ std::uint8_t kindOf(double numChildPairs) {
   return static_cast<std::uint8_t>(std::min(kind, PlannedPair::kKinds - 1));
 }
 
+// Of a pair that would have been coarser if that had been safe.
+bool wasRefused(const PairOutcome& outcome, int target) {
+  if (!outcome.tried) return false;
+  return outcome.choice.kind == SwitchKind::kBlocked || outcome.choice.level > target;
+}
+
+// But for new pairs.
+bool hasGoneFiner(const PairOutcome& outcome, int before) {
+  const bool switches =
+      outcome.choice.kind == SwitchKind::kFree || outcome.choice.kind == SwitchKind::kOnCredit;
+  return outcome.tried && switches && before > 0 && outcome.choice.level > before;
+}
+
 }  // namespace
 
 Result<void> Planner::addPolicy(std::string_view specification) {
@@ -149,6 +162,7 @@ void Planner::plan(const PlanInput& input) {
   for (std::size_t i = 0; i < planned_.size(); ++i) {
     PlannedPair& planned = planned_[i];
     if (planned.blockedSteps > 0) --planned.blockedSteps;
+    planned.taken = planned.bound = 0.0F;
     const bool isItsTurn = (static_cast<int>(i) + step_) % kAdviceInterval == 0;
     if (isItsTurn || asks_ || advisesAll_) advise(i);
     if (asks_) applyAsked(i);
@@ -231,11 +245,11 @@ lod::SwitchRules Planner::rulesOf(std::size_t pair) const {
 }
 
 // Queries that a pair with contacts must have made before it should keep its contacts for this step, as the
-// budget is about to be exceeded.
+// budget is about to be exceeded. Those of coarser shapes on credit are held ones, whose audits are put off.
 int Planner::keepsFrom(std::size_t pair) const {
   const PlannedPair& planned = planned_[pair];
   const PairView& view = planned.view;
-  const bool isPlain = planned.hasContacts && !view.credited;
+  const bool isPlain = planned.hasContacts && (!view.credited || view.level == view.finest);
   if (!plans_ || !isPlain || planned.wish.atLeast >= view.finest) return PairPlan::kNever;
   for (int queries = 0; queries <= view.finest; ++queries) {
     if (budget_.isShortAfterQueries(queries)) return queries;
@@ -252,7 +266,7 @@ PairPlan Planner::planPair(int index) {
   const bool canWait =
       plan.target > plan.view.level && plan.view.level >= planned.wish.atLeast && !planned.mustSave;
   const bool isPutOff =
-      plan.view.level > 0 && (planned.blockedSteps > 0 || (canWait && plans_ && budget_.isShort()));
+      plan.view.level > 0 && (planned.blockedSteps > 0 || (canWait && plans_ && budget_.isShortOfFiner()));
   plan.tries = plan.target != plan.view.level && !isPutOff;
   plan.rules = rulesOf(i);
   plan.auditDistance = settings_.auditDistance;
@@ -263,6 +277,7 @@ PairPlan Planner::planPair(int index) {
 
 void Planner::take(int index, const PairOutcome& outcome) {
   const auto i = static_cast<std::size_t>(index);
+  const int before = planned_[i].view.level;
   if (outcome.tried) acknowledge(i);
   takeQueries(outcome.choiceQueries);
   if (outcome.tried) takeChoice(i, outcome.choice);
@@ -274,7 +289,7 @@ void Planner::take(int index, const PairOutcome& outcome) {
     ++counts_.separationQueries;
     budget_.countAudit(outcome.auditWork);
   }
-  takeWork(i, outcome);
+  takeWork(i, outcome, before);
 }
 
 void Planner::takeQueries(int queries) {
@@ -326,13 +341,15 @@ void Planner::takeQuiet(const QuietPairs& pairs) {
   counts_.finestPairs += pairs.atFinest;
 }
 
-void Planner::takeWork(std::size_t pair, const PairOutcome& outcome) {
+void Planner::takeWork(std::size_t pair, const PairOutcome& outcome, int before) {
   PlannedPair& planned = planned_[pair];
   PairView& view = planned.view;
   Known& known = known_[pair];
   lod::PairUnits units = budget_.takeWork(planned, outcome.work);
   known.step = step_;
   known.units = static_cast<float>(units.all);
+  if (wasRefused(outcome, planned.target)) planned.bound = planned.taken;
+  if (hasGoneFiner(outcome, before)) budget_.learnFiner(planned, units.all);
   own_.manifolds += outcome.work.manifolds;
   own_.points += outcome.work.contacts;
   counts_.reusedPairs += outcome.work.reuses ? 1 : 0;

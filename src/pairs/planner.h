@@ -187,7 +187,7 @@ class Planner {
   void takeChoice(std::size_t pair, const lod::SwitchChoice& choice);
   void takeBlocked(std::size_t pair);
   void takeQueries(int queries);
-  void takeWork(std::size_t pair, const PairOutcome& outcome);
+  void takeWork(std::size_t pair, const PairOutcome& outcome, int before);
   void count(const lod::PlannedPair& planned);
   void finishPair(std::size_t pair);
   void settleState();

@@ -64,7 +64,8 @@ TEST(Governor, TheFloorIsWhatPairsCostAsCoarseAsTheyMayBe) {
   std::vector<PlannedPair> pairs = knownPairs(costs, 4, 3);
   governor.plan(pairs, costs, 100.0, kNoBudget);
   const double middle = unitsAt(2, 10.0);
-  const double coarsest = unitsAt(1, 10.0);
+  EXPECT_EQ(governor.floorUnits(pairs, costs), 100.0) << "pairs that nobody looked at take nothing";
+  for (PlannedPair& pair : pairs) governor.spend(pair, 12.0, 12.0);
   // In contact they keep the level that is taken on credit.
   EXPECT_NEAR(governor.floorUnits(pairs, costs), 100.0 + 4 * middle, 1e-4);
   // A promise keeps one at its finest level; one that is coarser already stays there; a new one costs nothing
@@ -72,7 +73,53 @@ TEST(Governor, TheFloorIsWhatPairsCostAsCoarseAsTheyMayBe) {
   pairs[0].wish.atLeast = 3;
   pairs[1].view.level = 1;
   pairs[2].view.level = 0;
-  EXPECT_NEAR(governor.floorUnits(pairs, costs), 100.0 + 10.0 + coarsest + middle, 1e-4);
+  EXPECT_NEAR(governor.floorUnits(pairs, costs), 100.0 + 12.0 + 12.0 + middle, 1e-4);
+}
+
+TEST(Governor, TheFloorIsNoMoreThanWasTakenAndHasWhatAnyLevelTakes) {
+  CostModel costs{CostWeights{}};
+  Governor governor({});
+  std::vector<PlannedPair> pairs = knownPairs(costs, 2, 3);
+  governor.plan(pairs, costs, 0.0, kNoBudget);
+  governor.spend(pairs[0], 1.0, 1.0);
+  governor.spend(pairs[1], 50.0, 50.0);
+  pairs[1].bound = 30.0F;
+  EXPECT_NEAR(governor.floorUnits(pairs, costs), 1.0 + 30.0, 1e-4);
+}
+
+TEST(Governor, KeepsFreeWhatPairsTakeThatAreAwaited) {
+  CostModel costs{CostWeights{}};
+  Governor governor({});
+  std::vector<PlannedPair> none;
+  governor.awaitNew(100);
+  governor.plan(none, costs, 0.0, 1000.0);
+  int admitted = 0;
+  for (std::uint32_t i = 0; i < 100; ++i) {
+    PlannedPair pair = newPair(i);
+    pair.view.level = static_cast<std::uint8_t>(governor.planNew(pair, costs));
+    admitted += pair.view.level == 3 ? 1 : 0;
+    const double units = pair.view.level == 3 ? 40.0 : 5.0;
+    governor.spend(pair, units, units);
+  }
+  EXPECT_GT(admitted, 0);
+  // All would take 4000 units: what the budget bears besides all others, a few at most too many.
+  EXPECT_LE(admitted, (1000 - 500) / 35 + 3);
+}
+
+TEST(Governor, KnowsWhatAPairTakesThatGoesFiner) {
+  CostModel costs{CostWeights{}};
+  Governor governor({});
+  std::vector<PlannedPair> pairs = knownPairs(costs, 50, 3);
+  const auto fill = [&] {
+    governor.plan(pairs, costs, 0.0, 1000.0);
+    governor.spend(420.0);
+  };
+  fill();
+  EXPECT_FALSE(governor.isShortOfFiner());
+  for (int i = 0; i < 100; ++i) governor.learnFiner(pairs[0], costs, 110.0);
+  fill();
+  EXPECT_FALSE(governor.isShort());
+  EXPECT_TRUE(governor.isShortOfFiner());
 }
 
 TEST(Governor, TakesAWorldWithoutPairs) {

@@ -270,6 +270,26 @@ TEST(PairStep, PressesWhatSinksOnceItHasSettled) {
   EXPECT_NEAR(living.press(), 0.002F, 1e-4F);
 }
 
+TEST(PairStep, KeepsItsFinestContactsOnCreditWithTheirCredit) {
+  LivingPair living;
+  living.step(3.0F);
+  living.plan.target = 2;
+  living.plan.rules.safe = false;
+  living.step(1.7F);
+  living.plan.rules.safe = true;
+  living.plan.target = kFinest;
+  ASSERT_TRUE(living.step(1.59F).credited);
+  living.plan.keepsFrom = 0;
+  PairOutcome outcome = living.step(1.591F);
+  EXPECT_TRUE(outcome.work.reuses);
+  EXPECT_TRUE(outcome.credited);
+  EXPECT_EQ(living.press(), 0.0F);
+  // Credit shrinks with the overlap, and what sinks in again once it has settled is pressed.
+  for (int i = 0; i < 15; ++i) outcome = living.step(1.588F);
+  EXPECT_TRUE(outcome.work.reuses);
+  EXPECT_NEAR(living.press(), 0.003F, 1e-4F);
+}
+
 TEST(PairStep, LeavesShapesThatAreNoPartListsToTheEngine) {
   LivingPair living;
   living.step(3.0F);

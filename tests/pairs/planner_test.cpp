@@ -214,6 +214,42 @@ TEST(Planner, KeepsAStepWithinItsUnits) {
   EXPECT_TRUE(isGovernors);
 }
 
+/// Of its only pair, in contact, in a step that is out of units.
+int keepsFrom(SwitchKind kind, int level, bool credited) {
+  PlannedRow row(2);
+  row.planner.setBudget(lod::UnitBudget::ofUnits(1.0));
+  row.planner.plan({.bodies = row.views, .load = {.objects = 100, .awake = 100}});
+  static_cast<void>(row.planner.planPair(row.places[0]));
+  PairOutcome outcome;
+  outcome.tried = true;
+  outcome.choice = {kind, level};
+  outcome.touching = true;
+  outcome.credited = credited;
+  outcome.work.contacts = 4;
+  row.planner.take(row.places[0], outcome);
+  row.planner.finish();
+  row.planner.plan({.bodies = row.views, .load = {.objects = 100, .awake = 100}});
+  return row.planner.planPair(row.places[0]).keepsFrom;
+}
+
+TEST(Planner, LetsPairsKeepTheirContactsWhereAStepIsShort) {
+  EXPECT_EQ(keepsFrom(SwitchKind::kFree, kLevels, false), 0);
+  EXPECT_EQ(keepsFrom(SwitchKind::kFree, kLevels, true), 0) << "its finest shapes overlap a little";
+  EXPECT_EQ(keepsFrom(SwitchKind::kOnCredit, 2, true), PairPlan::kNever) << "they are held already";
+}
+
+TEST(Planner, KnowsWhatCouldNotBeGivenUp) {
+  for (const SwitchKind kind : {SwitchKind::kBlocked, SwitchKind::kFree}) {
+    PlannedRow row(2);
+    row.planner.setBudget(lod::UnitBudget::ofUnits(1.0));
+    row.step();
+    row.step(kind);
+    const bool wasRefused = kind == SwitchKind::kBlocked;
+    EXPECT_EQ(row.level(0), wasRefused ? kLevels : 1);
+    EXPECT_EQ(row.planner.pair(row.places[0]).bound == row.planner.pair(row.places[0]).taken, wasRefused);
+  }
+}
+
 // What policies are shown of pairs that come up after the plan is the same table.
 TEST(Planner, PlansAPairThatComesUpInTheNarrowphase) {
   PlannedRow row(3);
