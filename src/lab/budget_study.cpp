@@ -110,13 +110,13 @@ BudgetOverrun overrunOf(const Run& run, std::size_t frame, double taken) {
           .verdict = static_cast<BudgetVerdict>(static_cast<int>(of("budget_verdict")))};
 }
 
-void judge(const Run& run, const BudgetStudyOptions& options, BudgetTrial& trial) {
+/// `unlimited`: what the frames take without a budget.
+void judge(const Run& run, const std::vector<double>& unlimited, const BudgetStudyOptions& options,
+           BudgetTrial& trial) {
   const auto& costs = costsOf(run, options.byClock);
   const auto& units = run.table.values("cost_units");
   const auto& floors = run.table.values("floor_units");
-  const auto& pairs = run.table.values("narrowphase_pairs");
-  const auto& finest = run.table.values("finest_pairs");
-  std::vector<double> withheld;
+  std::vector<double> overloaded;
   trial.frames = static_cast<int>(costs.size());
   const Cut cut(options, costs.size());
   for (std::size_t i = cut.firstJudged(); i < cut.endJudged(); ++i) {
@@ -125,13 +125,11 @@ void judge(const Run& run, const BudgetStudyOptions& options, BudgetTrial& trial
     trial.over5 += taken > kOver5 ? 1 : 0;
     trial.worst = std::max(trial.worst, taken);
     trial.impossible += taken > kOver2 && units[i] > 0.0 && floors[i] / units[i] * taken > 1.0 ? 1 : 0;
-    if (finest[i] < pairs[i]) {
-      withheld.push_back(taken);
-    }
+    if (unlimited[i] > trial.budget) overloaded.push_back(taken);
   }
   trial.over2 = static_cast<int>(trial.overruns.size());
-  trial.withheld = static_cast<int>(withheld.size());
-  trial.use = nearestRank(std::move(withheld), 0.5);
+  trial.overloaded = static_cast<int>(overloaded.size());
+  trial.use = nearestRank(std::move(overloaded), 0.5);
   trial.finest = shareOf(run, "touching_finest_pairs", "touching_pairs");
 }
 
@@ -140,7 +138,7 @@ class Runner {
  public:
   Runner(const BudgetStudyOptions& options, const std::function<void(const CompareProgress&)>& progress)
       : options_(options),
-        series_(options.scenes.size() * (1 + (options.cutFrames > 0 ? 2 : 1) * options.floors.size()),
+        series_(options.scenes.size() * (2 + (options.cutFrames > 0 ? 2 : 1) * options.floors.size()),
                 progress) {}
 
   Result<void> addScene(const BudgetScene& scene, BudgetStudy& study) {
@@ -152,8 +150,13 @@ class Runner {
     if (!(floor > 0.0)) {
       return fail("the scene " + scene.name + " has nothing to govern: its coarsest world costs nothing");
     }
+    const auto unlimited = runWith(scene, BudgetDef(), scene.name + ", no budget");
+    if (!unlimited) {
+      return tl::unexpected(unlimited.error());
+    }
+    const std::vector<double>& wanted = costsOf(*unlimited, options_.byClock);
     for (const double floors : options_.floors) {
-      if (auto added = addTrial(scene, floors, floor * floors, study); !added) {
+      if (auto added = addTrial(scene, floors, floor * floors, wanted, study); !added) {
         return added;
       }
     }
@@ -161,7 +164,8 @@ class Runner {
   }
 
  private:
-  Result<void> addTrial(const BudgetScene& scene, double floors, double budget, BudgetStudy& study) {
+  Result<void> addTrial(const BudgetScene& scene, double floors, double budget,
+                        const std::vector<double>& unlimited, BudgetStudy& study) {
     const Cut cut(options_, static_cast<std::size_t>(scene.governed.frames));
     const double held = cut.exists() ? budget / options_.cut : budget;
     const std::string name = scene.name + ", " + lab::readableNumber(floors) + " floors";
@@ -171,7 +175,7 @@ class Runner {
       return tl::unexpected(done.error());
     }
     BudgetTrial trial{.scene = scene.name, .floors = floors, .budget = held};
-    judge(*done, options_, trial);
+    judge(*done, unlimited, options_, trial);
     if (options_.cutFrames > 0) {
       const auto uncut = runWith(scene, constant, name + ", no cut");
       if (!uncut) {
@@ -242,14 +246,15 @@ std::string formatBudgets(const BudgetStudy& study) {
     lines.push_back({trial.scene, lab::readableNumber(trial.floors), lab::readableNumber(trial.budget),
                      percent(trial.over2, trial.frames), percent(trial.over5, trial.frames),
                      lab::fixedNumber(trial.worst, 2),
-                     trial.withheld > 0 ? lab::fixedNumber(trial.use, 2) : "-",
+                     trial.overloaded > 0 ? lab::fixedNumber(trial.use, 2) : "-",
                      lab::fixedNumber(trial.finest, 2), std::to_string(trial.impossible)});
     if (study.cutEnds) lines.back().push_back(trial.back ? std::to_string(*trial.back) : "not");
   }
   return lab::textTable(lines) +
          lab::fitTerminal(
              "Floors: the budget in what the dearest frame takes with everything at level 1. Use: the median "
-             "frame in which some detail was withheld, in budgets. Finest: of touching pairs. Impossible: "
+             "of the frames that take more than the budget without one, in budgets. Finest: of touching "
+             "pairs. Impossible: "
              "frames over the budget in which what could not be given up was over it as well." +
              (study.cutEnds
                   ? std::string(" Back: frames after the cut until as many touching pairs are at their "
@@ -260,12 +265,12 @@ std::string formatBudgets(const BudgetStudy& study) {
 
 std::string budgetsCsv(const BudgetStudy& study) {
   std::vector<Cells> lines{{"scene", "floors", study.byClock ? "budget_ms" : "budget_units", "frames",
-                            "over_2", "over_5", "worst", "withheld", "use", "finest", "impossible"}};
+                            "over_2", "over_5", "worst", "overloaded", "use", "finest", "impossible"}};
   if (study.cutEnds) lines.front().emplace_back("back");
   for (const BudgetTrial& trial : study.trials) {
     lines.push_back({trial.scene, lab::shortestNumber(trial.floors), lab::shortestNumber(trial.budget),
                      std::to_string(trial.frames), std::to_string(trial.over2), std::to_string(trial.over5),
-                     lab::shortestNumber(trial.worst), std::to_string(trial.withheld),
+                     lab::shortestNumber(trial.worst), std::to_string(trial.overloaded),
                      lab::shortestNumber(trial.use), lab::shortestNumber(trial.finest),
                      std::to_string(trial.impossible)});
     if (study.cutEnds) lines.back().push_back(trial.back ? std::to_string(*trial.back) : "");

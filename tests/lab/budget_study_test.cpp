@@ -38,9 +38,10 @@ TEST(BudgetStudy, GivesMultiplesOfTheDearestFrameThatIsCoarse) {
                                                .coarsest = costing({{10, 0}, {50, 0}, {20, 0}}, 5)}},
                                    .floors = {1.5, 3.0}});
   ASSERT_TRUE(study);
-  ASSERT_EQ(budgets.size(), 2U);
-  EXPECT_EQ(budgets[0].units, 75.0);
-  EXPECT_EQ(budgets[1].units, 150.0);
+  ASSERT_EQ(budgets.size(), 3U);
+  EXPECT_EQ(budgets[0].units, 0.0) << "what it takes without one";
+  EXPECT_EQ(budgets[1].units, 75.0);
+  EXPECT_EQ(budgets[2].units, 150.0);
   ASSERT_EQ(study->trials.size(), 2U);
   EXPECT_EQ(study->trials[0].over5, 5);
   EXPECT_EQ(study->trials[1].over2, 0);
@@ -59,15 +60,29 @@ TEST(BudgetStudy, CountsFramesThatTookMoreAndThoseThatHadTo) {
   EXPECT_EQ(trial.over5, 2);
   EXPECT_EQ(trial.impossible, 2);
   EXPECT_DOUBLE_EQ(trial.worst, 1.5);
-  EXPECT_EQ(trial.withheld, 3);
-  EXPECT_DOUBLE_EQ(trial.use, 0.9);
   const std::string table = formatBudgets(*study);
   EXPECT_THAT(table, HasSubstr("1 runs, 7 frames: 57.14 % took more than 1.02"));
-  EXPECT_THAT(budgetsCsv(*study), HasSubstr("a,1,100,7,4,2,1.5,3,0.9,1,2"));
+  EXPECT_THAT(budgetsCsv(*study), HasSubstr("a,1,100,7,4,2,1.5,4,1.04,1,2"));
   std::vector<int> frames;
   for (const BudgetOverrun& overrun : trial.overruns) frames.push_back(overrun.frame);
   EXPECT_EQ(frames, (std::vector<int>{0, 1, 2, 6}));
   EXPECT_THAT(budgetOverrunsCsv(*study), HasSubstr("\na,1,1,1.04,104,0,102,103,"));
+}
+
+TEST(BudgetStudy, TellsHowMuchIsUsedOfTheBudgetWhereThereIsNotEnough) {
+  RunOptions governed = costing({{90, 0}}, 4);
+  governed.engine = [](const PhysicsDef& def) -> Result<std::unique_ptr<Physics>> {
+    const Costs limited{{30, 0}, {80, 0}, {90, 0}, {99, 0}};
+    const Costs unlimited{{30, 0}, {101, 0}, {500, 0}, {200, 0}};
+    const bool isLimited = def.switching.budget.units > 0.0;
+    return std::make_unique<test::FakePhysics>(def,
+                                               test::FakeBehaviour{.costs = isLimited ? limited : unlimited});
+  };
+  const auto study = studyBudgets(
+      {.scenes = {{.name = "a", .governed = governed, .coarsest = costing({{100, 0}}, 4)}}, .floors = {1.0}});
+  ASSERT_TRUE(study);
+  EXPECT_EQ(study->trials.front().overloaded, 3);
+  EXPECT_DOUBLE_EQ(study->trials.front().use, 0.9);
 }
 
 TEST(BudgetStudy, ABudgetThatIsCutIsJudgedOnceThereWasTimeForIt) {
@@ -80,9 +95,9 @@ TEST(BudgetStudy, ABudgetThatIsCutIsJudgedOnceThereWasTimeForIt) {
                                    .floors = {2.0},
                                    .cut = 2.0});
   ASSERT_TRUE(study);
-  ASSERT_EQ(budgets.front().recorded.size(), 61U);
-  EXPECT_EQ(budgets.front().recorded.front(), 200.0);
-  EXPECT_EQ(budgets.front().recorded.back(), 100.0);
+  ASSERT_EQ(budgets.back().recorded.size(), 61U);
+  EXPECT_EQ(budgets.back().recorded.front(), 200.0);
+  EXPECT_EQ(budgets.back().recorded.back(), 100.0);
   EXPECT_EQ(study->trials.front().over2, 0);
   EXPECT_DOUBLE_EQ(study->trials.front().worst, 0.99);
 }
@@ -104,13 +119,13 @@ TEST(BudgetStudy, TellsWhenDetailIsBackAfterACut) {
       .cutFrames = 30};
   const auto study = studyBudgets(options);
   ASSERT_TRUE(study);
-  ASSERT_EQ(budgets.size(), 2U);
-  EXPECT_EQ(budgets[0].recorded, [] {
+  ASSERT_EQ(budgets.size(), 3U);
+  EXPECT_EQ(budgets[1].recorded, [] {
     std::vector<double> units(91, 200.0);
     std::fill_n(units.begin() + 60, 30, 100.0);
     return units;
   }());
-  EXPECT_EQ(budgets[1].units, 200.0);
+  EXPECT_EQ(budgets[2].units, 200.0);
   // One of ten frames in which half are missing is as much as may be.
   EXPECT_EQ(study->trials.front().back, 6);
   EXPECT_THAT(formatBudgets(*study), HasSubstr("back"));

@@ -49,8 +49,8 @@ struct BudgetTrial {
                        ///< kBudgetWayDown frames after it.
   int over5 = 0;       ///< More than 1.05.
   double worst = 0.0;  ///< The dearest frame, in budgets; with a cut, of the same frames.
-  int withheld = 0;    ///< Frames in which some pair was not at its finest level.
-  double use = 0.0;    ///< The median of these, in budgets; 0 if there were none.
+  int overloaded = 0;  ///< Frames that took more than the budget in the run without one, of the same frames.
+  double use = 0.0;    ///< What the median of them took, in budgets; 0 if there were none.
   double finest =
       0.0;  ///< Of touching pairs with a hybrid, over all frames, at their finest level; 1 for none.
   int impossible = 0;  ///< Frames over the budget in which what could not be given up was over it as well.
@@ -75,9 +75,10 @@ struct BudgetStudy {
   std::vector<BudgetTrial> trials;  ///< Scene by scene, in the order of the floors.
 };
 
-/// Runs each scene once in its coarsest world, and once in its governed world for each budget. The reachable
-/// floor is what the dearest frame of the coarsest world takes (by the clock: dearer than 99 % of them, as
-/// odd frames are the machine's). Fails as runScene does, and without a scene or a floor.
+/// Runs each scene once in its coarsest world, once in its governed world without a budget, and once there
+/// for each budget. The reachable floor is what the dearest frame of the coarsest world takes (by the clock:
+/// dearer than 99 % of them, as odd frames are the machine's). Fails as runScene does, and without a scene or
+/// a floor.
 [[nodiscard]] Result<BudgetStudy> studyBudgets(
     const BudgetStudyOptions& options, const std::function<void(const CompareProgress&)>& progress = {});
 
