@@ -54,6 +54,25 @@ struct HoldsIn {
   }
 };
 
+/// Whether a cylinder holds, to within `slack`, another one: exactly if their axes are parallel, and never if
+/// it does not. A prism around the finer one would not fit into its like.
+bool holdsCylinder(const ConvexPart& coarse, const ConvexPart& fine, double slack) {
+  const auto* const outer = std::get_if<Cylinder>(&coarse.shape);
+  const auto* const inner = std::get_if<Cylinder>(&fine.shape);
+  if (outer == nullptr || inner == nullptr) return false;
+  const DoublePose outerPose(coarse.pose);
+  const DoublePose innerPose(fine.pose);
+  const glm::dvec3 center = outerPose.toLocal(innerPose.position);
+  const glm::dvec3 axis = innerPose.rotation[1] * outerPose.rotation;
+  const glm::dvec3 end = toDouble(inner->halfHeight) * axis;
+  const double radius = toDouble(inner->radius);
+  const double height = std::abs(center.y) + std::abs(end.y) + radius * std::hypot(axis.x, axis.z);
+  const double width = std::max(std::hypot(center.x + end.x, center.z + end.z),
+                                std::hypot(center.x - end.x, center.z - end.z)) +
+                       radius;
+  return height <= toDouble(outer->halfHeight) + slack && width <= toDouble(outer->radius) + slack;
+}
+
 DoubleBounds boundsOf(const ConvexPart& part, double hullMargin) {
   DoubleBounds bounds;
   for (int axis = 0; axis < 3; ++axis) {
@@ -110,6 +129,7 @@ class NestingCheck {
   [[nodiscard]] bool holds(const CoarsePart& coarse, const FinePart& fine) const {
     const double radius = fine.rounded.radius;
     if (!coarse.core) {
+      if (holdsCylinder(*coarse.part, *fine.part, tolerance_)) return true;
       std::vector<glm::dvec3> local;
       const DoublePose pose(coarse.part->pose);
       for (const glm::dvec3& point : fine.rounded.points) local.push_back(pose.toLocal(point));

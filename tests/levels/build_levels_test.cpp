@@ -141,6 +141,62 @@ TEST(BuildLevels, BoxesBecomeBoxesAndBallsBalls) {
   EXPECT_TRUE(std::holds_alternative<ConvexHull>(hull->levels->finest().parts.front().shape));
 }
 
+/// Turned and moved, as one finds it in a model.
+SurfaceMesh placed(SurfaceMesh mesh, const Transform& pose) {
+  for (Vec3& vertex : mesh.vertices) vertex = pose(vertex);
+  return mesh;
+}
+
+TEST(BuildLevels, RoundBarsBecomeOneCylinder) {
+  Random random(8);
+  for (int round = 0; round < test::trials(4); ++round) {
+    const std::uint32_t sides = 36 + static_cast<std::uint32_t>(random.uniform(0.0F, 8.0F));
+    // As wide as long, too, and flat.
+    const float radius = random.uniform(0.1F, 1.0F);
+    const float half = round % 3 == 0 ? radius : random.uniform(0.1F, 2.0F);
+    const Transform pose{random.inBox(Vec3(3.0F)), random.rotation()};
+    const SurfaceMesh mesh = placed(prismMesh(sides, radius, -half, half), pose);
+    const auto built = buildLevels(mesh, {});
+    ASSERT_TRUE(built.has_value()) << built.error().message;
+    expectNested(*built->levels, mesh);
+    ASSERT_EQ(built->levels->finest().parts.size(), 1U) << "round " << round;
+    const ConvexPart& part = built->levels->finest().parts.front();
+    const auto* cylinder = std::get_if<Cylinder>(&part.shape);
+    ASSERT_NE(cylinder, nullptr) << "round " << round;
+    EXPECT_NEAR(cylinder->radius, radius, 0.002F * radius);
+    EXPECT_NEAR(cylinder->halfHeight, half, 0.002F * (radius + half));
+    EXPECT_GT(std::abs(glm::dot(part.pose.rotation * Vec3(0.0F, 1.0F, 0.0F),
+                                pose.rotation * Vec3(0.0F, 1.0F, 0.0F))),
+              0.9999F);
+  }
+}
+
+// Where a gap is asked for, a cylinder around a prism of few sides is not near enough.
+TEST(BuildLevels, ACylinderKeepsTheGapToo) {
+  const SurfaceMesh mesh = prismMesh(12, 0.5F, -1.0F, 1.0F);
+  LevelBuildDef definition;
+  definition.finestGap = GapLimit{0.02F, {}};
+  const auto loose = buildLevels(mesh, definition);
+  ASSERT_TRUE(loose.has_value()) << loose.error().message;
+  EXPECT_TRUE(std::holds_alternative<Cylinder>(loose->levels->finest().parts.front().shape));
+  definition.finestGap = GapLimit{0.01F, {}};
+  const auto close = buildLevels(mesh, definition);
+  ASSERT_TRUE(close.has_value()) << close.error().message;
+  EXPECT_GT(close->levels->finest().parts.size(), 1U);
+}
+
+// Around cylinders of a finer level, coarser parts are no wider than the prisms by which they are judged.
+TEST(BuildLevels, CoarserPartsHoldCylinders) {
+  const SurfaceMesh mesh =
+      joined(placed(prismMesh(40, 0.4F, -0.05F, 0.05F), {Vec3(0.5F, 0.0F, 0.0F), kNoRotation}),
+             placed(prismMesh(40, 0.1F, -1.0F, 1.0F), {Vec3(-0.5F, 0.0F, 0.0F), kNoRotation}));
+  const auto built = buildLevels(mesh, withCounts({1, 2}));
+  ASSERT_TRUE(built.has_value()) << built.error().message;
+  expectNested(*built->levels, mesh);
+  for (const ConvexPart& part : built->levels->finest().parts)
+    EXPECT_TRUE(std::holds_alternative<Cylinder>(part.shape));
+}
+
 TEST(BuildLevels, PrimitivesHoldTheMarginsOfFinerHulls) {
   // A slab of two halves with a slit: the coarsest part is a box around hulls with a large margin.
   const SurfaceMesh mesh = joined(boxMesh(Vec3(1.0F, 0.5F, 0.4F), Vec3(-1.05F, 0.0F, 0.0F)),

@@ -77,6 +77,27 @@ inline SurfaceMesh sphereMesh(std::uint32_t segments = 32, float radius = 1.0F, 
   });
 }
 
+/// A closed prism of `sides` sides, standing on y = `bottom`.
+inline SurfaceMesh prismMesh(std::uint32_t sides, float radius, float bottom, float top,
+                             const Vec3& at = Vec3(0.0F)) {
+  SurfaceMesh mesh;
+  for (const float y : {bottom, top}) {
+    for (std::uint32_t i = 0; i < sides; ++i) {
+      const Vec3 round = onCircle(turn(i, sides), static_cast<double>(radius));
+      mesh.vertices.push_back(at + Vec3(round.x, y, round.y));
+    }
+  }
+  for (std::uint32_t i = 0; i < sides; ++i) {
+    const std::uint32_t next = (i + 1) % sides;
+    mesh.triangles.push_back({i, sides + next, next});
+    mesh.triangles.push_back({i, sides + i, sides + next});
+    if (i < 2) continue;
+    mesh.triangles.push_back({0, i - 1, i});
+    mesh.triangles.push_back({sides, sides + i, sides + i - 1});
+  }
+  return mesh;
+}
+
 /// Twelve triangles around a box.
 inline SurfaceMesh boxMesh(const Vec3& halfExtents, const Vec3& at = Vec3(0.0F)) {
   SurfaceMesh mesh;

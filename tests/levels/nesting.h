@@ -13,6 +13,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "levels/part_geometry.h"
@@ -23,7 +24,7 @@ namespace scatter::testing {
 /// come from qhull.
 class PartOutside {
  public:
-  explicit PartOutside(const ConvexPart& part) : rounded_(levels::roundedHull(part, 0.0)) {
+  explicit PartOutside(const ConvexPart& part) : part_(part), rounded_(levels::roundedHull(part, 0.0)) {
     auto core = levels::flatSidedCore(part);
     EXPECT_TRUE(core.has_value());
     if (core && *core) core_ = std::move(**core);
@@ -32,6 +33,10 @@ class PartOutside {
   double operator()(const std::vector<glm::dvec3>& points) const {
     double worst = -std::numeric_limits<double>::infinity();
     for (const glm::dvec3& point : points) {
+      if (const auto* const cylinder = std::get_if<Cylinder>(&part_.shape)) {
+        worst = std::max(worst, outsideCylinder(point, *cylinder));
+        continue;
+      }
       if (core_.isEmpty()) worst = std::max(worst, outsideRound(point));
       for (const auto& face : core_.faces()) worst = std::max(worst, face.plane.signedDistance(point));
     }
@@ -39,6 +44,13 @@ class PartOutside {
   }
 
  private:
+  /// Less than 0 inside.
+  [[nodiscard]] double outsideCylinder(const glm::dvec3& point, const Cylinder& cylinder) const {
+    const glm::dvec3 local = levels::DoublePose(part_.pose).toLocal(point);
+    return std::max(std::abs(local.y) - static_cast<double>(cylinder.halfHeight),
+                    std::hypot(local.x, local.z) - static_cast<double>(cylinder.radius));
+  }
+
   /// From the line that a sphere or capsule is around.
   [[nodiscard]] double outsideRound(const glm::dvec3& point) const {
     const glm::dvec3 start = rounded_.points.front();
@@ -48,6 +60,7 @@ class PartOutside {
     return glm::length(point - start - t * along) - rounded_.radius;
   }
 
+  ConvexPart part_;
   levels::RoundedHull rounded_;
   levels::Polytope core_;
 };

@@ -1,9 +1,11 @@
 #include "levels/build/face_axes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <vector>
 
 #include "levels/mesh/triangle.h"
 
@@ -11,6 +13,9 @@ namespace scatter::levels {
 namespace {
 
 constexpr int kSweeps = 30;
+
+/// Faces whose directions differ by less lie in one plane, as far as one can tell in single precision.
+constexpr double kSameDirection = 1e-4;
 
 /// Rotates two axes so that `matrix` has no entry that couples them (Jacobi).
 void decouple(glm::dmat3& matrix, glm::dmat3& axes, int p, int q) {
@@ -43,6 +48,25 @@ glm::dmat3 faceAxes(const TriangleHull& hull) {
   axes[1] = glm::normalize(axes[1] - axes[0] * glm::dot(axes[0], axes[1]));
   axes[2] = glm::cross(axes[0], axes[1]);
   return axes;
+}
+
+glm::dvec3 largestFace(const TriangleHull& hull) {
+  struct Face {
+    glm::dvec3 normal{0.0};
+    double area = 0.0;
+  };
+  std::vector<Face> faces;
+  for (std::size_t i = 0; i < hull.triangles.size(); ++i) {
+    const Triangle& t = hull.triangles[i];
+    const glm::dvec3& normal = hull.planes[i].normal;
+    const auto isSame = [&](const Face& face) { return glm::length(face.normal - normal) < kSameDirection; };
+    auto face = std::find_if(faces.begin(), faces.end(), isSame);
+    if (face == faces.end()) face = faces.insert(faces.end(), Face{normal, 0.0});
+    face->area += triangleArea(hull.vertices[t[0]], hull.vertices[t[1]], hull.vertices[t[2]]);
+  }
+  return std::max_element(faces.begin(), faces.end(),
+                          [](const Face& a, const Face& b) { return a.area < b.area; })
+      ->normal;
 }
 
 }  // namespace scatter::levels

@@ -9,4 +9,8 @@ namespace scatter::levels {
 /// Right-handed unit axes that most of the hull's area faces: those of the box around a box.
 [[nodiscard]] glm::dmat3 faceAxes(const TriangleHull& hull);
 
+/// The unit direction that the largest flat face of the hull is turned to, whatever triangles it is made of:
+/// along the axis of a prism or a cylinder.
+[[nodiscard]] glm::dvec3 largestFace(const TriangleHull& hull);
+
 }  // namespace scatter::levels

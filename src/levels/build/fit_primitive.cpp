@@ -20,6 +20,9 @@ namespace {
 
 constexpr int kCenterRounds = 300;
 
+/// A cylinder's radius is wrong by a few times its share of this; only a hull's vertices are looked at.
+constexpr int kAxisRounds = 3000;
+
 /// Rounded up, so that nothing is lost.
 float toFloatAbove(double value) {
   const auto rounded = static_cast<float>(value);
@@ -28,10 +31,10 @@ float toFloatAbove(double value) {
 
 /// The middle of about the smallest ball around others: steps toward the furthest, ever shorter (Bădoiu and
 /// Clarkson, 2003). `squash` is 1, or leaves out the direction in which distance does not count.
-glm::dvec3 middleOf(std::span<const Ball> balls, const glm::dvec3& squash) {
+glm::dvec3 middleOf(std::span<const Ball> balls, const glm::dvec3& squash, int rounds = kCenterRounds) {
   glm::dvec3 middle{0.0};
   for (const Ball& ball : balls) middle += ball.center / static_cast<double>(balls.size());
-  for (int round = 1; round <= kCenterRounds; ++round) {
+  for (int round = 1; round <= rounds; ++round) {
     glm::dvec3 toFurthest{0.0};
     double furthest = -1.0;
     for (const Ball& ball : balls) {
@@ -73,11 +76,17 @@ Quat toQuat(const glm::dmat3& axes) {
   return glm::normalize(Quat(glm::quat_cast(axes)));
 }
 
-/// The rotation that takes the y axis, along which capsules lie, to one of three axes.
+/// The rotation that takes the y axis, along which capsules and cylinders lie, to one of three axes.
 glm::dmat3 withYAlong(const glm::dmat3& axes, int axis) {
   const glm::dvec3 y = axes[axis];
   const glm::dvec3 x = axes[(axis + 1) % 3];
   return {x, y, glm::cross(x, y)};
+}
+
+glm::dmat3 axesWith(const glm::dvec3& first) {
+  const glm::dvec3 other = std::abs(first.x) < 0.7 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
+  const glm::dvec3 second = glm::normalize(glm::cross(first, other));
+  return {first, second, glm::cross(first, second)};
 }
 
 /// Axes like these that are turned about the mirror's own: those of something that is its own image.
@@ -97,9 +106,9 @@ glm::dmat3 turnedAbout(const Mirror& mirror, const glm::dmat3& axes) {
   return result;
 }
 
-/// The rotation of a capsule along one of the axes; nothing if a mirror does not leave it as it is.
-std::optional<glm::dmat3> capsuleFrame(const glm::dmat3& axes, int axis,
-                                       const std::optional<Mirror>& mirror) {
+/// The rotation of a capsule or a cylinder along one of the axes; nothing if a mirror does not leave it as it
+/// is.
+std::optional<glm::dmat3> axialFrame(const glm::dmat3& axes, int axis, const std::optional<Mirror>& mirror) {
   if (!mirror) return withYAlong(axes, axis);
   if (axis == 1) return axes;
   const int own = mirror->axis;
@@ -112,6 +121,15 @@ std::optional<glm::dmat3> capsuleFrame(const glm::dmat3& axes, int axis,
 
 double ballVolume(double radius) {
   return 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
+}
+
+double cylinderVolume(double radius, double half) {
+  return 2.0 * std::numbers::pi * radius * radius * half;
+}
+
+/// How far a ball's middle is from a line along y.
+double widthOf(const Ball& ball, const glm::dvec3& line) {
+  return std::hypot(ball.center.x - line.x, ball.center.z - line.z);
 }
 
 FittedPrimitive fitBox(std::span<const Ball> balls, const Quat& rotation, const Vec3& origin,
@@ -146,9 +164,6 @@ FittedPrimitive fitCapsule(std::span<const Ball> balls, const Quat& rotation, co
   const glm::dvec3 across{1.0, 0.0, 1.0};
   glm::dvec3 middle = across * middleOf(frame.balls, across);
   if (definition.mirror) middle = definition.mirror->flattened(middle);
-  const auto widthOf = [](const Ball& ball, const glm::dvec3& axis) {
-    return std::hypot(ball.center.x - axis.x, ball.center.z - axis.z);
-  };
   double radius = 0.0;
   for (const Ball& ball : frame.balls) radius = std::max(radius, widthOf(ball, middle) + ball.radius);
   // A ball near the axis may lie in the round end.
@@ -176,10 +191,84 @@ FittedPrimitive fitCapsule(std::span<const Ball> balls, const Quat& rotation, co
   radius += definition.slack;
   half += definition.slack;
   return {{Capsule{toFloatAbove(radius), toFloatAbove(half)}, {position, rotation}},
-          ballVolume(radius) + 2.0 * std::numbers::pi * radius * radius * half};
+          ballVolume(radius) + cylinderVolume(radius, half)};
+}
+
+/// Volume of any cylinder along the frame's y axis that holds the corners, at least.
+double leastCylinder(std::span<const Ball> corners, const glm::dmat3& frame) {
+  glm::dvec3 low(std::numeric_limits<double>::infinity());
+  glm::dvec3 high = -low;
+  for (const Ball& corner : corners) {
+    const glm::dvec3 local = corner.center * frame;
+    low = glm::min(low, local);
+    high = glm::max(high, local);
+  }
+  const glm::dvec3 half = 0.5 * (high - low);
+  return cylinderVolume(std::max(half.x, half.z), half.y);
+}
+
+/// The axis is that of the corners, whose hull holds the balls, about.
+FittedPrimitive fitCylinder(std::span<const Ball> balls, std::span<const Ball> corners, const Quat& rotation,
+                            const Vec3& origin, const PrimitiveDef& definition) {
+  Frame frame(balls, rotation);
+  const glm::dvec3 across{1.0, 0.0, 1.0};
+  glm::dvec3 middle = across * middleOf(Frame(corners, rotation).balls, across, kAxisRounds);
+  double top = -std::numeric_limits<double>::infinity();
+  double bottom = -top;
+  for (const Ball& ball : frame.balls) {
+    top = std::max(top, ball.center.y + ball.radius);
+    bottom = std::min(bottom, ball.center.y - ball.radius);
+  }
+  middle.y = 0.5 * (top + bottom);
+  const Vec3 position = frame.place(middle, origin, definition.mirror);
+  double radius = 0.0;
+  double half = 0.0;
+  for (const Ball& ball : frame.balls) {
+    radius = std::max(radius, widthOf(ball, glm::dvec3(0.0)) + ball.radius);
+    half = std::max(half, std::abs(ball.center.y) + ball.radius);
+  }
+  radius = std::max(radius + definition.slack, 0.5 * definition.thickness);
+  half = std::max(half + definition.slack, 0.5 * definition.thickness);
+  return {{Cylinder{toFloatAbove(radius), toFloatAbove(half)}, {position, rotation}},
+          cylinderVolume(radius, half)};
+}
+
+/// Spheres and capsules. They take longer to fit: first see from the box whether they can be small enough.
+void addRound(std::span<const Ball> balls, const glm::dmat3& axes, const Vec3& origin,
+              const PrimitiveDef& definition, std::vector<FittedPrimitive>& fitted) {
+  const double slack = definition.slack;
+  const glm::dvec3 half(std::get<Box>(fitted.front().part.shape).halfExtents);
+  const double longest = std::max({half.x, half.y, half.z});
+  if (ballVolume(longest - slack) <= definition.maxVolume)
+    fitted.push_back(fitSphere(balls, origin, definition));
+  for (int axis = 0; axis < 3; ++axis) {
+    const double radius = std::max(half[(axis + 1) % 3], half[(axis + 2) % 3]) - slack;
+    const double straight = std::max(0.0, half[axis] - slack - radius);
+    if (ballVolume(radius) + cylinderVolume(radius, straight) > definition.maxVolume) continue;
+    if (const std::optional<glm::dmat3> frame = axialFrame(axes, axis, definition.mirror))
+      fitted.push_back(fitCapsule(balls, toQuat(*frame), origin, definition));
+  }
+}
+
+/// Along the axes of the faces and along that of the largest one: of a cylinder as wide as long, only flat
+/// faces tell where its axis is.
+void addCylinders(const FitInput& input, const Vec3& origin, const PrimitiveDef& definition,
+                  std::vector<FittedPrimitive>& fitted) {
+  std::vector<Ball> corners;
+  for (const glm::dvec3& vertex : input.tight->vertices) corners.push_back({vertex, 0.0});
+  const auto add = [&](const glm::dmat3& axes, int axis) {
+    const std::optional<glm::dmat3> frame = axialFrame(axes, axis, definition.mirror);
+    if (!frame || leastCylinder(corners, *frame) > definition.maxVolume) return;
+    fitted.push_back(fitCylinder(input.balls, corners, toQuat(*frame), origin, definition));
+  };
+  const glm::dmat3 faces = faceAxes(*input.tight);
+  const glm::dmat3 axes = definition.mirror ? turnedAbout(*definition.mirror, faces) : faces;
+  for (int axis = 0; axis < 3; ++axis) add(axes, axis);
+  if (!definition.mirror) add(axesWith(largestFace(*input.tight)), 0);
 }
 
 struct BallsOf {
+  const ConvexPart& part;
   DoublePose pose;
   double hullMargin = 0.0;
 
@@ -198,11 +287,14 @@ struct BallsOf {
   std::vector<Ball> operator()(const Capsule& capsule) const {
     return onAxis(capsule.halfHeight, static_cast<double>(capsule.radius));
   }
-  /// The ball around the cylinder: it has no fewer.
+  /// The corners of a prism around it.
   std::vector<Ball> operator()(const Cylinder& cylinder) const {
-    const double corner =
-        std::hypot(static_cast<double>(cylinder.radius), static_cast<double>(cylinder.halfHeight));
-    return {{pose.position, corner}};
+    ConvexPart centered{cylinder, part.pose};
+    centered.pose.position = Vec3(0.0F);
+    std::vector<Ball> balls;
+    for (const glm::dvec3& corner : roundedHull(centered, 0.0).points)
+      balls.push_back({pose.position + corner, 0.0});
+    return balls;
   }
   std::vector<Ball> operator()(const ConvexHull& hull) const {
     std::vector<Ball> balls;
@@ -219,26 +311,14 @@ struct BallsOf {
 
 }  // namespace
 
-std::vector<FittedPrimitive> fitPrimitives(std::span<const Ball> balls, const TriangleHull& hull,
-                                           const Vec3& origin, const PrimitiveDef& definition) {
-  const std::optional<Mirror>& mirror = definition.mirror;
-  const glm::dmat3 axes = mirror ? turnedAbout(*mirror, faceAxes(hull)) : faceAxes(hull);
-  const double slack = definition.slack;
-  std::vector<FittedPrimitive> fitted{fitBox(balls, toQuat(axes), origin, definition),
-                                      fitBox(balls, kNoRotation, origin, definition)};
-  // Round parts take longer to fit: first see from the box whether they can be small enough.
-  const glm::dvec3 half(std::get<Box>(fitted.front().part.shape).halfExtents);
-  const double longest = std::max({half.x, half.y, half.z});
-  if (ballVolume(longest - slack) <= definition.maxVolume)
-    fitted.push_back(fitSphere(balls, origin, definition));
-  for (int axis = 0; axis < 3; ++axis) {
-    const double radius = std::max(half[(axis + 1) % 3], half[(axis + 2) % 3]) - slack;
-    const double straight = std::max(0.0, half[axis] - slack - radius);
-    if (ballVolume(radius) + 2.0 * std::numbers::pi * radius * radius * straight > definition.maxVolume)
-      continue;
-    if (const std::optional<glm::dmat3> frame = capsuleFrame(axes, axis, mirror))
-      fitted.push_back(fitCapsule(balls, toQuat(*frame), origin, definition));
-  }
+std::vector<FittedPrimitive> fitPrimitives(const FitInput& input, const Vec3& origin,
+                                           const PrimitiveDef& definition) {
+  const glm::dmat3 faces = faceAxes(*input.few);
+  const glm::dmat3 axes = definition.mirror ? turnedAbout(*definition.mirror, faces) : faces;
+  std::vector<FittedPrimitive> fitted{fitBox(input.balls, toQuat(axes), origin, definition),
+                                      fitBox(input.balls, kNoRotation, origin, definition)};
+  addRound(input.balls, axes, origin, definition, fitted);
+  addCylinders(input, origin, definition, fitted);
   // A wire has no capsule that a level takes.
   std::erase_if(fitted, [&](const FittedPrimitive& each) {
     return each.volume > definition.maxVolume || findDefect(each.part).has_value();
@@ -251,7 +331,7 @@ std::vector<FittedPrimitive> fitPrimitives(std::span<const Ball> balls, const Tr
 std::vector<Ball> ballsOf(const ConvexPart& part, const Vec3& origin, double hullMargin) {
   DoublePose pose(part.pose);
   pose.position -= glm::dvec3(origin);
-  return std::visit(BallsOf{pose, hullMargin}, part.shape);
+  return std::visit(BallsOf{part, pose, hullMargin}, part.shape);
 }
 
 }  // namespace scatter::levels

@@ -32,13 +32,19 @@ struct PrimitiveDef {
   std::optional<Mirror> mirror{};
 };
 
-/// Boxes, spheres and capsules that strictly hold all balls, rounding included, smallest first. The balls,
-/// and the hull that gives the directions, are relative to `origin`.
-[[nodiscard]] std::vector<FittedPrimitive> fitPrimitives(std::span<const Ball> balls,
-                                                         const TriangleHull& hull, const Vec3& origin,
+/// Around what primitives are to be fitted, relative to an origin.
+struct FitInput {
+  std::span<const Ball> balls{};      ///< What is to be held.
+  const TriangleHull* few = nullptr;  ///< Their hull, of few vertices: gives boxes and capsules directions.
+  const TriangleHull* tight =
+      nullptr;  ///< Their hull: gives cylinders theirs, which few vertices would turn.
+};
+
+/// Boxes, spheres, capsules and cylinders that strictly hold all balls, rounding included, smallest first.
+[[nodiscard]] std::vector<FittedPrimitive> fitPrimitives(const FitInput& input, const Vec3& origin,
                                                          const PrimitiveDef& definition);
 
-/// A few balls whose hull holds the part, margin included, relative to `origin`; around a cylinder, one ball.
+/// A few balls whose hull holds the part, margin included, relative to `origin`; a cylinder's is a prism.
 [[nodiscard]] std::vector<Ball> ballsOf(const ConvexPart& part, const Vec3& origin, double hullMargin);
 
 }  // namespace scatter::levels

@@ -5,6 +5,7 @@
 #include <future>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <numbers>
 #include <queue>
 #include <utility>
 #include <variant>
@@ -22,6 +23,10 @@ constexpr double kSpacing = 1.0 / 60.0;
 constexpr double kNegligibleGap = 1e-4;
 constexpr double kPrimitiveSlack = 2e-7;
 constexpr double kThinnestBox = 2e-6;  // metres: files take none thinner
+constexpr double kTightTolerance = 1e-5;
+constexpr double kTightThickness = 1e-4;
+constexpr int kCylinderSides = 64;  ///< A thousandth of the radius is lost.
+
 /// By how much a primitive's gap may exceed the hull's.
 constexpr double kPrimitiveGap = 1e-3;
 
@@ -62,6 +67,22 @@ std::vector<glm::dvec3> outlineOf(const ConvexPart& part, const Vec3& origin, do
   return points;
 }
 
+/// Points whose hull is as near to the mesh as the part, about: around a cylinder it would be further away.
+std::vector<glm::dvec3> surfacePointsOf(const ConvexPart& part, const Vec3& origin) {
+  const auto* const cylinder = std::get_if<Cylinder>(&part.shape);
+  if (cylinder == nullptr) return outlineOf(part, origin, 0.0);
+  const DoublePose pose(part.pose);
+  std::vector<glm::dvec3> points;
+  for (int side = 0; side < kCylinderSides; ++side) {
+    const double angle = 2.0 * std::numbers::pi * side / kCylinderSides;
+    const glm::dvec3 rim = toDouble(cylinder->radius) * glm::dvec3(std::cos(angle), 0.0, std::sin(angle));
+    const glm::dvec3 end(0.0, toDouble(cylinder->halfHeight), 0.0);
+    points.push_back(pose(rim + end) - glm::dvec3(origin));
+    points.push_back(pose(rim - end) - glm::dvec3(origin));
+  }
+  return points;
+}
+
 void add(Content& content, const Content& more) {
   content.points.insert(content.points.end(), more.points.begin(), more.points.end());
   content.balls.insert(content.balls.end(), more.balls.begin(), more.balls.end());
@@ -93,6 +114,13 @@ double rimOf(const AssemblyDef& definition) {
 LevelAssembler::Draft LevelAssembler::finest(const FinestDef& definition,
                                              const std::function<void(double)>& progress) {
   const double nearest = definition_.hullMargin + rimOf(definition_) + kNegligibleGap * space_.mesh.diagonal;
+  // Many hulls in place of one primitive bring as little as a hull in its place would, unless a gap is asked
+  // for.
+  const double saved = definition.gap > 0.0 ? 0.0 : kPrimitiveGap * space_.mesh.diagonal;
+  const auto nearEnough = [&](const PartDraft& part) {
+    const bool isPrimitive = !std::holds_alternative<ConvexHull>(part.part.shape);
+    return (nearest + (isPrimitive ? saved : 0.0)) * part.weight;
+  };
   std::vector<std::pair<NodeIndex, PartDraft>> parts;
   // Importance and place in `parts`, the most important on top, the earliest of equals.
   using Entry = std::pair<double, std::size_t>;
@@ -109,7 +137,7 @@ LevelAssembler::Draft LevelAssembler::finest(const FinestDef& definition,
     if (tree_.isLeaf(node)) return;
     if (part.isMixed) {
       queue.emplace(std::numeric_limits<double>::infinity(), place);
-    } else if (part.gap > std::max(definition.gap, nearest * part.weight)) {
+    } else if (part.gap > std::max(definition.gap, nearEnough(part))) {
       queue.emplace(part.gap * std::pow(share, kAreaPower), place);
     }
   };
@@ -248,12 +276,16 @@ std::optional<PartDraft> LevelAssembler::primitiveAround(const Content& content,
                                                          const std::optional<Mirror>& mirror,
                                                          HullBuilder& builder) const {
   const double diagonal = space_.mesh.diagonal;
+  TriangleHull tight;
+  buildThickHull(builder, content.points,
+                 {kTightTolerance * diagonal, kTightThickness * diagonal, definition_.maxVertices}, tight);
   const PrimitiveDef wanted{kPrimitiveSlack * diagonal, kThinnestBox, kPrimitiveVolume * volumeOf(hull),
                             mirror};
-  for (const FittedPrimitive& fitted : fitPrimitives(content.balls, hull, space_.mesh.origin, wanted)) {
+  const FitInput input{content.balls, &hull, &tight};
+  for (const FittedPrimitive& fitted : fitPrimitives(input, space_.mesh.origin, wanted)) {
     if (!suits(fitted.part, mirror)) continue;
     TriangleHull outline;
-    if (!builder.build(outlineOf(fitted.part, space_.mesh.origin, 0.0), {}, outline)) continue;
+    if (!builder.build(surfacePointsOf(fitted.part, space_.mesh.origin), {}, outline)) continue;
     const double gap = gapOf(outline, 0.0);
     if (gap <= draft.gap + kPrimitiveGap * diagonal) return PartDraft{fitted.part, {}, gap, outline.area};
   }

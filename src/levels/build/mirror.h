@@ -30,7 +30,7 @@ struct Mirror {
 /// Whether the image is exactly where it should be, which single precision may not allow far from zero.
 [[nodiscard]] bool isMirroredExactly(const ConvexPart& part, const Mirror& mirror, const Vec3& origin);
 
-/// Whether a box, sphere or capsule is its own mirror image, exactly.
+/// Whether a box, sphere, capsule or cylinder is its own mirror image, exactly.
 [[nodiscard]] bool isOwnImage(const ConvexPart& part, const Mirror& mirror, const Vec3& origin);
 
 /// The points and their images, each once; what is within `epsilon` of the plane is moved onto it.

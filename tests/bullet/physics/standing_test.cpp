@@ -3,6 +3,7 @@
 #include <scatter/levels/build_levels.h>
 #include <scatter/levels/measure_levels.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -20,26 +21,6 @@ using namespace testing;  // the meshes
 
 constexpr int kSteps = 240;
 constexpr double kStep = 1.0 / 60.0;
-
-/// A closed prism of `sides` sides, standing on y = `bottom`.
-SurfaceMesh prismMesh(std::uint32_t sides, float radius, float bottom, float top, const Vec3& at) {
-  SurfaceMesh mesh;
-  for (const float y : {bottom, top}) {
-    for (std::uint32_t i = 0; i < sides; ++i) {
-      const Vec3 round = onCircle(turn(i, sides), static_cast<double>(radius));
-      mesh.vertices.push_back(at + Vec3(round.x, y, round.y));
-    }
-  }
-  for (std::uint32_t i = 0; i < sides; ++i) {
-    const std::uint32_t next = (i + 1) % sides;
-    mesh.triangles.push_back({i, sides + next, next});
-    mesh.triangles.push_back({i, sides + i, sides + next});
-    if (i < 2) continue;
-    mesh.triangles.push_back({0, i - 1, i});
-    mesh.triangles.push_back({sides, sides + i, sides + i - 1});
-  }
-  return mesh;
-}
 
 /// A table with round legs of a given height, on y = 0.
 SurfaceMesh tableMesh(float height) {
@@ -89,6 +70,18 @@ float restingHeight(WorldKind kind, const Shape& floor, const std::shared_ptr<co
   return physics->state(*body).pose.position.y;
 }
 
+void expectStands(const BuiltLevels& built, const SurfaceMesh& mesh, float height) {
+  const auto measures = measureLevels(*built.levels, mesh);
+  ASSERT_TRUE(measures.has_value()) << measures.error().message;
+  for (const auto& [name, floor] : floors()) {
+    for (const WorldKind kind : {WorldKind::kStandard, WorldKind::kHybrid}) {
+      const float rests = restingHeight(kind, floor, built.levels, 0.02F * height);
+      EXPECT_LT(std::abs(static_cast<double>(rests)), 0.001 * measures->diagonal)
+          << name << ", " << height << " m, " << (kind == WorldKind::kHybrid ? "hybrid" : "standard");
+    }
+  }
+}
+
 TEST(Standing, AFlatFootIsOnTheFloor) {
   for (const float height : test::trials<float>({0.8F, 0.3F, 4.0F})) {
     const SurfaceMesh mesh = tableMesh(height);
@@ -97,15 +90,20 @@ TEST(Standing, AFlatFootIsOnTheFloor) {
     definition.fitPrimitives = false;
     const auto built = buildLevels(mesh, definition);
     ASSERT_TRUE(built.has_value()) << built.error().message;
-    const auto measures = measureLevels(*built->levels, mesh);
-    ASSERT_TRUE(measures.has_value()) << measures.error().message;
-    for (const auto& [name, floor] : floors()) {
-      for (const WorldKind kind : {WorldKind::kStandard, WorldKind::kHybrid}) {
-        const float rests = restingHeight(kind, floor, built->levels, 0.02F * height);
-        EXPECT_LT(std::abs(static_cast<double>(rests)), 0.001 * measures->diagonal)
-            << name << ", " << height << " m, " << (kind == WorldKind::kHybrid ? "hybrid" : "standard");
-      }
-    }
+    expectStands(*built, mesh, height);
+  }
+}
+
+TEST(Standing, AFootThatIsACylinderIsOnTheFloor) {
+  for (const float height : test::trials<float>({0.8F, 4.0F})) {
+    const SurfaceMesh mesh = tableMesh(height);
+    const auto built = buildLevels(mesh, {});
+    ASSERT_TRUE(built.has_value()) << built.error().message;
+    const auto isCylinder = [](const ConvexPart& part) {
+      return std::holds_alternative<Cylinder>(part.shape);
+    };
+    ASSERT_EQ(std::ranges::count_if(built->levels->finest().parts, isCylinder), 4);
+    expectStands(*built, mesh, height);
   }
 }
 
