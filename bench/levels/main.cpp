@@ -185,6 +185,10 @@ ConvexPart scaled(ConvexPart part, float scale) {
     capsule->radius *= scale;
     capsule->halfHeight *= scale;
   }
+  if (auto* cylinder = std::get_if<Cylinder>(&part.shape)) {
+    cylinder->radius *= scale;
+    cylinder->halfHeight *= scale;
+  }
   if (auto* hull = std::get_if<ConvexHull>(&part.shape)) {
     for (Vec3& vertex : hull->vertices) vertex *= scale;
   }
