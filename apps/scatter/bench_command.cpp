@@ -43,7 +43,7 @@ Command addBenchCommand(CLI::App& program) {
   bench->commands = {addBenchCollisionCommand(*command), addBenchContactsCommand(*command),
                      addBenchSpreadCommand(*command),    addBenchWorldsCommand(*command),
                      addBenchFidelityCommand(*command),  addBenchMemoryCommand(*command),
-                     addBenchBudgetCommand(*command)};
+                     addBenchBudgetCommand(*command),    addBenchLevelsCommand(*command)};
   return {command, [bench] { return execute(*bench); }};
 }
 

@@ -56,6 +56,7 @@ Command addBenchCommand(CLI::App& program);
 Command addBenchBudgetCommand(CLI::App& bench);
 Command addBenchCollisionCommand(CLI::App& bench);
 Command addBenchContactsCommand(CLI::App& bench);
+Command addBenchLevelsCommand(CLI::App& bench);
 Command addBenchSpreadCommand(CLI::App& bench);
 Command addBenchWorldsCommand(CLI::App& bench);
 Command addBenchFidelityCommand(CLI::App& bench);

@@ -1,15 +1,16 @@
+// hacd_parts MESH HULLS PARTS [VERTICES]: decomposes an .obj file by HACD (hierarchical approximate convex
+// decomposition) of Bullet's extras, other settings as in Bullet's own example, into an .obj file with an
+// object for each hull, of at most VERTICES vertices, or as many as it has if that is 0 or not given.
 #include <HACD/hacdHACD.h>
+#include <scatter/io/file.h>
+#include <scatter/io/mesh_file.h>
+#include <spdlog/fmt/fmt.h>
 
-#include <cstdint>
-#include <cstring>
-#include <ctime>
+#include <cstdio>
+#include <cstdlib>
 #include <glm/geometric.hpp>
 #include <string>
-#include <utility>
 #include <vector>
-
-#include "io/mesh/isolated_call.h"
-#include "parts.h"
 
 namespace scatter::bench {
 namespace {
@@ -29,11 +30,6 @@ void configure(HACD::HACD& hacd, int parts, int maxVertices) {
   hacd.SetAddExtraDistPoints(true);
   hacd.SetAddNeighboursDistPoints(true);
   hacd.SetAddFacesPoints(true);
-}
-
-template <class Value>
-void append(std::string& bytes, const Value& value) {
-  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
 glm::dvec3 toVector(const HACD::Vec3<HACD::Real>& point) {
@@ -61,8 +57,23 @@ class Frame {
   double scale_;
 };
 
-/// Seconds, then the points of each part, preceded by their number.
-std::string run(const SurfaceMesh& mesh, int parts, int maxVertices) {
+/// An object with a vertex for each point, and triangles with the corners that they have.
+void append(std::string& text, HACD::HACD& hacd, std::size_t part, const Frame& frame,
+            std::size_t first) {
+  Points hull(hacd.GetNPointsCH(part));
+  Triangles sides(hacd.GetNTrianglesCH(part));
+  hacd.GetCH(part, hull.data(), sides.data());
+  text += fmt::format("o hull{}\n", part + 1);
+  for (const auto& point : hull) {
+    const Vec3 place = frame(point);
+    text += fmt::format("v {:.9g} {:.9g} {:.9g}\n", place.x, place.y, place.z);
+  }
+  const auto corner = [first](long index) { return first + static_cast<std::size_t>(index); };
+  for (const auto& side : sides)
+    text += fmt::format("f {} {} {}\n", corner(side.X()), corner(side.Y()), corner(side.Z()));
+}
+
+std::string decompose(const SurfaceMesh& mesh, int parts, int maxVertices) {
   Points points;
   for (const Vec3& v : mesh.vertices) {
     points.emplace_back(static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z));
@@ -77,49 +88,40 @@ std::string run(const SurfaceMesh& mesh, int parts, int maxVertices) {
   hacd.SetTriangles(triangles.data());
   hacd.SetNTriangles(triangles.size());
   configure(hacd, parts, maxVertices);
-  const std::clock_t start = std::clock();
   hacd.NormalizeData();
   const Frame frame(mesh, points);
   hacd.Compute(maxVertices == 0, false);
-  std::string bytes;
-  append(bytes, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+  std::string text;
+  std::size_t first = 1;
   for (std::size_t part = 0; part < hacd.GetNClusters(); ++part) {
-    Points hull(hacd.GetNPointsCH(part));
-    Triangles sides(hacd.GetNTrianglesCH(part));
-    hacd.GetCH(part, hull.data(), sides.data());
-    append(bytes, static_cast<std::uint32_t>(hull.size()));
-    for (const auto& point : hull) append(bytes, frame(point));
+    append(text, hacd, part, frame, first);
+    first += hacd.GetNPointsCH(part);
   }
-  return bytes;
+  return text;
 }
 
-template <class Value>
-Value take(const std::string& bytes, std::size_t& at) {
-  Value value{};
-  if (at + sizeof value <= bytes.size()) std::memcpy(&value, bytes.data() + at, sizeof value);
-  at += sizeof value;
-  return value;
+int run(const std::vector<std::string>& words) {
+  const int parts = words.size() < 3 ? 0 : std::atoi(words[2].c_str());
+  if (words.size() < 3 || words.size() > 4 || parts < 1) {
+    fmt::print(stderr, "usage: hacd_parts MESH HULLS PARTS [VERTICES]\n");
+    return 2;
+  }
+  const auto file = readMesh(words[0]);
+  if (!file) {
+    fmt::print(stderr, "hacd_parts: {}\n", file.error().message);
+    return 2;
+  }
+  const std::string text = decompose(file->mesh, parts, words.size() == 4 ? std::atoi(words[3].c_str()) : 0);
+  if (const auto written = writeFile(words[1], text); !written) {
+    fmt::print(stderr, "hacd_parts: {}\n", written.error().message);
+    return 1;
+  }
+  return 0;
 }
 
 }  // namespace
-
-Result<Decomposition> decomposeByHacd(const SurfaceMesh& mesh, const DecompositionDef& definition) {
-  const io::IsolationLimits limits{.memoryBytes = std::uint64_t{8} << 30U,
-                                   .processorSeconds = definition.limitSeconds,
-                                   .answerBytes = std::uint64_t{1} << 30U};
-  const Result<std::string> bytes =
-      io::callIsolated([&] { return run(mesh, definition.parts, definition.maxVertices); }, limits);
-  if (!bytes) return fail(bytes.error().message);
-  std::size_t at = 0;
-  const auto seconds = take<double>(*bytes, at);
-  std::vector<ConvexHull> hulls;
-  while (at < bytes->size()) {
-    ConvexHull hull;
-    for (auto count = take<std::uint32_t>(*bytes, at); count > 0; --count)
-      hull.vertices.push_back(take<Vec3>(*bytes, at));
-    hulls.push_back(std::move(hull));
-  }
-  return decompositionOf(std::move(hulls), seconds);
-}
-
 }  // namespace scatter::bench
+
+int main(int argc, char** argv) {
+  return scatter::bench::run({argv + 1, argv + argc});
+}

@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <fstream>
+
 #include "apps/program.h"
 #include "trials.h"
 
@@ -26,13 +28,15 @@ class BenchTest : public ProgramTest {
 
 TEST_F(BenchTest, ListShowsWhatCanBeMeasured) {
   const std::string output = bench({"--list"});
-  for (const char* name : {"budget", "collision", "contacts", "spread", "worlds", "fidelity", "memory"}) {
+  for (const char* name :
+       {"budget", "collision", "contacts", "spread", "worlds", "fidelity", "memory", "levels"}) {
     EXPECT_THAT(output, HasSubstr(name));
   }
 }
 
 TEST_F(BenchTest, EveryBenchCommandHasHelp) {
-  for (const char* name : {"budget", "collision", "contacts", "spread", "worlds", "fidelity", "memory"}) {
+  for (const char* name :
+       {"budget", "collision", "contacts", "spread", "worlds", "fidelity", "memory", "levels"}) {
     EXPECT_THAT(bench({name, "--help"}), HasSubstr(std::string("scatter bench ") + name));
   }
 }
@@ -65,6 +69,27 @@ TEST_F(BenchTest, BudgetGoesThroughScenesAndFamilies) {
   EXPECT_THAT(output, ContainsRegex("wheel_stack-3 +40.0 .* 0.00 +0.00 +0.[0-9]+"));
   EXPECT_THAT(output, HasSubstr("6 runs, 180 frames"));
   EXPECT_EQ(linesOfCsv("budgets.csv"), 7U);
+}
+
+TEST_F(BenchTest, LevelsAreJudgedBesideThoseOfAProgram) {
+  std::string box = "o box\n";
+  for (const char* vertex :
+       {"-1 -1 -1", "1 -1 -1", "-1 1 -1", "1 1 -1", "-1 -1 1", "1 -1 1", "-1 1 1", "1 1 1"})
+    box += std::string("v ") + vertex + "\n";
+  for (const char* face : {"1 3 4 2", "5 6 8 7", "1 2 6 5", "3 7 8 4", "1 5 7 3", "2 4 8 6"})
+    box += std::string("f ") + face + "\n";
+  std::ofstream(folder / "box.obj") << box;
+  const std::string output = bench({"levels", "box.obj", "--csv", "new/levels.csv", "--piles", "piles.csv",
+                                    "--repeat", "1", "--program", "whole=(echo o all; cat {mesh}) > {hulls}",
+                                    "--program", "none@8x12=echo {mesh} {parts} {vertices} > {hulls}"});
+  EXPECT_THAT(output, ContainsRegex("box +12 scatter .* passes yes"));
+  EXPECT_THAT(output, ContainsRegex("box +12 whole .* passes yes"));
+  EXPECT_THAT(output, ContainsRegex("box +12 none +8 parts: .*left no hulls.*echo mesh.obj 8 12"));
+  EXPECT_THAT(output, ContainsRegex("pile of 30, whole +plain Bullet"));
+  // A box is one level of one part, however many are asked for.
+  EXPECT_EQ(linesOfCsv("new/levels.csv"), 6U);
+  EXPECT_EQ(linesOfCsv("piles.csv"), 3U);
+  EXPECT_EQ(columnOf(folder / "new/levels.csv", "passes").back(), "failed");
 }
 
 TEST_F(BenchTest, SpreadHasALineForEveryWorldAndSeed) {

@@ -117,6 +117,8 @@ std::vector<PageCommand> readmeCommands() {
       {"scatter bench budget", "bench budget --scenes duel --frames 10 --floors 2 --over over.csv",
        says("took more than 1.02") + leaves("over.csv")},
       {"scatter bench memory", "bench memory --scene duel --frames 10 --every 5", says("lean")},
+      {"scatter bench levels MESH…", "bench levels ship.obj --csv levels.csv",
+       says("passes yes") + leaves("levels.csv")},
       {"scatter run fleet --budget-ms 4", "run duel --budget-ms 1e-6 --frames 20",
        says("What could not be given up")},
       {"scatter bench fidelity fleet --budgets 4,6,8,12",

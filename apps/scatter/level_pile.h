@@ -4,11 +4,12 @@
 #include <scatter/levels/level_set.h>
 #include <scatter/result.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
-namespace scatter::bench {
+namespace scatter::app {
 
 /// A body that is piled up.
 struct PiledBody {
@@ -28,8 +29,10 @@ struct PileCosts {
   PileCost ours;    ///< A hybrid world without a budget: the finest level, too.
 };
 
-/// Thirty of each body fall into a pit of their own and may not fall asleep, in both worlds; all runs are
-/// repeated, interleaved. Bodies are scaled to a diagonal of about 2 m. One for each body.
-[[nodiscard]] Result<std::vector<PileCosts>> pileUp(const std::vector<PiledBody>& bodies, int repeat);
+/// Thirty of each body, which has a diagonal of about 2 m, fall into a pit of their own and may not fall
+/// asleep, in both worlds; all runs are repeated, interleaved. One for each body.
+[[nodiscard]] Result<std::vector<PileCosts>> pileUp(
+    const std::vector<PiledBody>& bodies, int repeat,
+    const std::function<void(const CompareProgress&)>& progress);
 
-}  // namespace scatter::bench
+}  // namespace scatter::app

@@ -1,3 +1,5 @@
+#include "decomposition.h"
+
 #include <fcntl.h>
 #include <scatter/io/file.h>
 #include <scatter/io/mesh_file.h>
@@ -13,25 +15,23 @@
 #include <system_error>
 #include <utility>
 
-#include "parts.h"
-
 extern char** environ;
 
-namespace scatter::bench {
+namespace scatter::app {
 namespace {
 
 namespace fs = std::filesystem;
 
 /// A folder for files in between.
-class WorkFolder {
+class DecompositionFolder {
  public:
-  WorkFolder() {
+  DecompositionFolder() {
     std::string name = (fs::temp_directory_path() / "scatter-parts-XXXXXX").string();
     if (mkdtemp(name.data()) != nullptr) path_ = name;
   }
-  WorkFolder(const WorkFolder&) = delete;
-  WorkFolder& operator=(const WorkFolder&) = delete;
-  ~WorkFolder() {
+  DecompositionFolder(const DecompositionFolder&) = delete;
+  DecompositionFolder& operator=(const DecompositionFolder&) = delete;
+  ~DecompositionFolder() {
     std::error_code ignored;
     if (!path_.empty()) fs::remove_all(path_, ignored);
   }
@@ -102,24 +102,37 @@ std::vector<ConvexHull> hullsOf(const MeshFile& file) {
   return hulls;
 }
 
+Result<Decomposition> decompositionOf(std::vector<ConvexHull> hulls, double seconds) {
+  Decomposition result;
+  result.seconds = seconds;
+  for (ConvexHull& hull : hulls) {
+    const ConvexPart part{std::move(hull), {}};
+    const std::vector<Level> single{Level{{part}}};
+    if (LevelSet::create({.name = "part", .levels = single, .hullMargin = 0.0F, .mass = {}}))
+      result.level.parts.push_back(part);
+  }
+  if (result.level.parts.empty()) return fail("gave no part with a volume");
+  return result;
+}
+
 }  // namespace
 
-Result<Decomposition> decomposeByProgram(const std::string& command, const SurfaceMesh& mesh,
-                                         const DecompositionDef& definition) {
-  const WorkFolder folder;
+Result<Decomposition> decompose(const SurfaceMesh& mesh, const DecompositionDef& definition) {
+  const DecompositionFolder folder;
   if (folder.path().empty()) return fail("cannot make a folder in " + fs::temp_directory_path().string());
   if (auto written = writeFile(folder.path() / "mesh.obj", objOf(mesh)); !written)
     return fail(written.error().message);
-  std::string line = filledIn(command, "{mesh}", "mesh.obj");
+  std::string line = filledIn(definition.command, "{mesh}", "mesh.obj");
   line = filledIn(line, "{hulls}", "hulls.obj");
   line = filledIn(line, "{parts}", std::to_string(definition.parts));
+  line = filledIn(line, "{vertices}", std::to_string(definition.maxVertices));
   const double before = childSeconds();
   const bool ended =
       runInShell(fmt::format("ulimit -t {}; {}", definition.limitSeconds, line), folder.path());
   const double seconds = childSeconds() - before;
-  const auto hulls = readMesh(folder.path() / "hulls.obj");
+  const auto hulls = scatter::readMesh(folder.path() / "hulls.obj");
   if (!ended || !hulls) return fail(fmt::format("left no hulls after {:.0f} s: {}", seconds, line));
   return decompositionOf(hullsOf(*hulls), seconds);
 }
 
-}  // namespace scatter::bench
+}  // namespace scatter::app

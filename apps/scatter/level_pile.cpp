@@ -1,4 +1,4 @@
-#include "pile.h"
+#include "level_pile.h"
 
 #include <scatter/bullet/bullet_physics.h>
 #include <scatter/world/scene.h>
@@ -8,15 +8,15 @@
 
 #include "scenes/placement.h"
 
-namespace scatter::bench {
+namespace scatter::app {
 namespace {
 
-constexpr int kBodies = 30;
-constexpr int kColumns = 3;
-constexpr int kFrames = 400;
-constexpr std::size_t kLast = 100;
-constexpr float kRoom = 2.1F;  // metres, for a body with a diagonal of 2 m
-constexpr float kWall = 10.0F;
+constexpr int kPitBodies = 30;
+constexpr int kPitColumns = 3;
+constexpr int kPitFrames = 400;
+constexpr std::size_t kPitLast = 100;
+constexpr float kPitRoom = 2.1F;  // metres, for a body with a diagonal of 2 m
+constexpr float kPitWall = 10.0F;
 
 class Pit final : public Scene {
  public:
@@ -27,15 +27,15 @@ class Pit final : public Scene {
   Result<void> build(World& world, const SceneOptions& options) override {
     if (auto made = addWalls(world); !made) return made;
     Random random(options.seed);
-    for (int i = 0; i < kBodies; ++i) {
+    for (int i = 0; i < kPitBodies; ++i) {
       BodyDef def;
       def.name = "body-" + std::to_string(i + 1);
       def.shape = levels_;
       def.mass = 100.0F;
       def.mayRest = false;
-      const auto place = [](int number) { return kRoom * static_cast<float>(number); };
-      def.pose.position = {place(i % kColumns - 1), place(1 + i / (kColumns * kColumns)),
-                           place(i / kColumns % kColumns - 1)};
+      const auto place = [](int number) { return kPitRoom * static_cast<float>(number); };
+      def.pose.position = {place(i % kPitColumns - 1), place(1 + i / (kPitColumns * kPitColumns)),
+                           place(i / kPitColumns % kPitColumns - 1)};
       def.pose.rotation = random.orientation();
       if (auto added = world.add(std::move(def)); !added) return tl::unexpected(added.error());
     }
@@ -44,12 +44,13 @@ class Pit final : public Scene {
 
  private:
   static Result<void> addWalls(World& world) {
-    const float inner = 0.5F * kRoom * kColumns;
-    const std::vector<std::pair<Vec3, Vec3>> boxes{{{0.0F, -1.0F, 0.0F}, {kWall, 1.0F, kWall}},
-                                                   {{inner + 1.0F, kWall, 0.0F}, {1.0F, kWall, kWall}},
-                                                   {{-inner - 1.0F, kWall, 0.0F}, {1.0F, kWall, kWall}},
-                                                   {{0.0F, kWall, inner + 1.0F}, {kWall, kWall, 1.0F}},
-                                                   {{0.0F, kWall, -inner - 1.0F}, {kWall, kWall, 1.0F}}};
+    const float inner = 0.5F * kPitRoom * kPitColumns;
+    const std::vector<std::pair<Vec3, Vec3>> boxes{
+        {{0.0F, -1.0F, 0.0F}, {kPitWall, 1.0F, kPitWall}},
+        {{inner + 1.0F, kPitWall, 0.0F}, {1.0F, kPitWall, kPitWall}},
+        {{-inner - 1.0F, kPitWall, 0.0F}, {1.0F, kPitWall, kPitWall}},
+        {{0.0F, kPitWall, inner + 1.0F}, {kPitWall, kPitWall, 1.0F}},
+        {{0.0F, kPitWall, -inner - 1.0F}, {kPitWall, kPitWall, 1.0F}}};
     int number = 0;
     for (const auto& [at, halfExtents] : boxes) {
       BodyDef def;
@@ -65,7 +66,7 @@ class Pit final : public Scene {
   std::shared_ptr<const LevelSet> levels_;
 };
 
-RunOptions runOf(const PiledBody& body, WorldKind kind) {
+RunOptions pitRunOf(const PiledBody& body, WorldKind kind) {
   RunOptions options;
   options.scene = "pit";
   options.label = body.label + (kind == WorldKind::kStandard ? "-bullet" : "-ours");
@@ -75,13 +76,13 @@ RunOptions runOf(const PiledBody& body, WorldKind kind) {
   };
   options.physics.world = kind;
   options.physics.profiling = false;
-  options.frames = kFrames;
+  options.frames = kPitFrames;
   return options;
 }
 
 double lastMean(const FrameTable& table, std::string_view column) {
   const std::vector<double>& values = table.values(column);
-  const std::size_t count = std::min(kLast, values.size());
+  const std::size_t count = std::min(kPitLast, values.size());
   double sum = 0.0;
   for (std::size_t i = values.size() - count; i < values.size(); ++i) sum += values[i];
   return sum / static_cast<double>(count);
@@ -97,14 +98,15 @@ PileCost costOf(const ComparedWorld& world) {
 
 }  // namespace
 
-Result<std::vector<PileCosts>> pileUp(const std::vector<PiledBody>& bodies, int repeat) {
+Result<std::vector<PileCosts>> pileUp(const std::vector<PiledBody>& bodies, int repeat,
+                                      const std::function<void(const CompareProgress&)>& progress) {
   CompareOptions options;
   options.repeat = repeat;
   for (const PiledBody& body : bodies) {
-    options.runs.push_back(runOf(body, WorldKind::kStandard));
-    options.runs.push_back(runOf(body, WorldKind::kHybrid));
+    options.runs.push_back(pitRunOf(body, WorldKind::kStandard));
+    options.runs.push_back(pitRunOf(body, WorldKind::kHybrid));
   }
-  const auto comparison = compareWorlds(options);
+  const auto comparison = compareWorlds(options, progress);
   if (!comparison) return fail(comparison.error().message);
   std::vector<PileCosts> costs;
   for (std::size_t i = 0; i < bodies.size(); ++i)
@@ -112,4 +114,4 @@ Result<std::vector<PileCosts>> pileUp(const std::vector<PiledBody>& bodies, int 
   return costs;
 }
 
-}  // namespace scatter::bench
+}  // namespace scatter::app
