@@ -7,6 +7,7 @@
 #include <spdlog/fmt/fmt.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstdlib>
@@ -14,8 +15,6 @@
 #include <set>
 #include <system_error>
 #include <utility>
-
-extern char** environ;
 
 namespace scatter::app {
 namespace {

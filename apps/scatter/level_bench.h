@@ -14,10 +14,10 @@ namespace scatter::app {
 /// One way to make levels of a mesh.
 struct LevelMethod {
   std::string name;
-  std::vector<int> parts;    ///< Coarsest first.
-  int maxVertices = 16;      ///< 0: any number.
-  bool isPiled = false;      ///< Whether its bodies are piled up, too.
-  std::string command = "";  ///< Of another program, see decompose(); empty: ours.
+  std::vector<int> parts;  ///< Coarsest first.
+  int maxVertices = 16;    ///< 0: any number.
+  bool isPiled = false;    ///< Whether its bodies are piled up, too.
+  std::string command{};   ///< Of another program, see decompose(); empty: ours.
 };
 
 /// Ours: 32 and 64 parts in three levels, of which the latter are piled up, and 64 parts in six.
