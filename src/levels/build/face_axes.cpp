@@ -64,6 +64,7 @@ glm::dvec3 largestFace(const TriangleHull& hull) {
     if (face == faces.end()) face = faces.insert(faces.end(), Face{normal, 0.0});
     face->area += triangleArea(hull.vertices[t[0]], hull.vertices[t[1]], hull.vertices[t[2]]);
   }
+  if (faces.empty()) return {0.0, 1.0, 0.0};
   return std::max_element(faces.begin(), faces.end(),
                           [](const Face& a, const Face& b) { return a.area < b.area; })
       ->normal;
