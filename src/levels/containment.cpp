@@ -54,8 +54,8 @@ struct HoldsIn {
   }
 };
 
-/// Whether a cylinder holds, to within `slack`, another one: exactly if their axes are parallel, and never if
-/// it does not. A prism around the finer one would not fit into its like.
+/// Whether a cylinder certainly holds another one, to within `slack`; exact if their axes are parallel. A
+/// prism around the finer one would not even fit into its like.
 bool holdsCylinder(const ConvexPart& coarse, const ConvexPart& fine, double slack) {
   const auto* const outer = std::get_if<Cylinder>(&coarse.shape);
   const auto* const inner = std::get_if<Cylinder>(&fine.shape);

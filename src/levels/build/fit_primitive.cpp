@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kCenterRounds = 300;
 
-/// A cylinder's radius is wrong by a few times its share of this; only a hull's vertices are looked at.
+/// Of only a hull's vertices: cylinders are too wide by less than a thousandth for it.
 constexpr int kAxisRounds = 3000;
 
 /// Rounded up, so that nothing is lost.

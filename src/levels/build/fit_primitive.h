@@ -34,10 +34,12 @@ struct PrimitiveDef {
 
 /// Around what primitives are to be fitted, relative to an origin.
 struct FitInput {
-  std::span<const Ball> balls{};      ///< What is to be held.
-  const TriangleHull* few = nullptr;  ///< Their hull, of few vertices: gives boxes and capsules directions.
-  const TriangleHull* tight =
-      nullptr;  ///< Their hull: gives cylinders theirs, which few vertices would turn.
+  std::span<const Ball> balls{};  ///< What is to be held.
+
+  /// Their hulls: that of few vertices gives boxes and capsules their directions, the tight one cylinders
+  /// theirs, which few vertices would turn. Neither is nullptr.
+  const TriangleHull* few = nullptr;
+  const TriangleHull* tight = nullptr;
 };
 
 /// Boxes, spheres, capsules and cylinders that strictly hold all balls, rounding included, smallest first.

@@ -22,13 +22,14 @@ namespace {
 constexpr double kSpacing = 1.0 / 60.0;
 constexpr double kNegligibleGap = 1e-4;
 constexpr double kPrimitiveSlack = 2e-7;
-constexpr double kThinnestBox = 2e-6;  // metres: files take none thinner
-constexpr double kTightTolerance = 1e-5;
+constexpr double kThinnestBox = 2e-6;     // metres: files take none thinner
+constexpr double kTightTolerance = 1e-5;  // a twentieth of the default margin: turns no face that counts
 constexpr double kTightThickness = 1e-4;
-constexpr int kCylinderSides = 64;  ///< A thousandth of the radius is lost.
-
 /// By how much a primitive's gap may exceed the hull's.
 constexpr double kPrimitiveGap = 1e-3;
+
+/// Of the polytope by which a cylinder's gap is measured: a thousandth of the radius is lost.
+constexpr int kCylinderSides = 64;
 
 /// By what factor a primitive's volume may exceed the hull's.
 constexpr double kPrimitiveVolume = 1.1;
