@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <glm/vec2.hpp>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -38,13 +39,23 @@ double circumscribing(int segments) {
   return 1.0 / std::cos(std::numbers::sqrt2 * std::numbers::pi / segments);
 }
 
+/// The corners of a regular polygon; those across an axis are exact images of each other.
+std::vector<glm::dvec2> polygonPoints(double radius) {
+  static_assert(kRoundSegments % 4 == 0);
+  std::vector<glm::dvec2> points{{radius, 0.0}, {-radius, 0.0}, {0.0, radius}, {0.0, -radius}};
+  for (int side = 1; side < kRoundSegments / 4; ++side) {
+    const double angle = 2.0 * std::numbers::pi * side / kRoundSegments;
+    const double x = radius * std::cos(angle);
+    const double y = radius * std::sin(angle);
+    points.insert(points.end(), {{x, y}, {-x, y}, {x, -y}, {-x, -y}});
+  }
+  return points;
+}
+
 std::vector<glm::dvec3> prismPoints(double radius, double halfHeight, const DoublePose& pose) {
   std::vector<glm::dvec3> points;
-  for (int side = 0; side < kRoundSegments; ++side) {
-    const double angle = 2.0 * std::numbers::pi * side / kRoundSegments;
-    for (const double y : {-halfHeight, halfHeight}) {
-      points.push_back(pose({radius * std::cos(angle), y, radius * std::sin(angle)}));
-    }
+  for (const glm::dvec2& rim : polygonPoints(radius)) {
+    for (const double y : {-halfHeight, halfHeight}) points.push_back(pose({rim.x, y, rim.y}));
   }
   return points;
 }

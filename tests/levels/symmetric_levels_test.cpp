@@ -205,6 +205,21 @@ TEST(SymmetricLevels, AreOfBallsAndCapsulesAcrossThePlaneToo) {
             1);
 }
 
+TEST(SymmetricLevels, AreOfCylindersAcrossThePlaneToo) {
+  // A roller that leans forward in the plane, and a leg on either side.
+  SurfaceMesh roller = prismMesh(36, 0.5F, -2.0F, 2.0F);
+  for (Vec3& vertex : roller.vertices)
+    vertex = Vec3(vertex.x, 0.8F * vertex.y - 0.6F * vertex.z, 0.6F * vertex.y + 0.8F * vertex.z);
+  const SurfaceMesh legs = withMirrorImage(prismMesh(36, 0.2F, -1.0F, 1.0F, Vec3(3.0F, 0.0F, 0.0F)), 0);
+  const SurfaceMesh mesh = joined(roller, legs);
+  const auto built = buildLevels(mesh, symmetricDef({1, 3}));
+  ASSERT_TRUE(built.has_value()) << built.error().message;
+  expectExactlySymmetric(*built->levels, *built->symmetry);
+  expectNested(*built->levels, mesh);
+  for (const ConvexPart& part : built->levels->finest().parts)
+    EXPECT_TRUE(std::holds_alternative<Cylinder>(part.shape));
+}
+
 TEST(SymmetricLevels, NoTwoHaveAsManyParts) {
   SurfaceMesh mesh = boxMesh(Vec3(0.5F));
   for (const float x : {-4.0F, -2.0F, 2.0F, 4.0F})

@@ -194,8 +194,8 @@ FittedPrimitive fitCapsule(std::span<const Ball> balls, const Quat& rotation, co
           ballVolume(radius) + cylinderVolume(radius, half)};
 }
 
-/// Volume of any cylinder along the frame's y axis that holds the corners, at least.
-double leastCylinder(std::span<const Ball> corners, const glm::dmat3& frame) {
+/// Half the extents of corners along the axes of a frame.
+glm::dvec3 halfExtents(std::span<const Ball> corners, const glm::dmat3& frame) {
   glm::dvec3 low(std::numeric_limits<double>::infinity());
   glm::dvec3 high = -low;
   for (const Ball& corner : corners) {
@@ -203,8 +203,7 @@ double leastCylinder(std::span<const Ball> corners, const glm::dmat3& frame) {
     low = glm::min(low, local);
     high = glm::max(high, local);
   }
-  const glm::dvec3 half = 0.5 * (high - low);
-  return cylinderVolume(std::max(half.x, half.z), half.y);
+  return 0.5 * (high - low);
 }
 
 /// The axis is that of the corners, whose hull holds the balls, about.
@@ -250,16 +249,23 @@ void addRound(std::span<const Ball> balls, const glm::dmat3& axes, const Vec3& o
   }
 }
 
-/// Along the axes of the faces and along that of the largest one: of a cylinder as wide as long, only flat
-/// faces tell where its axis is.
-void addCylinders(const FitInput& input, const Vec3& origin, const PrimitiveDef& definition,
-                  std::vector<FittedPrimitive>& fitted) {
+/// Capsules and cylinders along the axes of the faces and along that of the largest one: of a cylinder as
+/// wide as long, only flat faces tell where its axis is.
+void addAxial(const FitInput& input, const Vec3& origin, const PrimitiveDef& definition,
+              std::vector<FittedPrimitive>& fitted) {
   std::vector<Ball> corners;
   for (const glm::dvec3& vertex : input.tight->vertices) corners.push_back({vertex, 0.0});
   const auto add = [&](const glm::dmat3& axes, int axis) {
     const std::optional<glm::dmat3> frame = axialFrame(axes, axis, definition.mirror);
-    if (!frame || leastCylinder(corners, *frame) > definition.maxVolume) return;
-    fitted.push_back(fitCylinder(input.balls, corners, toQuat(*frame), origin, definition));
+    if (!frame) return;
+    // What is larger than wanted at least is not fitted.
+    const glm::dvec3 half = halfExtents(corners, *frame);
+    const double radius = std::max(half.x, half.z);
+    if (cylinderVolume(radius, half.y) <= definition.maxVolume)
+      fitted.push_back(fitCylinder(input.balls, corners, toQuat(*frame), origin, definition));
+    const double straight = std::max(0.0, half.y - radius);
+    if (ballVolume(radius) + cylinderVolume(radius, straight) <= definition.maxVolume)
+      fitted.push_back(fitCapsule(input.balls, toQuat(*frame), origin, definition));
   };
   const glm::dmat3 faces = faceAxes(*input.tight);
   const glm::dmat3 axes = definition.mirror ? turnedAbout(*definition.mirror, faces) : faces;
@@ -318,7 +324,7 @@ std::vector<FittedPrimitive> fitPrimitives(const FitInput& input, const Vec3& or
   std::vector<FittedPrimitive> fitted{fitBox(input.balls, toQuat(axes), origin, definition),
                                       fitBox(input.balls, kNoRotation, origin, definition)};
   addRound(input.balls, axes, origin, definition, fitted);
-  addCylinders(input, origin, definition, fitted);
+  addAxial(input, origin, definition, fitted);
   // A wire has no capsule that a level takes.
   std::erase_if(fitted, [&](const FittedPrimitive& each) {
     return each.volume > definition.maxVolume || findDefect(each.part).has_value();

@@ -36,8 +36,8 @@ struct PrimitiveDef {
 struct FitInput {
   std::span<const Ball> balls{};  ///< What is to be held.
 
-  /// Their hulls: that of few vertices gives boxes and capsules their directions, the tight one cylinders
-  /// theirs, which few vertices would turn. Neither is nullptr.
+  /// Their hulls: that of few vertices gives boxes and capsules directions, the tight one capsules and
+  /// cylinders, which few vertices would turn. Neither is nullptr.
   const TriangleHull* few = nullptr;
   const TriangleHull* tight = nullptr;
 };
