@@ -58,8 +58,7 @@ class Frame {
 };
 
 /// An object with a vertex for each point, and triangles with the corners that they have.
-void append(std::string& text, HACD::HACD& hacd, std::size_t part, const Frame& frame,
-            std::size_t first) {
+void append(std::string& text, HACD::HACD& hacd, std::size_t part, const Frame& frame, std::size_t first) {
   Points hull(hacd.GetNPointsCH(part));
   Triangles sides(hacd.GetNTrianglesCH(part));
   hacd.GetCH(part, hull.data(), sides.data());
