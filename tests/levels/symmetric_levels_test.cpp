@@ -207,10 +207,10 @@ TEST(SymmetricLevels, AreOfBallsAndCapsulesAcrossThePlaneToo) {
 
 TEST(SymmetricLevels, AreOfCylindersAcrossThePlaneToo) {
   // A roller that leans forward in the plane, and a leg on either side.
-  SurfaceMesh roller = prismMesh(36, 0.5F, -2.0F, 2.0F);
+  SurfaceMesh roller = prismMesh(20, 0.5F, -2.0F, 2.0F);
   for (Vec3& vertex : roller.vertices)
     vertex = Vec3(vertex.x, 0.8F * vertex.y - 0.6F * vertex.z, 0.6F * vertex.y + 0.8F * vertex.z);
-  const SurfaceMesh legs = withMirrorImage(prismMesh(36, 0.2F, -1.0F, 1.0F, Vec3(3.0F, 0.0F, 0.0F)), 0);
+  const SurfaceMesh legs = withMirrorImage(prismMesh(20, 0.2F, -1.0F, 1.0F, Vec3(3.0F, 0.0F, 0.0F)), 0);
   const SurfaceMesh mesh = joined(roller, legs);
   const auto built = buildLevels(mesh, symmetricDef({1, 3}));
   ASSERT_TRUE(built.has_value()) << built.error().message;
