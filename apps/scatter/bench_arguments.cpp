@@ -72,14 +72,21 @@ Result<void> prepareCsv(const std::string& name, const std::optional<std::string
   return prepareOutputFolder(file.has_parent_path() ? file.parent_path() : ".");
 }
 
-ExitStatus writeCsv(const std::optional<std::string>& csv, const std::string& what, const std::string& text) {
+Result<void> putCsv(const std::optional<std::string>& csv, const std::string& text) {
   if (!csv) {
-    return ExitStatus::kOk;
+    return {};
   }
   const std::filesystem::path file(*csv);
   std::error_code error;
   std::filesystem::create_directories(file.parent_path(), error);
-  if (auto written = writeFile(file, text); !written) {
+  return writeFile(file, text);
+}
+
+ExitStatus writeCsv(const std::optional<std::string>& csv, const std::string& what, const std::string& text) {
+  if (!csv) {
+    return ExitStatus::kOk;
+  }
+  if (auto written = putCsv(csv, text); !written) {
     return refuse(written.error());
   }
   fmt::print("{}: {}\n", what, *csv);

@@ -40,7 +40,10 @@ void addSceneArgument(CLI::App& command, std::string& scene);
 /// The same of a file that the option `name` names.
 [[nodiscard]] Result<void> prepareCsv(const std::string& name, const std::optional<std::string>& csv);
 
-/// Writes `text` into the file if there is one, and says so: `what`: where. Status 2 if it cannot be written.
+/// Writes `text` into the file if there is one.
+[[nodiscard]] Result<void> putCsv(const std::optional<std::string>& csv, const std::string& text);
+
+/// The same, and says so: `what`: where. Status 2 if it cannot be written.
 [[nodiscard]] ExitStatus writeCsv(const std::optional<std::string>& csv, const std::string& what,
                                   const std::string& text);
 

@@ -1,15 +1,10 @@
-#include <scatter/io/file.h>
 #include <spdlog/fmt/fmt.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <charconv>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -36,12 +31,9 @@ struct BenchLevelsArguments {
   bool quiet = false;
 };
 
-/// All of it, and more than 0.
-std::optional<int> countIn(std::string_view text) {
-  int value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool isWhole = error == std::errc() && end == text.data() + text.size();
-  return isWhole && value > 0 ? std::optional(value) : std::nullopt;
+std::optional<int> countIn(const std::string& text) {
+  const auto count = parseNumber<int>(text);
+  return count && *count > 0 ? count : std::nullopt;
 }
 
 /// NAME[@PARTS[xVERTICES]]=COMMAND.
@@ -77,7 +69,7 @@ Result<LevelBenchDef> makeDefinition(const BenchLevelsArguments& arguments) {
   definition.repeat = arguments.repeat;
   definition.limitSeconds = arguments.seconds;
   auto line = std::make_shared<ProgressLine>(arguments.quiet);
-  definition.doing = [line](const std::string&) { throwIfInterrupted(); };
+  definition.tick = throwIfInterrupted;
   definition.piling = [line](const CompareProgress& progress) {
     throwIfInterrupted();
     line->update(fmt::format("pile of {}, run {} of {}", progress.label, progress.run + 1, progress.runs),
@@ -103,15 +95,8 @@ Result<void> prepareFiles(const BenchLevelsArguments& arguments) {
 
 /// After each mesh: a study of many takes long, and may be ended before the last.
 Result<void> writeTables(const BenchLevelsArguments& arguments, const LevelBenchTables& tables) {
-  const std::pair<const std::optional<std::string>&, const std::string&> files[] = {
-      {arguments.csv, tables.levels}, {arguments.piles, tables.piles}};
-  for (const auto& [file, text] : files) {
-    if (!file) continue;
-    std::error_code error;
-    std::filesystem::create_directories(std::filesystem::path(*file).parent_path(), error);
-    if (auto written = writeFile(*file, text); !written) return written;
-  }
-  return {};
+  auto written = putCsv(arguments.csv, tables.levels);
+  return written ? putCsv(arguments.piles, tables.piles) : written;
 }
 
 void sayWhereTablesAre(const BenchLevelsArguments& arguments) {

@@ -10,47 +10,23 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
 #include <filesystem>
 #include <set>
-#include <system_error>
 #include <utility>
+
+#include "lab/scratch_folder.h"
+#include "lab/text.h"
 
 namespace scatter::app {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder for files in between.
-class DecompositionFolder {
- public:
-  DecompositionFolder() {
-    std::string name = (fs::temp_directory_path() / "scatter-parts-XXXXXX").string();
-    if (mkdtemp(name.data()) != nullptr) path_ = name;
-  }
-  DecompositionFolder(const DecompositionFolder&) = delete;
-  DecompositionFolder& operator=(const DecompositionFolder&) = delete;
-  ~DecompositionFolder() {
-    std::error_code ignored;
-    if (!path_.empty()) fs::remove_all(path_, ignored);
-  }
-  [[nodiscard]] const fs::path& path() const { return path_; }  ///< Empty if there is none.
-
- private:
-  fs::path path_;
-};
-
 std::string objOf(const SurfaceMesh& mesh) {
   std::string text;
   for (const Vec3& v : mesh.vertices) text += fmt::format("v {:.9g} {:.9g} {:.9g}\n", v.x, v.y, v.z);
   for (const auto& t : mesh.triangles) text += fmt::format("f {} {} {}\n", t[0] + 1, t[1] + 1, t[2] + 1);
   return text;
-}
-
-std::string filledIn(std::string command, const std::string& place, const std::string& value) {
-  for (std::size_t at = command.find(place); at != std::string::npos; at = command.find(place, at))
-    command.replace(at, place.size(), value);
-  return command;
 }
 
 double childSeconds() {
@@ -117,14 +93,14 @@ Result<Decomposition> decompositionOf(std::vector<ConvexHull> hulls, double seco
 }  // namespace
 
 Result<Decomposition> decompose(const SurfaceMesh& mesh, const DecompositionDef& definition) {
-  const DecompositionFolder folder;
+  const lab::ScratchFolder folder("scatter-parts");
   if (folder.path().empty()) return fail("cannot make a folder in " + fs::temp_directory_path().string());
   if (auto written = writeFile(folder.path() / "mesh.obj", objOf(mesh)); !written)
     return fail(written.error().message);
-  std::string line = filledIn(definition.command, "{mesh}", "mesh.obj");
-  line = filledIn(line, "{hulls}", "hulls.obj");
-  line = filledIn(line, "{parts}", std::to_string(definition.parts));
-  line = filledIn(line, "{vertices}", std::to_string(definition.maxVertices));
+  std::string line = lab::replaceAll(definition.command, "{mesh}", "mesh.obj");
+  line = lab::replaceAll(line, "{hulls}", "hulls.obj");
+  line = lab::replaceAll(line, "{parts}", std::to_string(definition.parts));
+  line = lab::replaceAll(line, "{vertices}", std::to_string(definition.maxVertices));
   const double before = childSeconds();
   const bool ended =
       runInShell(fmt::format("ulimit -t {}; {}", definition.limitSeconds, line), folder.path());

@@ -13,6 +13,7 @@
 
 #include "decomposition.h"
 #include "level_pile.h"
+#include "scenes/shape_measures.h"
 
 namespace scatter::app {
 namespace {
@@ -79,6 +80,7 @@ std::string levelRows(const MeshFile& file, const LevelMethod& method, const Mad
   const double percent = 100.0 / judged.measures.diagonal;
   const auto& mesh = *judged.check.mesh;
   const double furthest = mesh.worst ? mesh.worst->distance : 0.0;
+  const std::string origin = originText();
   std::string rows;
   for (std::size_t i = 0; i < judged.measures.levels.size(); ++i) {
     const LevelFigures& level = judged.measures.levels[i];
@@ -88,17 +90,16 @@ std::string levelRows(const MeshFile& file, const LevelMethod& method, const Mad
         judged.measures.levels.size(), i + 1, level.parts, level.vertices, made.seconds,
         judged.check.passed() ? "yes" : "no", mesh.outside, 100.0 * mesh.areaOutside, percent * furthest,
         level.volumeRatio, percent * level.meanGap, percent * level.p95Gap, percent * level.maxGap,
-        level.overlap(), originText());
+        level.overlap(), origin);
   }
   return rows;
 }
 
 const std::string kPileColumns =
-    "mesh,triangles,method,max_vertices,parts,vertices,bytes,build_cpu_s,area_outside_percent,p95_gap_"
-    "percent,"
-    "max_gap_percent,overlap,bullet_ms,bullet_ms_least,bullet_ms_most,bullet_contacts,bullet_manifolds,ours_"
-    "ms,"
-    "ours_ms_least,ours_ms_most,ours_contacts,ours_manifolds,commit,compiler,flags,cpu\n";
+    "mesh,triangles,method,max_vertices,parts,vertices,bytes,build_cpu_s,area_outside_percent,"
+    "p95_gap_percent,max_gap_percent,overlap,bullet_ms,bullet_ms_least,bullet_ms_most,bullet_contacts,"
+    "bullet_manifolds,ours_ms,ours_ms_least,ours_ms_most,ours_contacts,ours_manifolds,commit,compiler,flags,"
+    "cpu\n";
 
 /// What has been made of a mesh in one way, and its row until the costs.
 struct Piled {
@@ -119,22 +120,16 @@ std::size_t bytesOf(const LevelSet& levels) {
   return bytes;
 }
 
-ConvexPart scaled(ConvexPart part, float scale) {
-  part.pose.position *= scale;
-  if (auto* box = std::get_if<Box>(&part.shape)) box->halfExtents *= scale;
-  if (auto* sphere = std::get_if<Sphere>(&part.shape)) sphere->radius *= scale;
-  if (auto* capsule = std::get_if<Capsule>(&part.shape)) {
-    capsule->radius *= scale;
-    capsule->halfHeight *= scale;
-  }
-  if (auto* cylinder = std::get_if<Cylinder>(&part.shape)) {
-    cylinder->radius *= scale;
-    cylinder->halfHeight *= scale;
-  }
-  if (auto* hull = std::get_if<ConvexHull>(&part.shape)) {
+/// About the model's origin, where scaledPart() leaves the middle of a hull in its place.
+ConvexPart scaled(const ConvexPart& part, float scale) {
+  ConvexPart result = part;
+  if (auto* hull = std::get_if<ConvexHull>(&result.shape)) {
     for (Vec3& vertex : hull->vertices) vertex *= scale;
+  } else {
+    result = scaledPart(part, scale);
   }
-  return part;
+  result.pose.position *= scale;
+  return result;
 }
 
 Level scaled(const Level& level, float scale) {
@@ -202,9 +197,8 @@ std::string levelLine(const MeshFile& file, const LevelMethod& method, const Mad
   const LevelFigures& finest = judged.measures.levels.back();
   const double percent = 100.0 / judged.measures.diagonal;
   return fmt::format(
-      "{:<16} {:>7} {:<8} {:>4} {:>2} levels {:>3} parts {:>7.2f} s  passes {:<3}  outside {:>7.3f} % of "
-      "area  "
-      "p95 {:>6.3f} %  max {:>6.3f} %  overlap {:.2f}",
+      "{:<16} {:>7} {:<8} {:>4} {:>2} levels {:>3} parts {:>7.2f} s  passes {:<3}  "
+      "outside {:>7.3f} % of area  p95 {:>6.3f} %  max {:>6.3f} %  overlap {:.2f}",
       file.name, file.mesh.triangles.size(), method.name, verticesText(method), judged.measures.levels.size(),
       finest.parts, made.seconds, judged.check.passed() ? "yes" : "no",
       100.0 * judged.check.mesh->areaOutside, percent * finest.p95Gap, percent * finest.maxGap,
@@ -229,10 +223,9 @@ Result<void> benchLevels(const MeshFile& file, const LevelBenchDef& definition, 
   std::vector<Piled> piled;
   for (const LevelMethod& method : definition.methods) {
     const bool isOurs = method.command.empty();
-    const auto tick = [&] { definition.doing(fmt::format("{}, {}", file.name, method.name)); };
-    tick();
-    const auto made =
-        isOurs ? makeOurs(file.mesh, method, tick) : makeByOthers(file.mesh, method, definition.limitSeconds);
+    definition.tick();
+    const auto made = isOurs ? makeOurs(file.mesh, method, definition.tick)
+                             : makeByOthers(file.mesh, method, definition.limitSeconds);
     const auto judged =
         made.and_then([&](const MadeLevels& result) { return judgeLevels(file.mesh, result); });
     if (!judged && isOurs) return fail(file.name + ": " + judged.error().message);

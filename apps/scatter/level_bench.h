@@ -6,7 +6,6 @@
 
 #include <functional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace scatter::app {
@@ -29,12 +28,12 @@ struct LevelBenchDef {
   int repeat = 3;          ///< Runs of each pile.
   int limitSeconds = 120;  ///< Processor time for each decomposition by others.
 
-  /// Says what is being done; may throw.
-  std::function<void(const std::string& what)> doing;
+  /// Called now and then while levels are made, and while they are piled up; may throw.
+  std::function<void()> tick;
   std::function<void(const CompareProgress&)> piling;
 };
 
-/// A table as it grows mesh by mesh, each with its line of names, and a line for the eye for each method.
+/// What grows mesh by mesh; tables have their lines of names from the start.
 struct LevelBenchTables {
   LevelBenchTables();
 

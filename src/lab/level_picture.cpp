@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cstdlib>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 #include "lab/gnuplot.h"
 #include "lab/level_view.h"
+#include "lab/scratch_folder.h"
 #include "lab/text.h"
 
 namespace scatter::lab {
@@ -25,26 +24,6 @@ constexpr int kLeastPanelHeight = 160;
 constexpr int kMostPanelHeight = 420;
 constexpr int kCaptionHeight = 66;
 constexpr int kTitleHeight = 44;
-
-/// A folder for files in between.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string name = (fs::temp_directory_path() / "scatter-picture-XXXXXX").string();
-    if (mkdtemp(name.data()) != nullptr) path_ = name;
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  ~ScratchFolder() {
-    std::error_code ignored;
-    if (!path_.empty()) fs::remove_all(path_, ignored);
-  }
-
-  [[nodiscard]] const fs::path& path() const { return path_; }  ///< Empty if there is none.
-
- private:
-  fs::path path_;
-};
 
 /// As a gnuplot string that says just this.
 std::string quoted(const std::string& text) {
@@ -127,7 +106,7 @@ Result<void> drawLevels(const LevelPicture& picture, const fs::path& file) {
   if (!isSvg && file.extension() != ".png") {
     return fail(file.string() + ": is no picture by its extension; give it .png or .svg");
   }
-  const ScratchFolder scratch;
+  const ScratchFolder scratch("scatter-picture");
   if (scratch.path().empty()) return fail("cannot make a folder in " + fs::temp_directory_path().string());
   const LevelView view(picture.levels->coarsest(), kPanelWidth, kLeastPanelHeight, kMostPanelHeight);
   if (auto written = writePanels(picture, view, scratch.path()); !written) return written;

@@ -1,6 +1,7 @@
 #include "levels/part_geometry.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -40,11 +41,11 @@ double circumscribing(int segments) {
 }
 
 /// The corners of a regular polygon; those across an axis are exact images of each other.
-std::vector<glm::dvec2> polygonPoints(double radius) {
-  static_assert(kRoundSegments % 4 == 0);
+std::vector<glm::dvec2> polygonPoints(double radius, int sides) {
+  assert(sides % 4 == 0);
   std::vector<glm::dvec2> points{{radius, 0.0}, {-radius, 0.0}, {0.0, radius}, {0.0, -radius}};
-  for (int side = 1; side < kRoundSegments / 4; ++side) {
-    const double angle = 2.0 * std::numbers::pi * side / kRoundSegments;
+  for (int side = 1; side < sides / 4; ++side) {
+    const double angle = 2.0 * std::numbers::pi * side / sides;
     const double x = radius * std::cos(angle);
     const double y = radius * std::sin(angle);
     points.insert(points.end(), {{x, y}, {-x, y}, {x, -y}, {-x, -y}});
@@ -52,9 +53,9 @@ std::vector<glm::dvec2> polygonPoints(double radius) {
   return points;
 }
 
-std::vector<glm::dvec3> prismPoints(double radius, double halfHeight, const DoublePose& pose) {
+std::vector<glm::dvec3> prismPoints(double radius, double halfHeight, int sides, const DoublePose& pose) {
   std::vector<glm::dvec3> points;
-  for (const glm::dvec2& rim : polygonPoints(radius)) {
+  for (const glm::dvec2& rim : polygonPoints(radius, sides)) {
     for (const double y : {-halfHeight, halfHeight}) points.push_back(pose({rim.x, y, rim.y}));
   }
   return points;
@@ -101,10 +102,7 @@ struct RoundedHullOf {
     const double h = toDouble(capsule.halfHeight);
     return {{pose({0.0, -h, 0.0}), pose({0.0, h, 0.0})}, toDouble(capsule.radius)};
   }
-  RoundedHull operator()(const Cylinder& cylinder) const {
-    const double around = toDouble(cylinder.radius) / std::cos(std::numbers::pi / kRoundSegments);
-    return {prismPoints(around, toDouble(cylinder.halfHeight), pose), 0.0};
-  }
+  RoundedHull operator()(const Cylinder& cylinder) const { return {prismAround(cylinder, pose), 0.0}; }
   RoundedHull operator()(const ConvexHull& hull) const {
     std::vector<glm::dvec3> points;
     points.reserve(hull.vertices.size());
@@ -169,7 +167,7 @@ struct InnerPolytopeOf {
     const double radius = toDouble(cylinder.radius) - inset;
     const double halfHeight = toDouble(cylinder.halfHeight) - inset;
     if (!(radius > 0.0 && halfHeight > 0.0)) return {};
-    return hullOrNothing(prismPoints(radius, halfHeight, pose));
+    return hullOrNothing(prismPoints(radius, halfHeight, kRoundSegments, pose));
   }
   Polytope operator()(const ConvexHull& hull) const {
     Result<Polytope> core = placedHull(hull, part.pose);
@@ -200,6 +198,15 @@ Result<Polytope> placedHull(const ConvexHull& hull, const Transform& pose) {
   Result<Polytope> polytope = convexHull(RoundedHullOf{DoublePose(pose), 0.0}(hull).points, rounding);
   if (!polytope) return fail("convex hull: " + polytope.error().message);
   return polytope;
+}
+
+std::vector<glm::dvec3> prismAround(const Cylinder& cylinder, const DoublePose& pose) {
+  const double around = toDouble(cylinder.radius) / std::cos(std::numbers::pi / kRoundSegments);
+  return prismPoints(around, toDouble(cylinder.halfHeight), kRoundSegments, pose);
+}
+
+std::vector<glm::dvec3> prismIn(const Cylinder& cylinder, int sides, const DoublePose& pose) {
+  return prismPoints(toDouble(cylinder.radius), toDouble(cylinder.halfHeight), sides, pose);
 }
 
 RoundedHull roundedHull(const ConvexPart& part, double hullMargin) {

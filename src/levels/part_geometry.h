@@ -35,7 +35,13 @@ struct RoundedHull {
   double radius = 0.0;
 };
 
-/// The part in the model's frame, exactly; but a cylinder as a prism around it.
+/// The corners of a prism around a cylinder.
+[[nodiscard]] std::vector<glm::dvec3> prismAround(const Cylinder& cylinder, const DoublePose& pose);
+
+/// The corners of a prism with so many sides, a multiple of 4, in a cylinder.
+[[nodiscard]] std::vector<glm::dvec3> prismIn(const Cylinder& cylinder, int sides, const DoublePose& pose);
+
+/// The part in the model's frame, exactly; but a cylinder as prismAround() it.
 [[nodiscard]] RoundedHull roundedHull(const ConvexPart& part, double hullMargin);
 
 /// How far the part, hull margin included, reaches along a unit direction.

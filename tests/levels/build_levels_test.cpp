@@ -187,9 +187,8 @@ TEST(BuildLevels, ACylinderKeepsTheGapToo) {
 
 // Around cylinders of a finer level, coarser parts are no wider than the prisms by which they are judged.
 TEST(BuildLevels, CoarserPartsHoldCylinders) {
-  const SurfaceMesh mesh =
-      joined(placed(prismMesh(20, 0.4F, -0.05F, 0.05F), {Vec3(0.5F, 0.0F, 0.0F), kNoRotation}),
-             placed(prismMesh(20, 0.1F, -1.0F, 1.0F), {Vec3(-0.5F, 0.0F, 0.0F), kNoRotation}));
+  const SurfaceMesh mesh = joined(prismMesh(20, 0.4F, -0.05F, 0.05F, Vec3(0.5F, 0.0F, 0.0F)),
+                                  prismMesh(20, 0.1F, -1.0F, 1.0F, Vec3(-0.5F, 0.0F, 0.0F)));
   const auto built = buildLevels(mesh, withCounts({1, 2}));
   ASSERT_TRUE(built.has_value()) << built.error().message;
   expectNested(*built->levels, mesh);

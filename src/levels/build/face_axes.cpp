@@ -50,6 +50,12 @@ glm::dmat3 faceAxes(const TriangleHull& hull) {
   return axes;
 }
 
+glm::dvec3 anyAcross(const glm::dvec3& direction) {
+  const glm::dvec3 other =
+      std::abs(direction.x) < 0.7 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
+  return glm::normalize(glm::cross(direction, other));
+}
+
 glm::dvec3 largestFace(const TriangleHull& hull) {
   struct Face {
     glm::dvec3 normal{0.0};

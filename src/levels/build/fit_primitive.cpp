@@ -84,8 +84,7 @@ glm::dmat3 withYAlong(const glm::dmat3& axes, int axis) {
 }
 
 glm::dmat3 axesWith(const glm::dvec3& first) {
-  const glm::dvec3 other = std::abs(first.x) < 0.7 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
-  const glm::dvec3 second = glm::normalize(glm::cross(first, other));
+  const glm::dvec3 second = anyAcross(first);
   return {first, second, glm::cross(first, second)};
 }
 
@@ -104,6 +103,11 @@ glm::dmat3 turnedAbout(const Mirror& mirror, const glm::dmat3& axes) {
   result[(mirror.axis + 1) % 3] = across;
   result[(mirror.axis + 2) % 3] = glm::cross(own, across);
   return result;
+}
+
+/// Of a hull; what has them is its own image if a mirror is given.
+glm::dmat3 axesOf(const TriangleHull& hull, const std::optional<Mirror>& mirror) {
+  return mirror ? turnedAbout(*mirror, faceAxes(hull)) : faceAxes(hull);
 }
 
 /// The rotation of a capsule or a cylinder along one of the axes; nothing if a mirror does not leave it as it
@@ -267,14 +271,12 @@ void addAxial(const FitInput& input, const Vec3& origin, const PrimitiveDef& def
     if (ballVolume(radius) + cylinderVolume(radius, straight) <= definition.maxVolume)
       fitted.push_back(fitCapsule(input.balls, toQuat(*frame), origin, definition));
   };
-  const glm::dmat3 faces = faceAxes(*input.tight);
-  const glm::dmat3 axes = definition.mirror ? turnedAbout(*definition.mirror, faces) : faces;
+  const glm::dmat3 axes = axesOf(*input.tight, definition.mirror);
   for (int axis = 0; axis < 3; ++axis) add(axes, axis);
   if (!definition.mirror) add(axesWith(largestFace(*input.tight)), 0);
 }
 
 struct BallsOf {
-  const ConvexPart& part;
   DoublePose pose;
   double hullMargin = 0.0;
 
@@ -295,11 +297,8 @@ struct BallsOf {
   }
   /// The corners of a prism around it.
   std::vector<Ball> operator()(const Cylinder& cylinder) const {
-    ConvexPart centered{cylinder, part.pose};
-    centered.pose.position = Vec3(0.0F);
     std::vector<Ball> balls;
-    for (const glm::dvec3& corner : roundedHull(centered, 0.0).points)
-      balls.push_back({pose.position + corner, 0.0});
+    for (const glm::dvec3& corner : prismAround(cylinder, pose)) balls.push_back({corner, 0.0});
     return balls;
   }
   std::vector<Ball> operator()(const ConvexHull& hull) const {
@@ -319,8 +318,7 @@ struct BallsOf {
 
 std::vector<FittedPrimitive> fitPrimitives(const FitInput& input, const Vec3& origin,
                                            const PrimitiveDef& definition) {
-  const glm::dmat3 faces = faceAxes(*input.few);
-  const glm::dmat3 axes = definition.mirror ? turnedAbout(*definition.mirror, faces) : faces;
+  const glm::dmat3 axes = axesOf(*input.few, definition.mirror);
   std::vector<FittedPrimitive> fitted{fitBox(input.balls, toQuat(axes), origin, definition),
                                       fitBox(input.balls, kNoRotation, origin, definition)};
   addRound(input.balls, axes, origin, definition, fitted);
@@ -337,7 +335,7 @@ std::vector<FittedPrimitive> fitPrimitives(const FitInput& input, const Vec3& or
 std::vector<Ball> ballsOf(const ConvexPart& part, const Vec3& origin, double hullMargin) {
   DoublePose pose(part.pose);
   pose.position -= glm::dvec3(origin);
-  return std::visit(BallsOf{part, pose, hullMargin}, part.shape);
+  return std::visit(BallsOf{pose, hullMargin}, part.shape);
 }
 
 }  // namespace scatter::levels

@@ -5,7 +5,6 @@
 #include <future>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <numbers>
 #include <queue>
 #include <utility>
 #include <variant>
@@ -72,16 +71,9 @@ std::vector<glm::dvec3> outlineOf(const ConvexPart& part, const Vec3& origin, do
 std::vector<glm::dvec3> surfacePointsOf(const ConvexPart& part, const Vec3& origin) {
   const auto* const cylinder = std::get_if<Cylinder>(&part.shape);
   if (cylinder == nullptr) return outlineOf(part, origin, 0.0);
-  const DoublePose pose(part.pose);
-  std::vector<glm::dvec3> points;
-  for (int side = 0; side < kCylinderSides; ++side) {
-    const double angle = 2.0 * std::numbers::pi * side / kCylinderSides;
-    const glm::dvec3 rim = toDouble(cylinder->radius) * glm::dvec3(std::cos(angle), 0.0, std::sin(angle));
-    const glm::dvec3 end(0.0, toDouble(cylinder->halfHeight), 0.0);
-    points.push_back(pose(rim + end) - glm::dvec3(origin));
-    points.push_back(pose(rim - end) - glm::dvec3(origin));
-  }
-  return points;
+  DoublePose pose(part.pose);
+  pose.position -= glm::dvec3(origin);
+  return prismIn(*cylinder, kCylinderSides, pose);
 }
 
 void add(Content& content, const Content& more) {

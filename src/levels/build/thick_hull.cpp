@@ -7,14 +7,10 @@
 #include <glm/mat3x3.hpp>
 #include <vector>
 
+#include "levels/build/face_axes.h"
+
 namespace scatter::levels {
 namespace {
-
-glm::dvec3 anyAcross(const glm::dvec3& direction) {
-  const glm::dvec3 other =
-      std::abs(direction.x) < 0.7 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
-  return glm::normalize(glm::cross(direction, other));
-}
 
 /// Axes along the greatest extents of the points, found greedily, and those extents.
 struct Extents {
