@@ -136,10 +136,10 @@ Command addBenchLevelsCommand(CLI::App& bench) {
   command->add_option("--csv", arguments->csv, "Write a row for each level into this file")
       ->type_name("FILE");
   command
-      ->add_option(
-          "--piles", arguments->piles,
-          "Let thirty bodies of 64 parts fall into a pit, in plain Bullet and in ours, and write into "
-          "this file what a step of the heap costs")
+      ->add_option("--piles", arguments->piles,
+                   "Let thirty bodies of 32 and of 64 parts fall into a pit, in plain Bullet and in ours, "
+                   "and write into "
+                   "this file what a step of the heap costs")
       ->type_name("FILE");
   addRepeatArgument(*command, arguments->repeat);
   command

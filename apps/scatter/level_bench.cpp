@@ -149,15 +149,20 @@ Result<std::shared_ptr<const LevelSet>> forPile(const LevelSet& levels, double d
   return LevelSet::create(std::move(def));
 }
 
+/// Ours are piled up with several numbers of parts.
+std::string labelOf(const LevelMethod& method) {
+  return method.command.empty() ? fmt::format("{}-{}", method.name, method.parts.back()) : method.name;
+}
+
 Result<Piled> pileOf(const MeshFile& file, const LevelMethod& method, const MadeLevels& made,
                      const JudgedLevels& judged) {
   const LevelFigures& finest = judged.measures.levels.back();
   const double percent = 100.0 / judged.measures.diagonal;
   auto levels = forPile(*made.levels, judged.measures.diagonal, method.command.empty());
   if (!levels) return fail(levels.error().message);
-  return Piled{{method.name, std::move(*levels)},
+  return Piled{{labelOf(method), std::move(*levels)},
                fmt::format("{},{},{},{},{},{},{},{:.2f},{:.3f},{:.3f},{:.3f},{:.3f}", file.name,
-                           file.mesh.triangles.size(), method.name, verticesText(method), finest.parts,
+                           file.mesh.triangles.size(), labelOf(method), verticesText(method), finest.parts,
                            finest.vertices, bytesOf(*made.levels), made.seconds,
                            100.0 * judged.check.mesh->areaOutside, percent * finest.p95Gap,
                            percent * finest.maxGap, finest.overlap())};
@@ -171,7 +176,7 @@ std::string costText(const PileCost& cost) {
 
 std::string costLine(const std::string& label, const PileCosts& cost) {
   return fmt::format(
-      "  pile of 30, {:<8}  plain Bullet {:7.2f} ms, {:6.0f} contacts   ours {:7.2f} ms, {:6.0f} contacts",
+      "  pile of 30, {:<10}  plain Bullet {:7.2f} ms, {:6.0f} contacts   ours {:7.2f} ms, {:6.0f} contacts",
       label, cost.bullet.milliseconds.median, cost.bullet.contacts, cost.ours.milliseconds.median,
       cost.ours.contacts);
 }
@@ -215,7 +220,9 @@ std::string failedRow(const MeshFile& file, const LevelMethod& method) {
 LevelBenchTables::LevelBenchTables() : levels(kLevelColumns), piles(kPileColumns) {}
 
 std::vector<LevelMethod> ownLevelMethods() {
-  return {{"scatter", {1, 6, 32}}, {"scatter", {1, 8, 64}, 16, true}, {"scatter", {1, 4, 8, 16, 32, 64}}};
+  return {{"scatter", {1, 6, 32}, 16, true},
+          {"scatter", {1, 8, 64}, 16, true},
+          {"scatter", {1, 4, 8, 16, 32, 64}}};
 }
 
 Result<void> benchLevels(const MeshFile& file, const LevelBenchDef& definition, LevelBenchTables& tables,

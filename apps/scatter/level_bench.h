@@ -19,7 +19,7 @@ struct LevelMethod {
   std::string command{};   ///< Of another program, see decompose(); empty: ours.
 };
 
-/// Ours: 32 and 64 parts in three levels, of which the latter are piled up, and 64 parts in six.
+/// Ours: 32 and 64 parts in three levels, which are piled up, and 64 parts in six.
 [[nodiscard]] std::vector<LevelMethod> ownLevelMethods();
 
 struct LevelBenchDef {

@@ -1,3 +1,5 @@
+#include <BulletHybrid/btHybridContactSolver.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -17,34 +19,39 @@ constexpr int kChange = 10;     // steps
 constexpr float kLies = 0.3F;   // metres from where a cube was when the tower had settled
 constexpr float kFast = 0.02F;  // metres per second
 
+/// Who finds the contacts, and who solves them.
+struct TowerWorld {
+  const char* name;
+  bool isPlain;  ///< Bullet's collision, in the place of pairs that may switch.
+  bool isWide;   ///< btHybridContactSolver, in the place of Bullet's.
+};
+
+struct TowerTrial {
+  TowerWorld world;
+  float mass = 1.0F;
+  double units = 0.0;  ///< Of a budget that is there every other ten steps; 0: none.
+  int steps = 0;
+};
+
 struct Tower : test::PairTestWorld {
-  explicit Tower(float mass) {
+  /// The solver must outlive the tower.
+  Tower(const TowerTrial& trial, btHybridContactSolver& wide) {
     constexpr float kFriction = 0.5F;
+    auto collision = world.getCollisionInfo();
+    collision.m_pairAlgorithm = !trial.world.isPlain;
+    world.setCollisionInfo(collision);
+    if (trial.world.isWide) world.setConstraintSolver(&wide);
     world.setGravity(btVector3(0, -10, 0));
     addFloor()->setFriction(kFriction);
     for (int i = 0; i < kCubes; ++i)
-      addBlock(btVector3(0, 0.5F + static_cast<float>(i), 0), mass)->setFriction(kFriction);
+      addBlock(btVector3(0, 0.5F + static_cast<float>(i), 0), trial.mass)->setFriction(kFriction);
   }
-};
-
-/// Units of a budget that is there every other ten steps; 0: plain Bullet's collision, without budgets.
-struct TowerTrial {
-  float mass = 1.0F;
-  double units = 0.0;
-  int steps = 0;
 };
 
 struct Stood {
   int steps = 0;      ///< Until a cube lay, or the trial ended.
   int fastSteps = 0;  ///< With a cube faster than 2 cm/s.
 };
-
-void setUp(Tower& tower, const TowerTrial& trial) {
-  if (trial.units > 0.0) return;
-  auto info = tower.world.getCollisionInfo();
-  info.m_pairAlgorithm = false;
-  tower.world.setCollisionInfo(info);
-}
 
 void toggle(Tower& tower, const TowerTrial& trial, int step) {
   if (trial.units <= 0.0 || step < kSettled || step % kChange != 0) return;
@@ -56,8 +63,8 @@ void toggle(Tower& tower, const TowerTrial& trial, int step) {
 }
 
 Stood run(const TowerTrial& trial) {
-  Tower tower(trial.mass);
-  setUp(tower, trial);
+  btHybridContactSolver wide;
+  Tower tower(trial, wide);
   Stood stood;
   std::vector<btVector3> start;
   for (; stood.steps < trial.steps; ++stood.steps) {
@@ -78,15 +85,24 @@ Stood run(const TowerTrial& trial) {
   return stood;
 }
 
+void print(const TowerTrial& trial, const Stood& stood) {
+  const std::string budget =
+      trial.units > 0.0 ? std::to_string(static_cast<int>(trial.units)) + " units" : "none";
+  std::printf("%-14s %-10s %8.0f %8d %10.1f %%\n", trial.world.name, budget.c_str(),
+              static_cast<double>(trial.mass), stood.steps, 100.0 * stood.fastSteps / stood.steps);
+  std::fflush(stdout);
+}
+
 int runTowers(int steps) {
-  std::printf("%-12s %8s %8s %12s\n", "budget", "mass kg", "stands", "> 2 cm/s");
-  for (const double units : {0.0, 1.0, 30.0, 60.0}) {
-    for (const float mass : {1.0F, 10.0F, 100.0F}) {
-      const Stood stood = run({.mass = mass, .units = units, .steps = steps});
-      const std::string budget = units > 0.0 ? std::to_string(static_cast<int>(units)) + " units" : "none";
-      std::printf("%-12s %8.0f %8d %10.1f %%\n", budget.c_str(), static_cast<double>(mass), stood.steps,
-                  100.0 * stood.fastSteps / stood.steps);
-      std::fflush(stdout);
+  std::printf("%-14s %-10s %8s %8s %12s\n", "world", "budget", "mass kg", "stands", "> 2 cm/s");
+  for (const TowerWorld& world : {TowerWorld{"plain", true, false}, TowerWorld{"hybrid", false, false},
+                                  TowerWorld{"hybrid, wide", false, true}}) {
+    for (const double units : {0.0, 1.0, 30.0, 60.0}) {
+      if (world.isPlain && units > 0.0) continue;
+      for (const float mass : {1.0F, 10.0F, 100.0F}) {
+        const TowerTrial trial{.world = world, .mass = mass, .units = units, .steps = steps};
+        print(trial, run(trial));
+      }
     }
   }
   return 0;

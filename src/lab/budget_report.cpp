@@ -18,8 +18,8 @@ struct BudgetUse {
 
 struct Overrun {
   std::size_t frames = 0;
-  std::size_t impossible =
-      0;  ///< Frames in which the budget could not have been kept at the coarsest levels.
+  std::size_t impossible = 0;  ///< Frames in which it could not have been kept at the coarsest levels.
+  std::size_t untouched = 0;   ///< Of these, in which no pair was kept coarser for it.
   std::size_t belowFloor = 0;  ///< Frames in which the budget was less than what could not be given up.
   double most = 0.0;           ///< That a frame took.
   std::vector<double> floors;  ///< Of the frames that have one.
@@ -58,7 +58,9 @@ Overrun overrunOf(const Run& run, const BudgetUse& use) {
       continue;
     }
     ++overrun.frames;
-    overrun.impossible += verdictOf(run, frame) == BudgetVerdict::kImpossible ? 1 : 0;
+    const bool isImpossible = verdictOf(run, frame) == BudgetVerdict::kImpossible;
+    overrun.impossible += isImpossible ? 1 : 0;
+    overrun.untouched += isImpossible && run.table.values("withheld_pairs")[frame] == 0.0 ? 1 : 0;
     overrun.most = std::max(overrun.most, taken);
     const double floor = floorOf(run, use, frame);
     if (floor > 0.0) {
@@ -96,7 +98,10 @@ std::string impossibleSentence(const Overrun& overrun) {
   }
   return " In " + std::to_string(overrun.impossible) +
          " of them it could not have been kept with every pair at its coarsest level: give it more, or the "
-         "scene fewer bodies.";
+         "scene fewer bodies." +
+         (overrun.untouched == 0 ? std::string()
+                                 : " In " + std::to_string(overrun.untouched) +
+                                       " of these no pair was kept coarser for it, which would hardly help.");
 }
 
 }  // namespace

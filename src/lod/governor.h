@@ -29,6 +29,9 @@ struct GovernorDef {
 ///   comes into contact coarsely stays cheap, and keeps the pile around it loose.
 /// - Relief. Pairs in contact go coarser on credit, those first that save most for what is lost: the dearest.
 /// - When there is room again, detail is given back to pairs in contact, a little in each step.
+///
+/// A budget below what there is no way around is not kept whatever is given up: where that is next to nothing
+/// besides the rest, all have their wish (isVain()).
 class Governor {
  public:
   explicit Governor(const GovernorDef& def) : def_(def) {}
@@ -72,7 +75,7 @@ class Governor {
   }
 
   /// Whether it would if a pair went finer.
-  [[nodiscard]] bool isShortOfFiner() const { return isShort(firstLook_); }
+  [[nodiscard]] bool isShortOfFiner() const { return !isVain() && isShort(firstLook_); }
 
   /// After each planned step: what it did cost, fixed units included, to correct the next plans.
   void learn(double actualUnits);
@@ -88,11 +91,17 @@ class Governor {
   /// What the plan expects the step to cost; grows with each planNew().
   [[nodiscard]] double planned() const { return fixed_ + correction_ * predicted_; }
 
+  /// Whether giving up detail would not help: the budget is impossible, and would be by almost as much.
+  [[nodiscard]] bool isVain() const { return vainSteps_ >= kVainSteps; }
+
   /// From 0 to 1: the share of ordinary pairs, of those that are apart, that may have their wish.
   [[nodiscard]] double admission() const { return admission_; }
 
  private:
   void planUnlimited(std::span<PlannedPair> pairs, const CostModel& costs);
+  void grantAll(std::span<PlannedPair> pairs, const CostModel& costs, double room);
+  void weighStakes(std::span<const PlannedPair> pairs, const CostModel& costs);
+  void weighDetail(double budget);
   void planPair(PlannedPair& pair, const CostModel& costs);
   [[nodiscard]] double survey(std::span<PlannedPair> pairs, const CostModel& costs);
   void forecast(double budget, double detail);
@@ -104,6 +113,7 @@ class Governor {
   void shareOut();
   [[nodiscard]] double creditUnits(const PlannedPair& pair, int level, double now) const;
   [[nodiscard]] double finestUnits(const PlannedPair& pair, const CostModel& costs) const;
+  [[nodiscard]] double stakeOf(const PlannedPair& pair, const CostModel& costs) const;
   [[nodiscard]] bool isAdmitted(const PlannedPair& pair) const;
   [[nodiscard]] int levelFor(const PlannedPair& pair, bool isAdmitted) const;
   void relieve(std::span<PlannedPair> pairs, const CostModel& costs, double excess);
@@ -125,6 +135,9 @@ class Governor {
 
   static constexpr double kReuseMemory = 0.005;
   static constexpr double kNewMemory = 0.125;
+
+  /// So long it must be so before detail is let alone: half a second, in which a budget may have been a slip.
+  static constexpr int kVainSteps = 30;
 
   GovernorDef def_;
   std::array<Kind, PlannedPair::kKinds> kinds_{};
@@ -150,7 +163,11 @@ class Governor {
   double coarsest_ = 0.0;       ///< What all pairs would cost as coarse as they may be.
   double middle_ = 0.0;         ///< The same with all at the middle level.
   double coarsestTrend_ = 0.0;  ///< Units a step by which `coarsest_` grows; negative if it shrinks.
+  double stake_ = 0.0;          ///< What detail costs that pairs in contact wish for.
+  double stakeToCome_ = 0.0;    ///< The same with those that are likely to come into contact.
+  double touchingShare_ = 1.0;  ///< Of pairs with detail to lose.
   int stepsToFloor_ = 0;        ///< Until these are found anew.
+  int vainSteps_ = 0;           ///< For so many the budget has been impossible with little at stake.
   double admission_ = 1.0;
   bool isMiddle_ = false;    ///< Pairs that are refused their wish get a middle level, not the least.
   double correction_ = 1.0;  ///< For predictions, from how much steps cost against what was predicted.

@@ -114,6 +114,7 @@ BudgetState StepBudget::state(double floor) const {
   state.verdict = BudgetVerdict::kKept;
   if (units_ <= kKept * budgetUnits_) return state;
   state.floor = std::min(floor, units_);
+  state.isVain = governor_.isVain();
   if (state.reachable > budgetUnits_) {
     state.verdict = BudgetVerdict::kImpossible;
   } else {

@@ -10,12 +10,14 @@ namespace scatter {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 struct FrameCost {
   double ms;
   double units;
   double floorUnits;  ///< As the physics reports it: 0 where the budget was kept.
   double verdict = 0.0;
+  double withheld = 1.0;
 };
 
 scatter::Run governedRun(double milliseconds, double units, const std::vector<FrameCost>& frames) {
@@ -31,6 +33,7 @@ scatter::Run governedRun(double milliseconds, double units, const std::vector<Fr
   add("cost_units", &FrameCost::units);
   add("floor_units", &FrameCost::floorUnits);
   add("budget_verdict", &FrameCost::verdict);
+  add("withheld_pairs", &FrameCost::withheld);
   scatter::Run run;
   run.table = FrameTable(std::move(columns));
   run.options.label = "hybrid";
@@ -68,6 +71,13 @@ TEST(BudgetSentence, SaysThatNoLevelsWouldHaveKeptIt) {
   EXPECT_THAT(sentence, HasSubstr("exceeded in 2 of 3 frames"));
   EXPECT_THAT(sentence,
               HasSubstr("In 1 of them it could not have been kept with every pair at its coarsest"));
+  EXPECT_THAT(sentence, Not(HasSubstr("was kept coarser for it")));
+}
+
+TEST(BudgetSentence, SaysThatNothingWasGivenUpInVain) {
+  const std::string sentence = lab::budgetSentence(
+      governedRun(0.0, 100.0, {{9.0, 120, 110, 4.0, 0.0}, {9.0, 130, 120, 4.0, 7.0}}), false);
+  EXPECT_THAT(sentence, HasSubstr("In 1 of these no pair was kept coarser for it, which would hardly help."));
 }
 
 TEST(BudgetSentence, SaysNothingWithoutABudget) {

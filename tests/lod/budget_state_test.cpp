@@ -48,6 +48,13 @@ TEST(BudgetState, IsExceededWhereDetailCouldHaveBeenGivenUp) {
   EXPECT_GT(state.taken, 510.0);
 }
 
+TEST(BudgetState, SaysThatDetailStaysWhereItIsHardlyAnything) {
+  const BudgetState state = after(500.0, 300'000, 40);
+  EXPECT_EQ(state.verdict, BudgetVerdict::kImpossible);
+  EXPECT_TRUE(state.isVain);
+  EXPECT_THAT(describe(state), HasSubstr(", detail is hardly anything of it and stays"));
+}
+
 TEST(BudgetState, IsImpossibleWhereNoLevelsHelp) {
   const BudgetState state = after(500.0, 3000);
   EXPECT_EQ(state.verdict, BudgetVerdict::kImpossible);

@@ -196,7 +196,7 @@ TEST(GovernorAdmission, PairsThatAreApartComeAndGoWithTheRoom) {
   Governor governor({});
   std::vector<PlannedPair> pairs = knownPairs(costs, 200, 3, 0.5, false);
   for (int i = 0; i < 100; ++i) {
-    governor.plan(pairs, costs, 1.2 * kBudget, kBudget);
+    governor.plan(pairs, costs, 0.98 * kBudget, kBudget);
     followPlan(pairs);
   }
   EXPECT_EQ(countAt(pairs, 3), 0);

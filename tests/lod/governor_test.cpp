@@ -87,6 +87,43 @@ TEST(Governor, TheFloorIsNoMoreThanWasTakenAndHasWhatAnyLevelTakes) {
   EXPECT_NEAR(governor.floorUnits(pairs, costs), 1.0 + 30.0, 1e-4);
 }
 
+TEST(Governor, GivesNothingUpForAnImpossibleBudgetThatDetailIsHardlyAnythingOf) {
+  CostModel costs{CostWeights{}};
+  Governor governor({});
+  std::vector<PlannedPair> pairs = knownPairs(costs, 100, 3);
+  const auto planFor = [&](int steps, double fixed, double budget) {
+    for (int i = 0; i < steps; ++i) {
+      governor.plan(pairs, costs, fixed, budget);
+      followPlan(pairs);
+    }
+  };
+  planFor(29, 50'000.0, 10'000.0);
+  EXPECT_FALSE(governor.isVain());
+  EXPECT_LT(countAt(pairs, 3), 10) << "it may have been a slip";
+  planFor(30, 50'000.0, 10'000.0);
+  EXPECT_TRUE(governor.isVain());
+  EXPECT_EQ(countAt(pairs, 3), 100);
+  EXPECT_EQ(governor.planNew(newPair(7), costs), 3);
+  for (const PlannedPair& pair : pairs) EXPECT_FALSE(pair.byBudget);
+  // As soon as the budget is possible again, or detail is much of what there is, it is taken.
+  planFor(30, 9'000.0, 10'000.0);
+  EXPECT_FALSE(governor.isVain());
+  planFor(60, 5'000.0, 1'000.0);
+  EXPECT_FALSE(governor.isVain());
+  EXPECT_LT(countAt(pairs, 3), 10);
+}
+
+TEST(Governor, DetailThatIsOnItsWayIsWeighedAsIfItWereThere) {
+  CostModel costs{CostWeights{}};
+  Governor governor({});
+  std::vector<PlannedPair> apart = knownPairs(costs, 1000, 1, 10.0, false);
+  for (int i = 0; i < 60; ++i) governor.plan(apart, costs, 50'000.0, 10'000.0);
+  EXPECT_FALSE(governor.isVain()) << "a thousand pairs that meet at their finest level take 10 000 units";
+  apart.resize(100);
+  for (int i = 0; i < 60; ++i) governor.plan(apart, costs, 50'000.0, 10'000.0);
+  EXPECT_TRUE(governor.isVain());
+}
+
 TEST(Governor, KeepsFreeWhatPairsTakeThatAreAwaited) {
   CostModel costs{CostWeights{}};
   Governor governor({});
