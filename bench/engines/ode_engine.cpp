@@ -1,6 +1,6 @@
 // ODE with its own settings, but for: friction and restitution multiplied as the scenes mean them, bounce
 // from Bullet's 0.2 m/s on, a contact surface layer of 5 mm against jitter, mass and inertia those of the
-// finest level. A body with several parts is a space of its own within the world's.
+// finest level. A body with several parts is a space of its own within the world's. Nothing sleeps.
 
 #include <ode/ode.h>
 
@@ -8,7 +8,9 @@
 #include <array>
 #include <glm/common.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <list>
 #include <map>
+#include <memory>
 
 #include "engine_physics.h"
 #include "levels/convex_hull.h"
@@ -89,8 +91,13 @@ class OdePhysics final : public EnginePhysics {
 
   [[nodiscard]] BodyState state(BodyId body) const override {
     const Body& record = bodies_[indexOf(body)];
-    const dReal* q = dBodyGetQuaternion(record.id);
     BodyState state;
+    if (record.id == nullptr) {
+      state.pose = record.pose;
+      state.centerOfMass = record.pose(record.center);
+      return state;
+    }
+    const dReal* q = dBodyGetQuaternion(record.id);
     state.centerOfMass = fromOde(dBodyGetPosition(record.id));
     state.pose.rotation = Quat(static_cast<float>(q[0]), static_cast<float>(q[1]), static_cast<float>(q[2]),
                                static_cast<float>(q[3]));
@@ -113,23 +120,12 @@ class OdePhysics final : public EnginePhysics {
 
  protected:
   Result<void> addBody(const EngineBodyDef& body) override {
-    if (body.def.motion != Motion::kDynamic) return fail("ODE's measurement has no static bodies");
-    const Vec3 center = body.def.pose(body.mass.centerOfMass);
-    const Quat& turn = body.def.pose.rotation;
-    const Body record{dBodyCreate(world_), body.mass.centerOfMass, wide(body.def.material.friction),
-                      wide(body.def.material.restitution)};
-    dBodySetPosition(record.id, wide(center.x), wide(center.y), wide(center.z));
-    const std::array<dReal, 4> quaternion{wide(turn.w), wide(turn.x), wide(turn.y), wide(turn.z)};
-    dBodySetQuaternion(record.id, quaternion.data());
-    const Vec3& velocity = body.def.linearVelocity;
-    const Vec3& spin = body.def.angularVelocity;
-    dBodySetLinearVel(record.id, wide(velocity.x), wide(velocity.y), wide(velocity.z));
-    dBodySetAngularVel(record.id, wide(spin.x), wide(spin.y), wide(spin.z));
-    dBodySetLinearDamping(record.id, wide(body.def.material.linearDamping));
-    dBodySetAngularDamping(record.id, wide(body.def.material.angularDamping));
-    setMass(record.id, body);
-    // Bodies do not move in memory once the scene is built; geometries name them by index.
-    dBodySetData(record.id, toData(bodies_.size()));
+    const bool isStill = body.def.motion == Motion::kStatic;
+    if (!isStill && body.def.motion != Motion::kDynamic)
+      return fail("ODE's measurement has no kinematic bodies");
+    const Body record{isStill ? nullptr : dBodyCreate(world_), body.mass.centerOfMass, body.def.pose,
+                      wide(body.def.material.friction), wide(body.def.material.restitution)};
+    if (!isStill) set(record.id, body);
     bodies_.push_back(record);
     dSpaceID space = body.parts.size() == 1 ? space_ : dSimpleSpaceCreate(space_);
     for (const ConvexPart& part : body.parts) {
@@ -138,14 +134,51 @@ class OdePhysics final : public EnginePhysics {
     return {};
   }
 
+  Result<void> addGround(const BodyDef& def, const Plane& plane) override {
+    const Vec3& normal = plane.normal;
+    addStill(def, dCreatePlane(space_, wide(normal.x), wide(normal.y), wide(normal.z), wide(plane.offset)));
+    return {};
+  }
+
+  Result<void> addGround(const BodyDef& def, const TriangleMesh& triangles) override {
+    Ground& ground = grounds_.emplace_back();
+    for (const Vec3& vertex : triangles.vertices) {
+      const Vec3 placed = def.pose(vertex);
+      ground.vertices.insert(ground.vertices.end(), {placed.x, placed.y, placed.z});
+    }
+    for (const auto& triangle : triangles.triangles)
+      ground.indices.insert(ground.indices.end(), triangle.begin(), triangle.end());
+    ground.data.reset(dGeomTriMeshDataCreate());
+    dGeomTriMeshDataBuildSingle(ground.data.get(), ground.vertices.data(), 3 * sizeof(float),
+                                static_cast<int>(ground.vertices.size() / 3), ground.indices.data(),
+                                static_cast<int>(ground.indices.size()), 3 * sizeof(dTriIndex));
+    if (dGeomTriMeshDataPreprocess2(ground.data.get(), 1U << dTRIDATAPREPROCESS_BUILD_FACE_ANGLES, nullptr) ==
+        0)
+      return fail("body \"" + def.name + "\": ODE refuses its triangles");
+    addStill(def, dCreateTriMesh(space_, ground.data.get(), nullptr, nullptr, nullptr));
+    return {};
+  }
+
   Contacts countContacts() const override { return contacts_; }
 
  private:
   struct Body {
-    dBodyID id;
-    Vec3 center;  ///< Of mass, in the model's frame; ODE's bodies have theirs at the origin.
+    dBodyID id;      ///< Null of a static one.
+    Vec3 center;     ///< Of mass, in the model's frame; ODE's bodies have theirs at the origin.
+    Transform pose;  ///< Where it was made.
     dReal friction;
     dReal restitution;
+  };
+
+  struct FreeTriangles {
+    void operator()(dTriMeshDataID data) const { dGeomTriMeshDataDestroy(data); }
+  };
+
+  /// ODE keeps pointers into it.
+  struct Ground {
+    std::vector<float> vertices;
+    std::vector<dTriIndex> indices;
+    std::unique_ptr<dxTriMeshData, FreeTriangles> data;
   };
 
   static void* toData(std::size_t index) {
@@ -153,7 +186,28 @@ class OdePhysics final : public EnginePhysics {
     return reinterpret_cast<void*>(index);
   }
   const Body& bodyOf(dGeomID geometry) const {
-    return bodies_[reinterpret_cast<std::size_t>(dBodyGetData(dGeomGetBody(geometry)))];
+    return bodies_[reinterpret_cast<std::size_t>(dGeomGetData(geometry))];
+  }
+
+  void addStill(const BodyDef& def, dGeomID geometry) {
+    dGeomSetData(geometry, toData(bodies_.size()));
+    bodies_.push_back(
+        {nullptr, Vec3(0.0F), def.pose, wide(def.material.friction), wide(def.material.restitution)});
+  }
+
+  static void set(dBodyID id, const EngineBodyDef& body) {
+    const Vec3 center = body.def.pose(body.mass.centerOfMass);
+    const Quat& turn = body.def.pose.rotation;
+    dBodySetPosition(id, wide(center.x), wide(center.y), wide(center.z));
+    const std::array<dReal, 4> quaternion{wide(turn.w), wide(turn.x), wide(turn.y), wide(turn.z)};
+    dBodySetQuaternion(id, quaternion.data());
+    const Vec3& velocity = body.def.linearVelocity;
+    const Vec3& spin = body.def.angularVelocity;
+    dBodySetLinearVel(id, wide(velocity.x), wide(velocity.y), wide(velocity.z));
+    dBodySetAngularVel(id, wide(spin.x), wide(spin.y), wide(spin.z));
+    dBodySetLinearDamping(id, wide(body.def.material.linearDamping));
+    dBodySetAngularDamping(id, wide(body.def.material.angularDamping));
+    setMass(id, body);
   }
 
   static void setMass(dBodyID id, const EngineBodyDef& body) {
@@ -193,13 +247,22 @@ class OdePhysics final : public EnginePhysics {
     return dCreateBox(space, 2.0 * wide(half.x), 2.0 * wide(half.y), 2.0 * wide(half.z));
   }
 
-  static void place(dGeomID geometry, const Body& body, const Transform& pose) {
+  void place(dGeomID geometry, const Body& body, const Transform& pose) const {
+    dGeomSetData(geometry, toData(bodies_.size() - 1));
+    if (body.id == nullptr) return placeStill(geometry, body.pose * pose);
     const Vec3 offset = pose.position - body.center;
     const std::array<dReal, 4> turn{wide(pose.rotation.w), wide(pose.rotation.x), wide(pose.rotation.y),
                                     wide(pose.rotation.z)};
     dGeomSetBody(geometry, body.id);
     dGeomSetOffsetPosition(geometry, wide(offset.x), wide(offset.y), wide(offset.z));
     dGeomSetOffsetQuaternion(geometry, turn.data());
+  }
+
+  static void placeStill(dGeomID geometry, const Transform& pose) {
+    const std::array<dReal, 4> turn{wide(pose.rotation.w), wide(pose.rotation.x), wide(pose.rotation.y),
+                                    wide(pose.rotation.z)};
+    dGeomSetPosition(geometry, wide(pose.position.x), wide(pose.position.y), wide(pose.position.z));
+    dGeomSetQuaternion(geometry, turn.data());
   }
 
   Result<const OdeHull*> hullOf(const ConvexHull& source, const Transform& pose) {
@@ -221,10 +284,11 @@ class OdePhysics final : public EnginePhysics {
   }
 
   void collideParts(dGeomID a, dGeomID b) {
-    const int count = dCollide(a, b, kMostPoints, &found_[0].geom, sizeof(dContact));
-    if (count == 0) return;
     const Body& first = bodyOf(a);
     const Body& second = bodyOf(b);
+    if (first.id == nullptr && second.id == nullptr) return;
+    const int count = dCollide(a, b, kMostPoints, &found_[0].geom, sizeof(dContact));
+    if (count == 0) return;
     ++contacts_.manifolds;
     contacts_.points += static_cast<std::uint32_t>(count);
     for (int i = 0; i < count; ++i) {
@@ -245,6 +309,7 @@ class OdePhysics final : public EnginePhysics {
   dJointGroupID contactGroup_;
   std::map<const ConvexHull*, OdeHull> hulls_;
   std::vector<Body> bodies_;
+  std::list<Ground> grounds_;
   std::array<dContact, kMostPoints> found_{};
   Contacts contacts_;
 };

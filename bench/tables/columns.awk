@@ -48,3 +48,9 @@ function rule(count,    text, i) {
   for (i = 1; i <= count; ++i) text = text "---|"
   print text
 }
+
+# Scenes are called after their family and their seed.
+function sceneFamily(scene) {
+  sub(/-[0-9]+$/, "", scene)
+  return scene
+}

@@ -105,8 +105,8 @@ TEST(FileScenes, StartBitForBitAsTheFiguresWereMeasured) {
   EXPECT_EQ(hashOfStart("convergence"), 1917413664344704060U);
   EXPECT_EQ(hashOfStart("fleet"), 14022834431475332183U);
   EXPECT_EQ(hashOfStart("fleet_boxes"), 486976846747204605U);
-  EXPECT_EQ(hashOfStart("armada"), 14675559289273725097U);
-  EXPECT_EQ(hashOfStart("quiet_apart"), 4817524786437046419U);
+  EXPECT_EQ(hashOfStart("armada"), 18072105204942740540U);
+  EXPECT_EQ(hashOfStart("quiet_apart"), 8393838779201964628U);
 }
 
 }  // namespace
