@@ -21,13 +21,13 @@ constexpr float kFast = 0.02F;  // metres per second
 
 /// Who finds the contacts, and who solves them.
 struct TowerWorld {
-  const char* name;
-  bool isPlain;  ///< Bullet's collision, in the place of pairs that may switch.
-  bool isWide;   ///< btHybridContactSolver, in the place of Bullet's.
+  const char* name = "";
+  bool isPlain = false;  ///< Bullet's collision, in the place of pairs that may switch.
+  bool isWide = false;   ///< btHybridContactSolver, in the place of Bullet's.
 };
 
 struct TowerTrial {
-  TowerWorld world;
+  TowerWorld world{};
   float mass = 1.0F;
   double units = 0.0;  ///< Of a budget that is there every other ten steps; 0: none.
   int steps = 0;
