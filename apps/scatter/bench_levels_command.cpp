@@ -138,8 +138,7 @@ Command addBenchLevelsCommand(CLI::App& bench) {
   command
       ->add_option("--piles", arguments->piles,
                    "Let thirty bodies of 32 and of 64 parts fall into a pit, in plain Bullet and in ours, "
-                   "and write into "
-                   "this file what a step of the heap costs")
+                   "and write into this file what a step of the heap costs")
       ->type_name("FILE");
   addRepeatArgument(*command, arguments->repeat);
   command

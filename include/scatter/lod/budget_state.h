@@ -27,8 +27,7 @@ struct BudgetState {
   double reachable = 0.0;  ///< The same with every pair at its coarsest level: once it has got there.
   double millisecondsPerUnit = 0.0;  ///< As a budget of milliseconds has learned it; 0 for others.
 
-  bool isVain =
-      false;  ///< It is impossible, and giving up detail would make that hardly better: all is kept.
+  bool isVain = false;  ///< It is impossible, and hardly less so without detail: all of it stays.
 
   int withheldPairs = 0;   ///< Pairs that the budget keeps below the level that they would have.
   int creditedPairs = 0;   ///< Pairs in contact that hold penetration credit.
