@@ -26,6 +26,9 @@ constexpr dReal kSurfaceLayer = 0.005;
 dReal wide(float value) {
   return static_cast<dReal>(value);
 }
+std::array<dReal, 4> toOde(const Quat& turn) {
+  return {wide(turn.w), wide(turn.x), wide(turn.y), wide(turn.z)};
+}
 Vec3 fromOde(const dReal* v) {
   return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
 }
@@ -197,10 +200,8 @@ class OdePhysics final : public EnginePhysics {
 
   static void set(dBodyID id, const EngineBodyDef& body) {
     const Vec3 center = body.def.pose(body.mass.centerOfMass);
-    const Quat& turn = body.def.pose.rotation;
     dBodySetPosition(id, wide(center.x), wide(center.y), wide(center.z));
-    const std::array<dReal, 4> quaternion{wide(turn.w), wide(turn.x), wide(turn.y), wide(turn.z)};
-    dBodySetQuaternion(id, quaternion.data());
+    dBodySetQuaternion(id, toOde(body.def.pose.rotation).data());
     const Vec3& velocity = body.def.linearVelocity;
     const Vec3& spin = body.def.angularVelocity;
     dBodySetLinearVel(id, wide(velocity.x), wide(velocity.y), wide(velocity.z));
@@ -251,18 +252,14 @@ class OdePhysics final : public EnginePhysics {
     dGeomSetData(geometry, toData(bodies_.size() - 1));
     if (body.id == nullptr) return placeStill(geometry, body.pose * pose);
     const Vec3 offset = pose.position - body.center;
-    const std::array<dReal, 4> turn{wide(pose.rotation.w), wide(pose.rotation.x), wide(pose.rotation.y),
-                                    wide(pose.rotation.z)};
     dGeomSetBody(geometry, body.id);
     dGeomSetOffsetPosition(geometry, wide(offset.x), wide(offset.y), wide(offset.z));
-    dGeomSetOffsetQuaternion(geometry, turn.data());
+    dGeomSetOffsetQuaternion(geometry, toOde(pose.rotation).data());
   }
 
   static void placeStill(dGeomID geometry, const Transform& pose) {
-    const std::array<dReal, 4> turn{wide(pose.rotation.w), wide(pose.rotation.x), wide(pose.rotation.y),
-                                    wide(pose.rotation.z)};
     dGeomSetPosition(geometry, wide(pose.position.x), wide(pose.position.y), wide(pose.position.z));
-    dGeomSetQuaternion(geometry, turn.data());
+    dGeomSetQuaternion(geometry, toOde(pose.rotation).data());
   }
 
   Result<const OdeHull*> hullOf(const ConvexHull& source, const Transform& pose) {
