@@ -130,6 +130,7 @@ double predict(const PlannedPair& pair, const CostModel& costs, int level) {
 void Governor::plan(std::span<PlannedPair> pairs, const CostModel& costs, double fixed, double budget) {
   fixed_ = fixed;
   predicted_ = spent_ = saved_ = 0.0;
+  budget_ = budget;
   limit_ = kShort * budget;
   if (std::isinf(budget)) {
     planUnlimited(pairs, costs);

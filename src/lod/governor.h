@@ -70,9 +70,10 @@ class Governor {
 
   /// Whether the step under way is about to exceed its budget: what can be put off to the next one should be.
   /// `more`: units that are going to be spent.
-  [[nodiscard]] bool isShort(double more = 0.0) const {
-    return fixed_ + (spent_ + more) + correction_ * remaining_ + awaited_ * newUnits_ > limit_;
-  }
+  [[nodiscard]] bool isShort(double more = 0.0) const { return comesTo() + more > limit_; }
+
+  /// Whether it is going to exceed it whatever is put off.
+  [[nodiscard]] bool isOver() const { return comesTo() > budget_; }
 
   /// Whether it would if a pair went finer.
   [[nodiscard]] bool isShortOfFiner() const { return !isVain() && isShort(firstLook_); }
@@ -98,6 +99,11 @@ class Governor {
   [[nodiscard]] double admission() const { return admission_; }
 
  private:
+  /// About what the step under way is going to cost.
+  [[nodiscard]] double comesTo() const {
+    return fixed_ + spent_ + correction_ * remaining_ + awaited_ * newUnits_;
+  }
+
   void planUnlimited(std::span<PlannedPair> pairs, const CostModel& costs);
   void grantAll(std::span<PlannedPair> pairs, const CostModel& costs, double room);
   void weighStakes(std::span<const PlannedPair> pairs, const CostModel& costs);
@@ -143,7 +149,8 @@ class Governor {
   std::array<Kind, PlannedPair::kKinds> kinds_{};
   double fixed_ = 0.0;
   double predicted_ = 0.0;      ///< Units besides the fixed ones, not corrected.
-  double limit_ = 0.0;          ///< Units that the step should not exceed.
+  double budget_ = 0.0;         ///< Units that the step may cost.
+  double limit_ = 0.0;          ///< From where on it puts off what it can.
   double spent_ = 0.0;          ///< Of the step under way, besides the fixed units.
   double remaining_ = 0.0;      ///< What its pairs are still expected to take, not corrected.
   int awaited_ = 0;             ///< Pairs that are still expected to come up in it.

@@ -40,13 +40,13 @@ bool StepBudget::isShortAfterQueries(int queries) const {
   return governor_.isShort(queries * costs_.weights().separationQuery);
 }
 
-bool StepBudget::mayAudit() const {
+Audits StepBudget::audits() const {
   constexpr double kLeast = 0.06;
   constexpr double kMost = 0.2;
-  if (!isLimited()) return true;
-  if (auditUnits_ < kLeast * budgetUnits_) return true;
+  if (!isLimited() || auditUnits_ < kLeast * budgetUnits_) return Audits::kDue;
   const double share = kLeast + (kMost - kLeast) * governor_.admission();
-  return !governor_.isShort() && auditUnits_ < share * budgetUnits_;
+  if (!governor_.isShort() && auditUnits_ < share * budgetUnits_) return Audits::kDue;
+  return governor_.isOver() ? Audits::kNone : Audits::kLate;
 }
 
 // Of what belongs to no pair's usual work.

@@ -6,6 +6,7 @@
 
 #include "lod/contact_thinning.h"
 #include "lod/cost_model.h"
+#include "lod/credit.h"
 #include "lod/governor.h"
 #include "lod/planned_pair.h"
 #include "lod/unit_budget.h"
@@ -53,8 +54,9 @@ class StepBudget {
   [[nodiscard]] bool isShortAfterQueries(int queries) const;
 
   /// A fifth of the budget is for audits at most, so that looking does not cost the detail that it serves; a
-  /// little of it in any step, so that pairs on credit do not sink into each other.
-  [[nodiscard]] bool mayAudit() const;
+  /// little of it in any step. Those that are late have room up to the budget itself, as pairs on credit sink
+  /// into each other without them.
+  [[nodiscard]] Audits audits() const;
 
   void spendSwitch() { spend(costs_.weights().switched); }
   void spendQueries(int queries);

@@ -4,6 +4,7 @@
 
 #include "collision/part_pair.h"
 #include "lod/cost_model.h"
+#include "lod/credit.h"
 #include "lod/pair_switch.h"
 
 namespace scatter::pairs {
@@ -15,7 +16,7 @@ struct PairPlan {
   bool tries = false;    ///< It is to switch there now, if that is safe.
   lod::SwitchRules rules{};
 
-  bool mayAudit = false;
+  lod::Audits audits = lod::Audits::kNone;
   float auditDistance = 0.0F;  ///< Metres; see CreditState.
 
   /// It may keep the contacts of the step before if it has not switched, and made at least so many queries

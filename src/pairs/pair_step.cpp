@@ -113,7 +113,7 @@ class PairStep {
     if (next < finest() && !isOnCredit_) {
       pair_.held.release(engine_);
     } else if (wasFinest) {
-      look_.atLevel(level_, false, plan_.mayAudit);
+      look_.atLevel(level_, false, mayAudit());
       settleFinest();
       pair_.held.gather(pair_.parts.children(), engine_.pointDistance(), engine_, scratch_.held);
     }
@@ -223,7 +223,7 @@ class PairStep {
   void findContacts() {
     pair_.origin = returns_ ? ContactOrigin::kGivenBack : ContactOrigin::kFound;
     refreshHeld();
-    look_.atLevel(level_, returns_, plan_.mayAudit);
+    look_.atLevel(level_, returns_, mayAudit());
   }
 
   // Once none is left a look is due: small bodies lose theirs when they have slid a little. Not in the step
@@ -286,13 +286,17 @@ class PairStep {
     return tally;
   }
 
+  // At least one that is as late as may be.
+  [[nodiscard]] bool mayAudit() const { return plan_.audits != lod::Audits::kNone; }
+
   // Whether the pair is on credit and has moved so far that its finest shapes must be looked at.
   [[nodiscard]] bool needsAudit() const {
-    if (credit_.kind != CreditKind::kCoarser || credit_.account.empty() || !plan_.mayAudit) return false;
+    if (credit_.kind != CreditKind::kCoarser || credit_.account.empty() || !mayAudit()) return false;
     const double motion = pair_.parts.motion();
     const bool hasJumped = motion < credit_.seenMotion;
     credit_.seenMotion = motion;
-    return hasJumped || motion >= credit_.freshUntil;
+    const double putOff = plan_.audits == lod::Audits::kDue ? 0.0 : credit_.latest;
+    return hasJumped || motion >= credit_.freshUntil + putOff;
   }
 
   // How near are the finest shapes, and what contacts would they have? Sliding along each other they come

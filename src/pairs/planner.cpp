@@ -257,6 +257,11 @@ int Planner::keepsFrom(std::size_t pair) const {
   return PairPlan::kNever;
 }
 
+lod::Audits Planner::audits() const {
+  if (!(settings_.auditDistance > 0.0F)) return lod::Audits::kNone;
+  return plans_ ? budget_.audits() : lod::Audits::kDue;
+}
+
 PairPlan Planner::planPair(int index) {
   const auto i = static_cast<std::size_t>(index);
   PairPlan plan;
@@ -270,7 +275,7 @@ PairPlan Planner::planPair(int index) {
   plan.tries = plan.target != plan.view.level && !isPutOff;
   plan.rules = rulesOf(i);
   plan.auditDistance = settings_.auditDistance;
-  plan.mayAudit = settings_.auditDistance > 0.0F && (!plans_ || budget_.mayAudit());
+  plan.audits = audits();
   plan.keepsFrom = keepsFrom(i);
   return plan;
 }

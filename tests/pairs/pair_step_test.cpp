@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "collision/geometry.h"
 #include "pairs/fake_engine.h"
 
@@ -39,7 +41,7 @@ struct LivingPair {
     plan.view.finest = kFinest;
     plan.target = kFinest;
     plan.auditDistance = 0.03F;
-    plan.mayAudit = true;
+    plan.audits = lod::Audits::kDue;
   }
   LivingPair(const LivingPair&) = delete;
   LivingPair& operator=(const LivingPair&) = delete;
@@ -193,6 +195,34 @@ TEST(PairStep, MovesContactsAlongWithinTheTolerance) {
   EXPECT_EQ(living.engine.manifolds(), 0);
 }
 
+TEST(PairStep, AuditsLateWhereThereIsRoomForLateOnesAlone) {
+  LivingPair living;
+  living.step(3.0F);
+  living.step(1.59F);
+  living.plan.target = 2;
+  ASSERT_TRUE(living.step(1.59F).credited);
+  living.plan.audits = lod::Audits::kLate;
+  EXPECT_FALSE(living.step(1.585F).audited) << "due, but not late";
+  EXPECT_FALSE(living.step(1.54F).audited);
+  const PairOutcome outcome = living.step(1.52F);
+  EXPECT_TRUE(outcome.audited);
+  EXPECT_NEAR(living.pair.credit.gap, -0.08F, 1e-4F);
+  for (const ChildPair& child : living.pair.parts.children())
+    EXPECT_EQ(child.contact, nullptr) << "its coarser shapes do not collide in the place of the finest ones";
+}
+
+TEST(PairStep, CollidesItsCoarserShapesWhereNoAuditIsMade) {
+  LivingPair living;
+  living.step(3.0F);
+  living.step(1.59F);
+  living.plan.target = 2;
+  ASSERT_TRUE(living.step(1.59F).credited);
+  living.plan.audits = lod::Audits::kNone;
+  EXPECT_FALSE(living.step(1.52F).audited);
+  const PartPair::Children& children = living.pair.parts.children();
+  EXPECT_TRUE(std::ranges::any_of(children, [](const ChildPair& child) { return child.contact != nullptr; }));
+}
+
 TEST(PairStep, RecyclesNothingOnCredit) {
   LivingPair living;
   living.steps.recycling = 0.001F;
@@ -338,7 +368,7 @@ TEST(PairStep, NeverPressesByASwitch) {
       // Solvers keep bodies from sinking into each other.
       x = std::max(x + random.uniform(-0.02F, 0.018F), 1.57F);
       if (step % 5 == 0) living.plan.target = 1 + static_cast<int>(random.uniform(0.0F, 2.999F));
-      living.plan.mayAudit = random.uniform(0.0F, 1.0F) < 0.8F;
+      living.plan.audits = static_cast<lod::Audits>(random.uniform(0.0F, 2.999F));
       const PairOutcome outcome = living.step(x);
       EXPECT_FALSE(outcome.isUnsafe) << "trial " << trial << ", step " << step;
       EXPECT_EQ(outcome.credited, !living.pair.credit.account.empty());
