@@ -362,7 +362,7 @@ Command addLevelsBuildCommand(CLI::App& levels) {
       ->add_option(
           "--symmetric", arguments->symmetric,
           "Make every level mirror symmetric, so that bodies do not pull to one side: on, auto (if the "
-          "mesh is symmetric about a plane across x, y or z) or off")
+          "mesh is symmetric about a plane across x, y or z) or off; regions count on both sides then")
       ->type_name("WHEN")
       ->capture_default_str();
   command

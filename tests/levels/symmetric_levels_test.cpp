@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <scatter/levels/build_levels.h>
 #include <scatter/levels/level_symmetry.h>
+#include <scatter/levels/measure_levels.h>
 
 #include <algorithm>
 #include <array>
@@ -277,12 +278,54 @@ TEST(SymmetricLevels, AreNotMadeUnasked) {
   EXPECT_FALSE(symmetryOf(*built->levels).has_value());
 }
 
-TEST(SymmetricLevels, HaveNoRegions) {
-  LevelBuildDef definition = symmetricDef({1, 4});
-  definition.regions.push_back({});
-  const auto built = buildLevels(torusMesh(12, 6), definition);
-  ASSERT_FALSE(built.has_value());
-  EXPECT_NE(built.error().message.find("regions"), std::string::npos);
+/// Of the finest level: in the box on one side, in its image, and elsewhere.
+std::vector<GapFigures> gapsOnBothSides(const BuiltLevels& built, const SurfaceMesh& mesh,
+                                        const Bounds& box) {
+  Bounds image = box;
+  image.min.x = -box.max.x;
+  image.max.x = -box.min.x;
+  const auto measures = measureLevels(*built.levels, mesh, {.regions = {{"one", box}, {"other", image}}});
+  EXPECT_TRUE(measures.has_value());
+  return measures->levels.back().regionGaps;
+}
+
+TEST(SymmetricLevels, CountRegionsOnBothSides) {
+  const SurfaceMesh mesh = withMirrorImage(moved(knotMesh(24, 6), 1.0F, Vec3(2.0F, 0.0F, 0.0F)), 0);
+  // Behind the middle of the one knot.
+  const Bounds end{{0.0F, 0.0F, -9.0F}, {9.0F, 9.0F, 9.0F}};
+  LevelBuildDef definition = symmetricDef({1, 24});
+  const auto plain = buildLevels(mesh, definition);
+  definition.regions = {{"one", end, kKeptWeight, true}};
+  const auto kept = buildLevels(mesh, definition);
+  ASSERT_TRUE(plain.has_value() && kept.has_value());
+  ASSERT_TRUE(kept->symmetry.has_value());
+  expectExactlySymmetric(*kept->levels, *kept->symmetry);
+  expectNested(*kept->levels, mesh);
+  const std::vector<GapFigures> before = gapsOnBothSides(*plain, mesh, end);
+  const std::vector<GapFigures> after = gapsOnBothSides(*kept, mesh, end);
+  EXPECT_LT(after[0].p95, 0.8 * before[0].p95);
+  EXPECT_NEAR(after[0].p95, after[1].p95, 0.05 * after[0].p95);
+  EXPECT_GT(after[2].p95, before[2].p95) << "what is nearer here is paid elsewhere";
+}
+
+TEST(SymmetricLevels, KeepRegionsOfRandomMeshesApart) {
+  for (const std::uint64_t seed : test::seeds(1, 4)) {
+    const int axis = static_cast<int>(seed % 3);
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const SurfaceMesh mesh = randomCraft(seed, axis);
+    Random random(seed);
+    // Across the plane, on one side of it, or some triangles anywhere.
+    LevelBuildDef definition = symmetricDef({1, 6, 30});
+    Bounds box{Vec3(-9.0F), Vec3(9.0F)};
+    box.min[axis] = random.uniform(-0.3F, 0.3F);
+    definition.regions = {{"box", box, random.uniform(0.1F, 8.0F), seed % 2 == 0},
+                          {"triangles", std::vector<std::uint32_t>{3, 30, 50}, 2.0F, true}};
+    const auto built = buildLevels(mesh, definition);
+    ASSERT_TRUE(built.has_value()) << built.error().message;
+    ASSERT_TRUE(built->symmetry.has_value());
+    expectExactlySymmetric(*built->levels, *built->symmetry);
+    expectNested(*built->levels, mesh);
+  }
 }
 
 TEST(SymmetryOf, SeesWhatIsOffByLittle) {

@@ -71,7 +71,7 @@ struct LevelBuildDef {
   /// Of the mesh about a plane across an axis, through the middle of its bounds: corners have their mirror
   /// image on the mesh, to within 1e-4 of the diagonal, middles of edges and triangles to within 5e-3, as
   /// quadrangles may be cut along either diagonal. Parts of symmetric levels are symmetric, or come in pairs.
-  /// Not together with `regions`.
+  /// Regions count on both sides then: one and its image are one.
   MeshSymmetry symmetry = MeshSymmetry::kIgnore;
 
   /// Where detail is worth more or less than elsewhere: parts go where they save the largest gap times

@@ -95,10 +95,6 @@ Result<void> checkDefinition(const LevelBuildDef& definition) {
     checks.emplace_back(fail("the thickness of sheets must be finite and not negative, not " +
                              toText(static_cast<double>(*definition.thickness))));
   }
-  if (definition.symmetry != MeshSymmetry::kIgnore && !definition.regions.empty()) {
-    checks.emplace_back(
-        fail("symmetric levels cannot have regions of importance: give either regions or symmetry"));
-  }
   if (definition.maxTriangles == 0) checks.emplace_back(fail("the most triangles must be at least 1"));
   for (Result<void>& check : checks) {
     if (!check) return std::move(check);
@@ -135,6 +131,7 @@ class Build {
     Result<RegionMap> regions = RegionMap::create(definition_.regions, mesh, *work);
     if (!regions) return fail(regions.error().message);
     regions_ = std::move(*regions);
+    if (mirror_) regions_.countOnBothSides(mirror_->axis, kBulgeTolerance * work->diagonal);
     if (Result<void> fits = checkMargin(work->diagonal); !fits) return fail(fits.error().message);
     const MeshSpace space = makeMeshSpace(std::move(*work), definition_.interior);
     if (space.wasInsideOut && definition_.interior == MeshInterior::kAutomatic) {
@@ -215,12 +212,15 @@ class Build {
     const std::size_t patchCount =
         std::clamp(kPatchesPerPart * finest.maxParts, kFewestPatches, kMostPatches);
     report("patches", 0.0);
-    const TriangleRegions regions = regionsOfTriangles(space.mesh, regions_);
+    TriangleRegions regions = regionsOfTriangles(space.mesh, regions_);
     std::optional<SymmetricMesh> symmetric;
-    if (mirror_) symmetric = makeSymmetric(space.mesh, *mirror_);
+    if (mirror_) {
+      symmetric = makeSymmetric(space.mesh, *mirror_);
+      regions = symmetric->regions(regions);
+    }
     const SymmetricMesh* symmetry = symmetric ? &*symmetric : nullptr;
     // A patch of one side stands for two.
-    Patches patches = symmetric ? symmetric->patches(patchCount / 2, definition_.maxTriangles / 2)
+    Patches patches = symmetric ? symmetric->patches(regions, patchCount / 2, definition_.maxTriangles / 2)
                                 : preMerge(space.mesh, regions, patchCount, definition_.maxTriangles);
     if (patches.isGrouped) {
       notes_.push_back(std::to_string(space.mesh.triangles.size()) + " triangles are more than " +

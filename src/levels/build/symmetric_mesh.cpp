@@ -209,7 +209,26 @@ Cluster SymmetricMesh::imageOfAll(const Cluster& triangles) const {
   return images;
 }
 
-Patches SymmetricMesh::patches(std::size_t count, std::size_t maxTriangles) const {
+TriangleRegions SymmetricMesh::regions(const TriangleRegions& ofMesh) const {
+  if (ofMesh.keepers.empty()) return {};
+  TriangleRegions result;
+  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+    const bool isNew = i >= ofMesh.keepers.size();
+    result.keepers.push_back(isNew ? 0 : ofMesh.keepers[i]);
+    result.weights.push_back(isNew ? 0.0F : ofMesh.weights[i]);
+  }
+  // On the border of a region a triangle may be within, and its image not quite.
+  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+    const std::uint32_t image = imageOf[i];
+    const auto [least, most] = std::minmax(result.keepers[i], result.keepers[image]);
+    result.keepers[i] = result.keepers[image] = least > 0 ? least : most;
+    result.weights[i] = result.weights[image] = std::max(result.weights[i], result.weights[image]);
+  }
+  return result;
+}
+
+Patches SymmetricMesh::patches(const TriangleRegions& regions, std::size_t count,
+                               std::size_t maxTriangles) const {
   WorkMesh half = mesh;
   half.triangles.clear();
   Cluster chosen;
@@ -221,9 +240,9 @@ Patches SymmetricMesh::patches(std::size_t count, std::size_t maxTriangles) cons
     if (isAcross[i] ? imageOf[i] < i : place < 0.0) continue;
     chosen.push_back(i);
     half.triangles.push_back(t);
-    kinds.weights.push_back(1.0F);
+    kinds.weights.push_back(static_cast<float>(regions.weightOf(i)));
     // What is across the plane is a patch of its own, as what different regions keep is.
-    kinds.keepers.push_back(isAcross[i] ? 1 : 0);
+    kinds.keepers.push_back(2 * regions.keeperOf(i) + (isAcross[i] ? 1 : 0));
   }
   Patches result = preMerge(half, kinds, count, maxTriangles);
   for (Cluster& cluster : result.clusters) {

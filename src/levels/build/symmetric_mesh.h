@@ -46,9 +46,14 @@ struct SymmetricMesh {
 
   [[nodiscard]] Cluster imageOfAll(const Cluster& triangles) const;
 
+  /// What regions that count on both sides say about each triangle, from what they say about those of the
+  /// mesh that this one is made of: the same about a triangle and its image.
+  [[nodiscard]] TriangleRegions regions(const TriangleRegions& ofMesh) const;
+
   /// Patches of one side of the plane, and those across it, which are symmetric. Their neighbours are those
-  /// of the same kind.
-  [[nodiscard]] Patches patches(std::size_t count, std::size_t maxTriangles) const;
+  /// of the same kind. `regions`: of its own triangles.
+  [[nodiscard]] Patches patches(const TriangleRegions& regions, std::size_t count,
+                                std::size_t maxTriangles) const;
 };
 
 /// Of a mesh with the mirror's plane through zero.

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <vector>
 
 #include "levels/mesh/mesh_tree.h"
@@ -22,6 +23,10 @@ class RegionMap {
   /// Fails on a region that has nothing of the mesh, and on weights that make no sense.
   [[nodiscard]] static Result<RegionMap> create(const std::vector<MeshRegion>& regions,
                                                 const SurfaceMesh& mesh, const WorkMesh& work);
+
+  /// Of a mesh that is symmetric about the plane through zero across this axis, to within a tolerance: what a
+  /// region has on one side it has on the other, too.
+  void countOnBothSides(int axis, double tolerance) { mirror_ = {axis, tolerance}; }
 
   [[nodiscard]] bool isEmpty() const { return regions_.empty(); }
   [[nodiscard]] std::size_t count() const { return regions_.size(); }
@@ -45,7 +50,13 @@ class RegionMap {
     bool isKept = false;
   };
 
+  struct BothSides {
+    int axis = 0;
+    double tolerance = 0.0;
+  };
+
   std::vector<Region> regions_;
+  std::optional<BothSides> mirror_;
   double largestWeight_ = 1.0;
   double tolerance_ = 0.0;
 };
