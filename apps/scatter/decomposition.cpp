@@ -11,7 +11,12 @@
 
 #include <cerrno>
 #include <filesystem>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/matrix.hpp>
+#include <optional>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "lab/scratch_folder.h"
@@ -77,11 +82,48 @@ std::vector<ConvexHull> hullsOf(const MeshFile& file) {
   return hulls;
 }
 
-Result<Decomposition> decompositionOf(std::vector<ConvexHull> hulls, double seconds) {
+/// The box with a corner in `corner` and these edges, which are square.
+ConvexPart boxAlong(const Vec3& corner, const Mat3& edges) {
+  Mat3 axes(glm::normalize(edges[0]), glm::normalize(edges[1]), glm::normalize(edges[2]));
+  if (glm::determinant(axes) < 0.0F) axes[2] = -axes[2];
+  const Vec3 half = 0.5F * Vec3(glm::length(edges[0]), glm::length(edges[1]), glm::length(edges[2]));
+  return {Box{half}, {corner + 0.5F * (edges * Vec3(1.0F)), glm::normalize(glm::quat_cast(axes))}};
+}
+
+bool hasCorners(const ConvexPart& box, std::span<const Vec3> corners, float tolerance) {
+  const Vec3 half = std::get<Box>(box.shape).halfExtents;
+  std::set<int> found;
+  for (const Vec3& corner : corners) {
+    const Vec3 local = glm::conjugate(box.pose.rotation) * (corner - box.pose.position);
+    if (glm::length(glm::abs(local) - half) > tolerance) return false;
+    found.insert((local.x > 0.0F ? 1 : 0) + (local.y > 0.0F ? 2 : 0) + (local.z > 0.0F ? 4 : 0));
+  }
+  return found.size() == corners.size();
+}
+
+/// The box that eight points are the corners of, to within what single precision rounds.
+std::optional<ConvexPart> boxOf(std::span<const Vec3> corners) {
+  constexpr float kRounded = 1e-5F;
+  constexpr std::size_t kCorners = 8;
+  if (corners.size() != kCorners) return std::nullopt;
+  // The edges that leave a corner are three of the ways to the others.
+  for (std::size_t i = 1; i < kCorners; ++i) {
+    for (std::size_t j = i + 1; j < kCorners; ++j) {
+      for (std::size_t k = j + 1; k < kCorners; ++k) {
+        const Mat3 edges(corners[i] - corners[0], corners[j] - corners[0], corners[k] - corners[0]);
+        const ConvexPart box = boxAlong(corners[0], edges);
+        if (hasCorners(box, corners, kRounded * glm::length(edges * Vec3(1.0F)))) return box;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+Result<Decomposition> decompositionOf(const std::vector<ConvexHull>& hulls, double seconds) {
   Decomposition result;
   result.seconds = seconds;
-  for (ConvexHull& hull : hulls) {
-    const ConvexPart part{std::move(hull), {}};
+  for (const ConvexHull& hull : hulls) {
+    const ConvexPart part = boxOf(hull.vertices).value_or(ConvexPart{hull, {}});
     const std::vector<Level> single{Level{{part}}};
     if (LevelSet::create({.name = "part", .levels = single, .hullMargin = 0.0F, .mass = {}}))
       result.level.parts.push_back(part);

@@ -24,8 +24,8 @@ struct DecompositionDef {
 
 /// By a program that is installed: the command is run by the shell in an empty folder, with {mesh} (an .obj
 /// file), {parts} and {vertices} filled in, and leaves hulls in {hulls}, an .obj file with an object for
-/// each. Hulls without a volume are left out. Fails with what is wrong if it leaves no other, or takes
-/// longer.
+/// each. Those that are boxes become boxes, and those without a volume are left out. Fails with what is wrong
+/// if it leaves no other, or takes longer.
 [[nodiscard]] Result<Decomposition> decompose(const SurfaceMesh& mesh, const DecompositionDef& definition);
 
 }  // namespace scatter::app

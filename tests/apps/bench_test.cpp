@@ -90,6 +90,8 @@ TEST_F(BenchTest, LevelsAreJudgedBesideThoseOfAProgram) {
   // A box is one level of one part, however many are asked for.
   EXPECT_EQ(linesOfCsv("new/levels.csv"), 6U);
   EXPECT_EQ(linesOfCsv("piles.csv"), 4U);
+  const auto bytes = columnOf(folder / "piles.csv", "bytes");
+  EXPECT_EQ(bytes.back(), bytes.front()) << "the program's eight corners are a box, as ours are";
   EXPECT_EQ(columnOf(folder / "new/levels.csv", "passes").back(), "failed");
 }
 

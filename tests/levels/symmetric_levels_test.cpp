@@ -315,7 +315,7 @@ TEST(SymmetricLevels, KeepRegionsOfRandomMeshesApart) {
     const SurfaceMesh mesh = randomCraft(seed, axis);
     Random random(seed);
     // Across the plane, on one side of it, or some triangles anywhere.
-    LevelBuildDef definition = symmetricDef({1, 6, 30});
+    LevelBuildDef definition = symmetricDef({1, 12});
     Bounds box{Vec3(-9.0F), Vec3(9.0F)};
     box.min[axis] = random.uniform(-0.3F, 0.3F);
     definition.regions = {{"box", box, random.uniform(0.1F, 8.0F), seed % 2 == 0},
