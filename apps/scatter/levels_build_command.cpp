@@ -125,7 +125,8 @@ void noteSymmetry(const std::string& mesh, const BuiltLevels& built) {
   const std::optional<LevelSymmetry> known = symmetryOf(*built.levels);
   if (known && known->plane.axis == built.symmetry->axis) return;
   printNote(
-      fmt::format("{}: the mesh is symmetric about {}, its levels are not; --symmetric on makes them so",
+      fmt::format("{}: the mesh is symmetric about {}, its levels are not symmetric about it; --symmetric on "
+                  "makes them so",
                   mesh, describe(*built.symmetry)));
 }
 
