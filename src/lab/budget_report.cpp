@@ -92,6 +92,21 @@ std::string floorSentence(const Overrun& overrun, const std::string& unit) {
          readableNumber(*most) + unit + "): " + inHowMany(overrun) + '.';
 }
 
+// Of all frames, as a budget can be kept by not looking.
+std::string overdueSentence(const Run& run) {
+  std::size_t frames = 0;
+  double most = 0.0;
+  for (const double pairs : run.table.values("overdue_pairs")) {
+    frames += pairs > 0.0 ? 1 : 0;
+    most = std::max(most, pairs);
+  }
+  if (frames == 0) {
+    return {};
+  }
+  return " In " + std::to_string(frames) + " frames there was no room to look for contacts of up to " +
+         std::to_string(static_cast<int>(most)) + " pairs on credit in time: they may overlap.";
+}
+
 std::string impossibleSentence(const Overrun& overrun) {
   if (overrun.impossible == 0) {
     return {};
@@ -117,11 +132,11 @@ std::string budgetSentence(const Run& run, bool isRepeated) {
   const Overrun overrun = overrunOf(run, use);
   const std::string frames = std::to_string(use.allowed.size());
   if (overrun.frames == 0) {
-    return budget + " was kept in all " + frames + " frames.";
+    return budget + " was kept in all " + frames + " frames." + overdueSentence(run);
   }
   return budget + " was exceeded in " + std::to_string(overrun.frames) + " of " + frames +
          " frames; the dearest took " + readableNumber(overrun.most) + use.unit + "." +
-         floorSentence(overrun, use.unit) + impossibleSentence(overrun);
+         floorSentence(overrun, use.unit) + impossibleSentence(overrun) + overdueSentence(run);
 }
 
 }  // namespace scatter::lab

@@ -42,6 +42,7 @@ constexpr std::array kCounters{
     CounterColumn{"reachable_units", &StepCounters::reachableUnits},
     CounterColumn{"budget_verdict", &StepCounters::budgetVerdict},
     CounterColumn{"withheld_pairs", &StepCounters::withheldPairs},
+    CounterColumn{"overdue_pairs", &StepCounters::overduePairs},
 };
 
 struct PairWorkColumn {

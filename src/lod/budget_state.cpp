@@ -45,6 +45,7 @@ std::string describe(const BudgetState& state) {
   const std::string given = count(state.hiddenContacts, " contacts are left to others of theirs") +
                             count(state.withheldPairs, " pairs coarser for it") +
                             count(state.creditedPairs, " on credit") +
+                            count(state.overduePairs, " of these not looked at, which may overlap") +
                             count(state.keptPairs, " keep their contacts for a step");
   const std::string vain = state.isVain ? ", detail is hardly anything of it and stays" : "";
   return verdictOf(state) + vain + (given.empty() ? ", nothing is given up" : given);

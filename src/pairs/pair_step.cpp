@@ -50,6 +50,7 @@ class PairStep {
     findContacts();
     settleCredit();
     if (needsAudit()) audit();
+    outcome_.isOverdue = isOverdue();
     if (!credit_.keepsHeld(pair_.parts.motion())) pair_.held.release(engine_);
     outcome_.work.counts = work_;
     report();
@@ -297,6 +298,12 @@ class PairStep {
     credit_.seenMotion = motion;
     const double putOff = plan_.audits == lod::Audits::kDue ? 0.0 : credit_.latest;
     return hasJumped || motion >= credit_.freshUntil + putOff;
+  }
+
+  // What the finest shapes come upon is not known any more.
+  [[nodiscard]] bool isOverdue() const {
+    if (credit_.kind != CreditKind::kCoarser || credit_.account.empty()) return false;
+    return pair_.parts.motion() > credit_.freshUntil + credit_.latest;
   }
 
   // How near are the finest shapes, and what contacts would they have? Sliding along each other they come

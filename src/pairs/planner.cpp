@@ -373,6 +373,7 @@ void Planner::takeWork(std::size_t pair, const PairOutcome& outcome, int before)
   planned.hasContacts = outcome.work.contacts > 0;
   view.credited = outcome.credited;
   count(planned);
+  counts_.overduePairs += outcome.isOverdue ? 1 : 0;
   counts_.touchingPairs += outcome.touching ? 1 : 0;
   counts_.touchingFinest += outcome.touching && view.level == view.finest ? 1 : 0;
 }
@@ -398,6 +399,7 @@ void Planner::settleState() {
   budgetState_.steps = budgetState_.verdict == before.verdict ? before.steps + 1 : 1;
   if (budgetState_.verdict == BudgetVerdict::kNone) return;
   budgetState_.creditedPairs = counts_.creditedPairs;
+  budgetState_.overduePairs = counts_.overduePairs;
   budgetState_.keptPairs = counts_.reusedPairs;
   budgetState_.hiddenContacts = counts_.hiddenContacts;
   budgetState_.withheldPairs = static_cast<int>(std::ranges::count_if(planned_, [](const PlannedPair& pair) {

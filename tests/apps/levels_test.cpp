@@ -163,8 +163,9 @@ TEST_F(Levels, ShipsOfTheModelsFolderAreWhatTheCommandMakes) {
 TEST_F(Levels, OfSymmetricMeshesAreSymmetricIfAskedFor) {
   const std::string three = mesh("three.obj", objTool());
   const Outcome unasked = build({three, "-o", "any.dae", "--parts", "2,1"});
-  EXPECT_THAT(unasked.errors,
-              HasSubstr("symmetric about the plane x = 2.5, its levels are not symmetric about it; --symmetric on"));
+  EXPECT_THAT(
+      unasked.errors,
+      HasSubstr("symmetric about the plane x = 2.5, its levels are not symmetric about it; --symmetric on"));
   EXPECT_THAT(unasked.output, Not(HasSubstr("plane x")));
   for (const std::string file : {"three.dae", "three.glb"}) {
     const Outcome built = build({three, "-o", file, "--parts", "3,1", "--symmetric", "on"});

@@ -22,7 +22,7 @@ constexpr const char* kHeader =
     "new_contacts,requests,switches_coarser,switches_finer,retractions,credited_pairs,finest_pairs,"
     "touching_pairs,touching_finest_pairs,reused_pairs,hidden_contacts,blocked_tries,separation_queries,cost_"
     "units,planned_"
-    "units,floor_units,reachable_units,budget_verdict,withheld_pairs,"
+    "units,floor_units,reachable_units,budget_verdict,withheld_pairs,overdue_pairs,"
     "pairs_skipped,list_rebuilds,child_pairs,child_pairs_asleep,recycled,bounds_rejected,axis_rejected,gjk_"
     "runs,"
     "gjk_iterations,detector_runs,ground_pieces,awake_bodies,budget_ms,budget_units,"

@@ -18,6 +18,7 @@ struct FrameCost {
   double floorUnits;  ///< As the physics reports it: 0 where the budget was kept.
   double verdict = 0.0;
   double withheld = 1.0;
+  double overdue = 0.0;
 };
 
 scatter::Run governedRun(double milliseconds, double units, const std::vector<FrameCost>& frames) {
@@ -34,6 +35,7 @@ scatter::Run governedRun(double milliseconds, double units, const std::vector<Fr
   add("floor_units", &FrameCost::floorUnits);
   add("budget_verdict", &FrameCost::verdict);
   add("withheld_pairs", &FrameCost::withheld);
+  add("overdue_pairs", &FrameCost::overdue);
   scatter::Run run;
   run.table = FrameTable(std::move(columns));
   run.options.label = "hybrid";
@@ -72,6 +74,16 @@ TEST(BudgetSentence, SaysThatNoLevelsWouldHaveKeptIt) {
   EXPECT_THAT(sentence,
               HasSubstr("In 1 of them it could not have been kept with every pair at its coarsest"));
   EXPECT_THAT(sentence, Not(HasSubstr("was kept coarser for it")));
+}
+
+TEST(BudgetSentence, SaysThatPairsWereNotLookedAt) {
+  const std::string sentence = lab::budgetSentence(
+      governedRun(0.0, 100.0, {{9.0, 90, 0, 1.0, 9.0, 4.0}, {9.0, 95, 0, 1.0, 9.0, 7.0}, {9.0, 95, 0}}),
+      false);
+  EXPECT_EQ(
+      sentence,
+      "hybrid: the budget of 100 units was kept in all 3 frames. In 2 frames there was no room to look for "
+      "contacts of up to 7 pairs on credit in time: they may overlap.");
 }
 
 TEST(BudgetSentence, SaysThatNothingWasGivenUpInVain) {

@@ -34,6 +34,7 @@ TEST(FrameRecorder, HasExactlyTheAgreedColumnsInOrder) {
       "contacts,blocked_"
       "tries,"
       "separation_queries,cost_units,planned_units,floor_units,reachable_units,budget_verdict,withheld_pairs,"
+      "overdue_pairs,"
       "pairs_skipped,list_rebuilds,child_pairs,child_"
       "pairs_"
       "asleep,recycled,"

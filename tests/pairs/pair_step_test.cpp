@@ -206,6 +206,7 @@ TEST(PairStep, AuditsLateWhereThereIsRoomForLateOnesAlone) {
   EXPECT_FALSE(living.step(1.54F).audited);
   const PairOutcome outcome = living.step(1.52F);
   EXPECT_TRUE(outcome.audited);
+  EXPECT_FALSE(outcome.isOverdue);
   EXPECT_NEAR(living.pair.credit.gap, -0.08F, 1e-4F);
   for (const ChildPair& child : living.pair.parts.children())
     EXPECT_EQ(child.contact, nullptr) << "its coarser shapes do not collide in the place of the finest ones";
@@ -218,7 +219,10 @@ TEST(PairStep, CollidesItsCoarserShapesWhereNoAuditIsMade) {
   living.plan.target = 2;
   ASSERT_TRUE(living.step(1.59F).credited);
   living.plan.audits = lod::Audits::kNone;
-  EXPECT_FALSE(living.step(1.52F).audited);
+  EXPECT_FALSE(living.step(1.54F).isOverdue);
+  const PairOutcome outcome = living.step(1.52F);
+  EXPECT_FALSE(outcome.audited);
+  EXPECT_TRUE(outcome.isOverdue);
   const PartPair::Children& children = living.pair.parts.children();
   EXPECT_TRUE(std::ranges::any_of(children, [](const ChildPair& child) { return child.contact != nullptr; }));
 }

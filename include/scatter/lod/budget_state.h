@@ -29,9 +29,11 @@ struct BudgetState {
 
   bool isVain = false;  ///< It is impossible, and hardly less so without detail: all of it stays.
 
-  int withheldPairs = 0;   ///< Pairs that the budget keeps below the level that they would have.
-  int creditedPairs = 0;   ///< Pairs in contact that hold penetration credit.
-  int keptPairs = 0;       ///< Pairs that kept their contacts of the step before.
+  int withheldPairs = 0;  ///< Pairs that the budget keeps below the level that they would have.
+  int creditedPairs = 0;  ///< Pairs in contact that hold penetration credit.
+  int overduePairs = 0;   ///< Of these, whose finest shapes were due to be looked at, which the budget had no
+                          ///< room for: they may overlap.
+  int keptPairs = 0;      ///< Pairs that kept their contacts of the step before.
   int hiddenContacts = 0;  ///< Contacts that the solver was not shown, as others stand for them.
 };
 

@@ -7,6 +7,7 @@ struct PairStepCounts {
   int pairs = 0;           ///< That switch.
   int finestPairs = 0;     ///< Of those, at their finest level.
   int creditedPairs = 0;   ///< Of those, with penetration credit.
+  int overduePairs = 0;    ///< Of these, whose finest shapes have not been looked at for longer than may be.
   int touchingPairs = 0;   ///< Closer than 1 cm.
   int touchingFinest = 0;  ///< Of those, at their finest level.
   int requests = 0;        ///< Standing after the step.

@@ -62,6 +62,8 @@ struct StepCounters {
                                      ///< about; 0 without a budget.
   std::uint32_t budgetVerdict = 0;   ///< BudgetVerdict, as a number.
   std::uint32_t withheldPairs = 0;   ///< Pairs that the budget kept below the level that they would have.
+  std::uint32_t overduePairs = 0;    ///< Pairs on credit that it did not let look at their finest shapes in
+                                     ///< time: they may overlap.
 
   PairWork pairWork{};  ///< Zero without the pair algorithm.
 };

@@ -50,6 +50,7 @@ void BulletSwitching::endStep(StepCounters& counters) {
     counters.budgetVerdict = static_cast<std::uint32_t>(state.verdict);
     counters.reachableUnits = static_cast<std::uint32_t>(std::lround(state.reachable));
     counters.withheldPairs = static_cast<std::uint32_t>(state.withheldPairs);
+    counters.overduePairs = static_cast<std::uint32_t>(state.overduePairs);
   }
 }
 
