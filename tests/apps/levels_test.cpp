@@ -377,8 +377,6 @@ TEST_F(Levels, WrongUseIsRefusedInOneLine) {
   expectRefused(build({box, "-o", "a.dae", "--up", "w"}), "--up");
   expectRefused(build({box, "-o", "a.dae", "--interior", "full"}), "--interior");
   expectRefused(build({box, "-o", "a.dae", "--symmetric", "maybe"}), "give on, auto or off");
-  expectRefused(build({box, "-o", "a.dae", "--symmetric", "on", "--importance", "box:0,0,0,1,1,1=2"}),
-                "regions");
   expectRefused(
       build({mesh("one.obj", "v 0 0 0\nv 1 2 0\nv 0 1 3\nf 1 2 3\n"), "-o", "a.dae", "--symmetric", "on"}),
       "not symmetric");
