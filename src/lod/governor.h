@@ -72,7 +72,7 @@ class Governor {
   /// `more`: units that are going to be spent.
   [[nodiscard]] bool isShort(double more = 0.0) const { return comesTo() + more > limit_; }
 
-  /// Whether it is going to exceed it whatever is put off.
+  /// Whether it comes to more than the budget itself, of which a little is kept as long as it may be.
   [[nodiscard]] bool isOver() const { return comesTo() > budget_; }
 
   /// Whether it would if a pair went finer.
