@@ -103,6 +103,7 @@ double deepestHollow(const std::vector<glm::dvec3>& filled, const MeshSpace& spa
                      double atLeast) {
   double deepest = atLeast;
   for (const glm::dvec3& point : filled) {
+    if (space.tree.isWithin(point, deepest)) continue;
     const double distance = space.tree.distance(point);
     if (distance > deepest && !space.isInside(point) && isChosen({point, distance, distance}))
       deepest = distance;

@@ -46,8 +46,9 @@ std::vector<Edge> sortedEdges(const WorkMesh& mesh) {
       if (from != to) edges.push_back({std::min(from, to), std::max(from, to), i, from < to});
     }
   }
-  std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
-    return std::array{a.low, a.high, a.triangle} < std::array{b.low, b.high, b.triangle};
+  const auto ends = [](const Edge& edge) { return std::uint64_t{edge.low} << 32U | edge.high; };
+  std::sort(edges.begin(), edges.end(), [&ends](const Edge& a, const Edge& b) {
+    return ends(a) != ends(b) ? ends(a) < ends(b) : a.triangle < b.triangle;
   });
   return edges;
 }

@@ -96,14 +96,14 @@ bool isDegenerate(const Triangle& t) {
 
 /// Leaves out triangles with the corners of another one; gives their number.
 std::size_t dropRepeated(std::vector<Triangle>& triangles) {
-  std::vector<std::uint32_t> order(triangles.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
-    return std::pair(sorted(triangles[i]), i) < std::pair(sorted(triangles[j]), j);
-  });
+  std::vector<std::pair<Triangle, std::uint32_t>> order;
+  order.reserve(triangles.size());
+  for (const Triangle& triangle : triangles)
+    order.emplace_back(sorted(triangle), static_cast<std::uint32_t>(order.size()));
+  std::sort(order.begin(), order.end());
   std::vector<bool> isRepeated(triangles.size(), false);
   for (std::size_t i = 1; i < order.size(); ++i) {
-    isRepeated[order[i]] = sorted(triangles[order[i]]) == sorted(triangles[order[i - 1]]);
+    isRepeated[order[i].second] = order[i].first == order[i - 1].first;
   }
   std::size_t next = 0;
   return std::erase_if(triangles, [&](const Triangle&) { return isRepeated[next++]; });
@@ -112,6 +112,7 @@ std::size_t dropRepeated(std::vector<Triangle>& triangles) {
 /// Leaves out triangles without area that are an edge or a corner of another one; gives their number. Those
 /// that stand alone are kept: they must be enclosed, too.
 std::size_t dropDegenerate(std::vector<Triangle>& triangles, std::size_t vertexCount) {
+  if (std::none_of(triangles.begin(), triangles.end(), isDegenerate)) return 0;
   using Segment = std::array<std::uint32_t, 2>;
   std::vector<Segment> edges;
   std::vector<bool> isCorner(vertexCount, false);
