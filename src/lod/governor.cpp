@@ -29,12 +29,11 @@ constexpr double kMiddleRoom = 1.3;
 constexpr double kMiddleKept = 1.1;
 
 // Of the budget: what is kept for what is not foreseen, as much as almost all of the last steps needed,
-// within bounds; from where on a step under way puts off what can be put off.
+// within bounds.
 constexpr double kMissShare = 0.95;
 constexpr double kLeastHeadroom = 0.03;
 constexpr double kMostHeadroom = 0.25;
 constexpr double kLeastKept = 0.02;
-constexpr double kShort = 0.97;
 
 // Of what pairs in contact cost at their finest level, in what contacts that are reused save: on what can be
 // counted, as no pair does it twice running.
@@ -131,7 +130,6 @@ void Governor::plan(std::span<PlannedPair> pairs, const CostModel& costs, double
   fixed_ = fixed;
   predicted_ = spent_ = saved_ = 0.0;
   budget_ = budget;
-  limit_ = kShort * budget;
   if (std::isinf(budget)) {
     planUnlimited(pairs, costs);
     return;

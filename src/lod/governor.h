@@ -70,7 +70,7 @@ class Governor {
 
   /// Whether the step under way is about to exceed its budget: what can be put off to the next one should be.
   /// `more`: units that are going to be spent.
-  [[nodiscard]] bool isShort(double more = 0.0) const { return comesTo() + more > limit_; }
+  [[nodiscard]] bool isShort(double more = 0.0) const { return comesTo() + more > kShort * budget_; }
 
   /// Whether it comes to more than the budget itself, of which a little is kept as long as it may be.
   [[nodiscard]] bool isOver() const { return comesTo() > budget_; }
@@ -139,6 +139,7 @@ class Governor {
     double share[2]{1.0, 1.0};
   };
 
+  static constexpr double kShort = 0.97;  ///< Of the budget: from where on a step puts off what it can.
   static constexpr double kReuseMemory = 0.005;
   static constexpr double kNewMemory = 0.125;
 
@@ -150,7 +151,6 @@ class Governor {
   double fixed_ = 0.0;
   double predicted_ = 0.0;      ///< Units besides the fixed ones, not corrected.
   double budget_ = 0.0;         ///< Units that the step may cost.
-  double limit_ = 0.0;          ///< From where on it puts off what it can.
   double spent_ = 0.0;          ///< Of the step under way, besides the fixed units.
   double remaining_ = 0.0;      ///< What its pairs are still expected to take, not corrected.
   int awaited_ = 0;             ///< Pairs that are still expected to come up in it.

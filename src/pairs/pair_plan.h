@@ -55,8 +55,7 @@ struct PairOutcome {
 
   bool touching = false;
   bool credited = false;
-  bool isOverdue =
-      false;  ///< On credit, and its finest shapes have not been looked at for longer than may be.
+  bool isOverdue = false;  ///< On credit, and not looked at for longer than may be.
 };
 
 }  // namespace scatter::pairs

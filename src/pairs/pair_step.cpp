@@ -287,12 +287,16 @@ class PairStep {
     return tally;
   }
 
+  [[nodiscard]] bool isOnCoarserCredit() const {
+    return credit_.kind == CreditKind::kCoarser && !credit_.account.empty();
+  }
+
   // At least one that is as late as may be.
   [[nodiscard]] bool mayAudit() const { return plan_.audits != lod::Audits::kNone; }
 
   // Whether the pair is on credit and has moved so far that its finest shapes must be looked at.
   [[nodiscard]] bool needsAudit() const {
-    if (credit_.kind != CreditKind::kCoarser || credit_.account.empty() || !mayAudit()) return false;
+    if (!isOnCoarserCredit() || !mayAudit()) return false;
     const double motion = pair_.parts.motion();
     const bool hasJumped = motion < credit_.seenMotion;
     credit_.seenMotion = motion;
@@ -302,8 +306,7 @@ class PairStep {
 
   // What the finest shapes come upon is not known any more.
   [[nodiscard]] bool isOverdue() const {
-    if (credit_.kind != CreditKind::kCoarser || credit_.account.empty()) return false;
-    return pair_.parts.motion() > credit_.freshUntil + credit_.latest;
+    return isOnCoarserCredit() && pair_.parts.motion() > credit_.freshUntil + credit_.latest;
   }
 
   // How near are the finest shapes, and what contacts would they have? Sliding along each other they come

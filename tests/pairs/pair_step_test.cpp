@@ -57,6 +57,14 @@ struct LivingPair {
     return outcome;
   }
 
+  /// Meets 1 cm deep at its finest level; then what becomes of going to another one.
+  PairOutcome meetAndGoTo(int level) {
+    step(3.0F);
+    step(1.59F);
+    plan.target = level;
+    return step(1.59F);
+  }
+
   [[nodiscard]] float press() const {
     float most = 0.0F;
     pair.forEachManifold([&](void* manifold) {
@@ -197,10 +205,7 @@ TEST(PairStep, MovesContactsAlongWithinTheTolerance) {
 
 TEST(PairStep, AuditsLateWhereThereIsRoomForLateOnesAlone) {
   LivingPair living;
-  living.step(3.0F);
-  living.step(1.59F);
-  living.plan.target = 2;
-  ASSERT_TRUE(living.step(1.59F).credited);
+  ASSERT_TRUE(living.meetAndGoTo(2).credited);
   living.plan.audits = lod::Audits::kLate;
   EXPECT_FALSE(living.step(1.585F).audited) << "due, but not late";
   EXPECT_FALSE(living.step(1.54F).audited);
@@ -214,10 +219,7 @@ TEST(PairStep, AuditsLateWhereThereIsRoomForLateOnesAlone) {
 
 TEST(PairStep, CollidesItsCoarserShapesWhereNoAuditIsMade) {
   LivingPair living;
-  living.step(3.0F);
-  living.step(1.59F);
-  living.plan.target = 2;
-  ASSERT_TRUE(living.step(1.59F).credited);
+  ASSERT_TRUE(living.meetAndGoTo(2).credited);
   living.plan.audits = lod::Audits::kNone;
   EXPECT_FALSE(living.step(1.54F).isOverdue);
   const PairOutcome outcome = living.step(1.52F);
@@ -230,10 +232,7 @@ TEST(PairStep, CollidesItsCoarserShapesWhereNoAuditIsMade) {
 TEST(PairStep, RecyclesNothingOnCredit) {
   LivingPair living;
   living.steps.recycling = 0.001F;
-  living.step(3.0F);
-  living.step(1.59F);
-  living.plan.target = 1;
-  EXPECT_TRUE(living.step(1.59F).credited);
+  EXPECT_TRUE(living.meetAndGoTo(1).credited);
   for (int i = 0; i < 5; ++i) {
     living.plan.target = 2;
     EXPECT_EQ(living.step(1.59F - 0.0001F * static_cast<float>(i)).work.counts.recycled, 0);
@@ -242,11 +241,8 @@ TEST(PairStep, RecyclesNothingOnCredit) {
 
 TEST(PairStep, StaysWhereASwitchIsNotSafe) {
   LivingPair living;
-  living.step(3.0F);
-  living.step(1.59F);
-  living.plan.target = 1;
   living.plan.rules.credit = false;
-  const PairOutcome outcome = living.step(1.59F);
+  const PairOutcome outcome = living.meetAndGoTo(1);
   EXPECT_EQ(outcome.choice.kind, SwitchKind::kBlocked);
   EXPECT_EQ(outcome.choiceQueries, 2);
   EXPECT_EQ(living.plan.view.level, kFinest);
@@ -274,10 +270,7 @@ TEST(PairStep, KeepsItsContactsUntilItHasMovedTooFar) {
 
 TEST(PairStep, PressesAtItsFinestLevelWhatPressedBefore) {
   LivingPair living;
-  living.step(3.0F);
-  living.step(1.59F);
-  living.plan.target = 2;
-  living.step(1.59F);
+  living.meetAndGoTo(2);
   EXPECT_NEAR(living.press(), 0.01F, 1e-4F) << "the contacts that it holds";
   living.plan.target = kFinest;
   PairOutcome outcome = living.step(1.59F);

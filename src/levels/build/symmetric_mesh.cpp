@@ -211,12 +211,9 @@ Cluster SymmetricMesh::imageOfAll(const Cluster& triangles) const {
 
 TriangleRegions SymmetricMesh::regions(const TriangleRegions& ofMesh) const {
   if (ofMesh.keepers.empty()) return {};
-  TriangleRegions result;
-  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-    const bool isNew = i >= ofMesh.keepers.size();
-    result.keepers.push_back(isNew ? 0 : ofMesh.keepers[i]);
-    result.weights.push_back(isNew ? 0.0F : ofMesh.weights[i]);
-  }
+  TriangleRegions result = ofMesh;
+  result.keepers.resize(mesh.triangles.size(), 0);
+  result.weights.resize(mesh.triangles.size(), 0.0F);
   // On the border of a region a triangle may be within, and its image not quite.
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
     const std::uint32_t image = imageOf[i];

@@ -123,14 +123,12 @@ Result<RegionMap> RegionMap::create(const std::vector<MeshRegion>& regions, cons
 }
 
 bool RegionMap::holds(std::size_t region, const glm::dvec3& point, double distance) const {
-  const auto isNear = [&](const glm::dvec3& place, double reach) {
-    return regions_[region].tree.distance(place, reach) < reach;
-  };
-  if (isNear(point, distance + tolerance_)) return true;
+  const MeshTree& tree = regions_[region].tree;
+  if (tree.isWithin(point, distance + tolerance_)) return true;
   if (!mirror_) return false;
   glm::dvec3 image = point;
   image[mirror_->axis] = -image[mirror_->axis];
-  return isNear(image, distance + tolerance_ + mirror_->tolerance);
+  return tree.isWithin(image, distance + tolerance_ + mirror_->tolerance);
 }
 
 double RegionMap::weight(const glm::dvec3& point, double distance) const {
