@@ -6,13 +6,6 @@
 
 namespace scatter::lod {
 
-/// Audits of pairs on credit that a step has room for.
-enum class Audits : std::uint8_t {
-  kNone,
-  kLate,  ///< Those that have been put off as long as may be.
-  kDue,   ///< All.
-};
-
 /// Penetration credit of one pair of bodies. When a pair in contact changes its level, the new shapes overlap
 /// where the old ones did not. Each child pair (a part of A and a part of B) keeps that overlap as credit,
 /// which is added to the distance of its contacts: the constraint is exactly satisfied at the switch, and

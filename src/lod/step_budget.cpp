@@ -15,7 +15,6 @@ void StepBudget::set(const UnitBudget& budget) {
 }
 
 void StepBudget::begin(const StepLoad& load) {
-  auditUnits_ = 0.0;
   ownSpare_ = 0;
   newPairs_ = std::max(load.broadphasePairs - broadphasePairs_, 0);
   broadphasePairs_ = load.broadphasePairs;
@@ -23,6 +22,7 @@ void StepBudget::begin(const StepLoad& load) {
   fixedUnits_ = costs_.units(load) + looseUnits_ - looseSaved_;
   units_ = fixedUnits_;
   budgetUnits_ = budget_.next();
+  audits_.begin(budgetUnits_);
 }
 
 void StepBudget::plan(std::span<PlannedPair> pairs, int creditLevel) {
@@ -40,15 +40,6 @@ bool StepBudget::isShortAfterQueries(int queries) const {
   return governor_.isShort(queries * costs_.weights().separationQuery);
 }
 
-Audits StepBudget::audits() const {
-  constexpr double kLeast = 0.06;
-  constexpr double kMost = 0.2;
-  if (!isLimited() || auditUnits_ < kLeast * budgetUnits_) return Audits::kDue;
-  const double share = kLeast + (kMost - kLeast) * governor_.admission();
-  if (!governor_.isShort() && auditUnits_ < share * budgetUnits_) return Audits::kDue;
-  return governor_.isOver() ? Audits::kNone : Audits::kLate;
-}
-
 // Of what belongs to no pair's usual work.
 void StepBudget::spend(double units) {
   units_ += units;
@@ -57,10 +48,6 @@ void StepBudget::spend(double units) {
 
 void StepBudget::spendQueries(int queries) {
   for (int i = 0; i < queries; ++i) spend(costs_.weights().separationQuery);
-}
-
-void StepBudget::countAudit(const PairWorkload& work) {
-  auditUnits_ += costs_.weights().audit + costs_.units(work);
 }
 
 PairUnits StepBudget::takeWork(PlannedPair& pair, const PairWorkload& work) {

@@ -4,9 +4,9 @@
 
 #include <span>
 
+#include "lod/audit_room.h"
 #include "lod/contact_thinning.h"
 #include "lod/cost_model.h"
-#include "lod/credit.h"
 #include "lod/governor.h"
 #include "lod/planned_pair.h"
 #include "lod/unit_budget.h"
@@ -53,16 +53,19 @@ class StepBudget {
   /// Whether it would be if so many more queries about separation are made.
   [[nodiscard]] bool isShortAfterQueries(int queries) const;
 
-  /// A fifth of the budget is for audits at most, so that looking does not cost the detail that it serves; a
-  /// little of it in any step. Those that are late have room up to the budget itself, as pairs on credit sink
-  /// into each other without them.
-  [[nodiscard]] Audits audits() const;
+  /// From how late on audits of pairs on credit are made now.
+  [[nodiscard]] float auditsFrom() const {
+    return audits_.from({governor_.isShort(), governor_.isOver(), governor_.admission()});
+  }
 
   void spendSwitch() { spend(costs_.weights().switched); }
   void spendQueries(int queries);
 
   /// Of what takeWork() is told as well.
-  void countAudit(const PairWorkload& work);
+  void countAudit(const PairWorkload& work) { audits_.take(costs_.weights().audit + costs_.units(work)); }
+
+  /// A pair was not audited that is later than may be; it is going to be so late in the next step.
+  void countOverdue(float next) { audits_.takeOverdue(next); }
 
   /// What a pair's step did cost.
   PairUnits takeWork(PlannedPair& pair, const PairWorkload& work);
@@ -112,6 +115,7 @@ class StepBudget {
   Governor governor_;
   UnitBudget budget_;
   ContactThinning contacts_;
+  AuditRoom audits_;
   double savedUnits_ = 0.0;  ///< What contacts that are not shown are taken to save of units_.
   double looseSaved_ = 0.0;  ///< Of these, by contacts that belong to no pair.
   int broadphasePairs_ = 0;
@@ -122,7 +126,6 @@ class StepBudget {
   double units_ = 0.0;
   double lastUnits_ = 0.0;
   double budgetUnits_ = 0.0;
-  double auditUnits_ = 0.0;  ///< Of this step.
 };
 
 }  // namespace scatter::lod

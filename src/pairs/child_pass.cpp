@@ -98,7 +98,8 @@ void ChildPass::drop(ChildPair& child) {
 bool ChildPass::isExcused(ChildPair& child) const {
   if (credit_ == nullptr || credit_->account.of(child.a, child.b) <= 0.0F) return false;
   const double late = parts_.motion() - credit_->freshUntil;
-  if (late >= credit_->latest && !mayAudit_) return false;
+  const double latest = credit_->latest;
+  if (late >= latest && late < static_cast<double>(auditsFrom_) * latest) return false;
   child.wake = parts_.wakeAt(credit_->freshUntil);
   return true;
 }

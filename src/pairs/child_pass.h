@@ -14,7 +14,7 @@ class ChildPass {
   /// contacts have been moved along by ContactRecycling, and only those that are stale are found anew.
   /// `foresight`: what is known already, or null. All must outlive it.
   ChildPass(PartPair& parts, const PlacedBodies& bodies, const PairSteps& steps, PairEngine& engine,
-            PairWork& work, const CreditState* credit, bool mayAudit, bool recycles,
+            PairWork& work, const CreditState* credit, float auditsFrom, bool recycles,
             const Foresight* foresight = nullptr)
       : parts_(parts),
         bodies_(bodies),
@@ -22,7 +22,7 @@ class ChildPass {
         engine_(engine),
         work_(work),
         credit_(credit),
-        mayAudit_(mayAudit),
+        auditsFrom_(auditsFrom),
         recycles_(recycles),
         foresight_(foresight),
         bounds_(*bodies.a, *bodies.b) {}
@@ -47,7 +47,7 @@ class ChildPass {
   PairEngine& engine_;
   PairWork& work_;
   const CreditState* credit_;
-  bool mayAudit_;
+  float auditsFrom_;
   bool recycles_;
   const Foresight* foresight_;
   BoundsTest bounds_;

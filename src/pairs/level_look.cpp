@@ -54,7 +54,7 @@ bool LevelLook::advance(PartPair& parts, const PlacedBodies& bodies) {
   return isAwake;
 }
 
-void LevelLook::atLevel(int level, bool returns, bool mayAudit) {
+void LevelLook::atLevel(int level, bool returns, float auditsFrom) {
   scratch_.looked.clear();
   PlacedBodies bodies;
   if (!place(level, bodies)) return;
@@ -64,7 +64,7 @@ void LevelLook::atLevel(int level, bool returns, bool mayAudit) {
     for (int i = 0; i < 2; ++i) pair_.versions[i] = bodies.versions[i];
   }
   if (pair_.foresight != nullptr) {
-    useForesight(bodies, mayAudit);
+    useForesight(bodies, auditsFrom);
     return;
   }
   pair_.parts.followWholeBodies(pair_.credit.kind == CreditKind::kCoarser);
@@ -77,12 +77,12 @@ void LevelLook::atLevel(int level, bool returns, bool mayAudit) {
   }
   if (!isAwake) return;
   const CreditState* const credit = pair_.credit.kind == CreditKind::kCoarser ? &pair_.credit : nullptr;
-  ChildPass(pair_.parts, bodies, steps_, engine_, work_, credit, mayAudit, recycles).run(scratch_.looked);
+  ChildPass(pair_.parts, bodies, steps_, engine_, work_, credit, auditsFrom, recycles).run(scratch_.looked);
   pair_.parts.settle(*bodies.a, *bodies.b, steps_);
 }
 
 // The step of a pair of which advance() has been done already.
-void LevelLook::useForesight(const PlacedBodies& bodies, bool mayAudit) {
+void LevelLook::useForesight(const PlacedBodies& bodies, float auditsFrom) {
   const Foresight& foresight = *pair_.foresight;
   if (foresight.recycles) pair_.origin = ContactOrigin::kRecycled;
   pair_.closeForesight(engine_);
@@ -92,7 +92,7 @@ void LevelLook::useForesight(const PlacedBodies& bodies, bool mayAudit) {
     return;
   }
   if (!foresight.isAwake || foresight.isSettled) return;
-  ChildPass(pair_.parts, bodies, steps_, engine_, work_, nullptr, mayAudit, foresight.recycles, &foresight)
+  ChildPass(pair_.parts, bodies, steps_, engine_, work_, nullptr, auditsFrom, foresight.recycles, &foresight)
       .run(scratch_.looked);
   pair_.parts.settle(*bodies.a, *bodies.b, steps_);
 }
@@ -103,7 +103,8 @@ void LevelLook::atFinest(int level) {
   PartPair& parts = scratch_.audit;
   restart(parts);
   if (advance(parts, bodies)) {
-    ChildPass(parts, bodies, steps_, engine_, work_, nullptr, false, false).run(scratch_.looked);
+    ChildPass(parts, bodies, steps_, engine_, work_, nullptr, lod::lateness::kNever, false)
+        .run(scratch_.looked);
     parts.settle(*bodies.a, *bodies.b, steps_);
   }
   pair_.held.gather(parts.children(), engine_.pointDistance(), engine_, scratch_.held);

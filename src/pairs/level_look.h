@@ -14,7 +14,7 @@ class LevelLook {
   /// With the pair's own child pairs, at its level; `returns`: the contacts held are given back to them.
   /// Where a shape is no list of parts, the engine collides the bodies. The child pairs that were looked at
   /// are in StepScratch::looked.
-  void atLevel(int level, bool returns, bool mayAudit);
+  void atLevel(int level, bool returns, float auditsFrom);
 
   /// At the finest level of a pair that is at a coarser one, from scratch: the contacts go to those that are
   /// held.
@@ -24,7 +24,7 @@ class LevelLook {
   bool place(int level, PlacedBodies& bodies);
   void restart(PartPair& parts) const;
   bool advance(PartPair& parts, const PlacedBodies& bodies);
-  void useForesight(const PlacedBodies& bodies, bool mayAudit);
+  void useForesight(const PlacedBodies& bodies, float auditsFrom);
   [[nodiscard]] bool mayRecycle() const;
   [[nodiscard]] bool recycle(const PlacedBodies& bodies);
   void endRecycled(const std::vector<int>& touching);

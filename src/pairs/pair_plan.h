@@ -3,8 +3,8 @@
 #include <limits>
 
 #include "collision/part_pair.h"
+#include "lod/audit_room.h"
 #include "lod/cost_model.h"
-#include "lod/credit.h"
 #include "lod/pair_switch.h"
 
 namespace scatter::pairs {
@@ -16,8 +16,8 @@ struct PairPlan {
   bool tries = false;    ///< It is to switch there now, if that is safe.
   lod::SwitchRules rules{};
 
-  lod::Audits audits = lod::Audits::kNone;
-  float auditDistance = 0.0F;  ///< Metres; see CreditState.
+  float auditsFrom = lod::lateness::kNever;  ///< How late they are that are made.
+  float auditDistance = 0.0F;                ///< Metres; see CreditState.
 
   /// It may keep the contacts of the step before if it has not switched, and made at least so many queries
   /// about levels.
@@ -55,7 +55,8 @@ struct PairOutcome {
 
   bool touching = false;
   bool credited = false;
-  bool isOverdue = false;  ///< On credit, and not looked at for longer than may be.
+  float late = 0.0F;      ///< How late an audit is that was not made.
+  float lateNext = 0.0F;  ///< How late it is going to be if the pair goes on moving as it does.
 };
 
 }  // namespace scatter::pairs

@@ -25,6 +25,10 @@ constexpr float kLeastCredit = 1e-4F;
 /// How far a pair may move before the first audit, metres; from then on as far again as it has moved.
 constexpr double kFirstAudit = 0.002;
 
+/// How late an audit is that is not due, and at most, as that of a pair whose bodies were put elsewhere.
+constexpr float kNotDue = -1.0F;
+constexpr float kLatest = 1e6F;
+
 class PairStep {
  public:
   PairStep(Pair& pair, const PairPlan& plan, const PairSteps& steps, PairEngine& engine, StepScratch& scratch,
@@ -49,8 +53,8 @@ class PairStep {
     }
     findContacts();
     settleCredit();
-    if (needsAudit()) audit();
-    outcome_.isOverdue = isOverdue();
+    if (lateness() >= plan_.auditsFrom) audit();
+    seeMotion();
     if (!credit_.keepsHeld(pair_.parts.motion())) pair_.held.release(engine_);
     outcome_.work.counts = work_;
     report();
@@ -114,7 +118,7 @@ class PairStep {
     if (next < finest() && !isOnCredit_) {
       pair_.held.release(engine_);
     } else if (wasFinest) {
-      look_.atLevel(level_, false, mayAudit());
+      look_.atLevel(level_, false, plan_.auditsFrom);
       settleFinest();
       pair_.held.gather(pair_.parts.children(), engine_.pointDistance(), engine_, scratch_.held);
     }
@@ -224,7 +228,7 @@ class PairStep {
   void findContacts() {
     pair_.origin = returns_ ? ContactOrigin::kGivenBack : ContactOrigin::kFound;
     refreshHeld();
-    look_.atLevel(level_, returns_, mayAudit());
+    look_.atLevel(level_, returns_, plan_.auditsFrom);
   }
 
   // Once none is left a look is due: small bodies lose theirs when they have slid a little. Not in the step
@@ -291,22 +295,25 @@ class PairStep {
     return credit_.kind == CreditKind::kCoarser && !credit_.account.empty();
   }
 
-  // At least one that is as late as may be.
-  [[nodiscard]] bool mayAudit() const { return plan_.audits != lod::Audits::kNone; }
-
-  // Whether the pair is on credit and has moved so far that its finest shapes must be looked at.
-  [[nodiscard]] bool needsAudit() const {
-    if (!isOnCoarserCredit() || !mayAudit()) return false;
+  // How late an audit is: of a pair on credit that has moved so far that its finest shapes must be looked at.
+  [[nodiscard]] float lateness() const {
+    if (!isOnCoarserCredit()) return kNotDue;
     const double motion = pair_.parts.motion();
-    const bool hasJumped = motion < credit_.seenMotion;
-    credit_.seenMotion = motion;
-    const double putOff = plan_.audits == lod::Audits::kDue ? 0.0 : credit_.latest;
-    return hasJumped || motion >= credit_.freshUntil + putOff;
+    if (motion < credit_.seenMotion) return kLatest;
+    const double late = motion - credit_.freshUntil;
+    if (late < 0.0) return kNotDue;
+    return late < kLatest * credit_.latest ? static_cast<float>(late / credit_.latest) : kLatest;
   }
 
-  // What the finest shapes come upon is not known any more.
-  [[nodiscard]] bool isOverdue() const {
-    return isOnCoarserCredit() && pair_.parts.motion() > credit_.freshUntil + credit_.latest;
+  // A pair that has jumped has done so until it is audited.
+  void seeMotion() {
+    outcome_.late = outcome_.lateNext = lateness();
+    if (!isOnCoarserCredit()) return;
+    const double moved = pair_.parts.motion() - credit_.seenMotion;
+    if (moved < 0.0) return;
+    if (outcome_.late >= 0.0F && outcome_.late < kLatest)
+      outcome_.lateNext += static_cast<float>(moved / credit_.latest);
+    credit_.seenMotion += moved;
   }
 
   // How near are the finest shapes, and what contacts would they have? Sliding along each other they come
@@ -332,7 +339,7 @@ class PairStep {
       credit_.gap = findGap();
     }
     credit_.account.audit(credit_.gap, [this](int a, int b) { return depthOf(a, b); });
-    credit_.freshUntil = pair_.parts.motion();
+    credit_.seenMotion = credit_.freshUntil = pair_.parts.motion();
     freshen();
     easeHeld();
   }

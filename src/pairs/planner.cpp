@@ -257,9 +257,9 @@ int Planner::keepsFrom(std::size_t pair) const {
   return PairPlan::kNever;
 }
 
-lod::Audits Planner::audits() const {
-  if (!(settings_.auditDistance > 0.0F)) return lod::Audits::kNone;
-  return plans_ ? budget_.audits() : lod::Audits::kDue;
+float Planner::auditsFrom() const {
+  if (!(settings_.auditDistance > 0.0F)) return lod::lateness::kNever;
+  return plans_ ? budget_.auditsFrom() : lod::lateness::kDue;
 }
 
 PairPlan Planner::planPair(int index) {
@@ -275,7 +275,7 @@ PairPlan Planner::planPair(int index) {
   plan.tries = plan.target != plan.view.level && !isPutOff;
   plan.rules = rulesOf(i);
   plan.auditDistance = settings_.auditDistance;
-  plan.audits = audits();
+  plan.auditsFrom = auditsFrom();
   plan.keepsFrom = keepsFrom(i);
   return plan;
 }
@@ -293,6 +293,10 @@ void Planner::take(int index, const PairOutcome& outcome) {
     ++counts_.audits;
     ++counts_.separationQueries;
     budget_.countAudit(outcome.auditWork);
+  }
+  if (outcome.late >= lod::lateness::kLate) {
+    ++counts_.overduePairs;
+    budget_.countOverdue(outcome.lateNext);
   }
   takeWork(i, outcome, before);
 }
@@ -373,7 +377,6 @@ void Planner::takeWork(std::size_t pair, const PairOutcome& outcome, int before)
   planned.hasContacts = outcome.work.contacts > 0;
   view.credited = outcome.credited;
   count(planned);
-  counts_.overduePairs += outcome.isOverdue ? 1 : 0;
   counts_.touchingPairs += outcome.touching ? 1 : 0;
   counts_.touchingFinest += outcome.touching && view.level == view.finest ? 1 : 0;
 }

@@ -181,7 +181,7 @@ class Planner {
   [[nodiscard]] int targetOf(std::size_t pair);
   [[nodiscard]] lod::SwitchRules rulesOf(std::size_t pair) const;
   [[nodiscard]] int keepsFrom(std::size_t pair) const;
-  [[nodiscard]] lod::Audits audits() const;
+  [[nodiscard]] float auditsFrom() const;
   void followRequest(std::size_t pair);
   void acknowledge(std::size_t pair);
   void tell(LevelEventKind kind, std::size_t pair, int from, int to, bool onCredit) const;

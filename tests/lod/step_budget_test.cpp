@@ -30,7 +30,7 @@ TEST(StepBudget, CountsWhatAStepCostsWithoutLimit) {
   EXPECT_EQ(budget.lastUnits(), budget.units());
   EXPECT_FALSE(budget.isExceeded());
   EXPECT_TRUE(std::isinf(budget.budgetUnits()));
-  EXPECT_EQ(budget.audits(), Audits::kDue);
+  EXPECT_EQ(budget.auditsFrom(), lateness::kDue);
 }
 
 TEST(StepBudget, IsShortOnceItIsSpent) {
@@ -42,13 +42,13 @@ TEST(StepBudget, IsShortOnceItIsSpent) {
   budget.begin({.objects = 2, .awake = 2, .broadphasePairs = 1});
   budget.plan(pairs, 1);
   EXPECT_FALSE(budget.isShort());
-  EXPECT_EQ(budget.audits(), Audits::kDue);
+  EXPECT_EQ(budget.auditsFrom(), lateness::kDue);
   EXPECT_TRUE(budget.isShort(2000.0));
   budget.takeWork(pairs[0], work(100000));
   EXPECT_TRUE(budget.isShort());
-  EXPECT_EQ(budget.audits(), Audits::kDue) << "a little of any step is for audits";
+  EXPECT_EQ(budget.auditsFrom(), lateness::kDue) << "a little of any step is for audits";
   for (int i = 0; i < 1000; ++i) budget.countAudit(work(10));
-  EXPECT_EQ(budget.audits(), Audits::kNone);
+  EXPECT_EQ(budget.auditsFrom(), lateness::kNever);
   EXPECT_TRUE(budget.isExceeded());
 }
 
@@ -59,15 +59,15 @@ TEST(StepBudget, HasAShareForAudits) {
   budget.begin({});
   budget.plan(none, 1);
   int audits = 0;
-  while (budget.audits() == Audits::kDue && audits < 1'000'000) {
+  while (budget.auditsFrom() == lateness::kDue && audits < 1'000'000) {
     budget.countAudit(work(10));
     ++audits;
   }
   EXPECT_GT(audits, 10);
   EXPECT_LT(audits, 1'000'000);
-  EXPECT_EQ(budget.audits(), Audits::kLate) << "up to the budget itself";
+  EXPECT_EQ(budget.auditsFrom(), lateness::kLate) << "up to the budget itself";
   budget.begin({});
-  EXPECT_EQ(budget.audits(), Audits::kDue) << "the next step has its own";
+  EXPECT_EQ(budget.auditsFrom(), lateness::kDue) << "the next step has its own";
 }
 
 TEST(StepBudget, CountsContactsOfNoPairOfItsOwn) {

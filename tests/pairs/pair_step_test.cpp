@@ -41,7 +41,7 @@ struct LivingPair {
     plan.view.finest = kFinest;
     plan.target = kFinest;
     plan.auditDistance = 0.03F;
-    plan.audits = lod::Audits::kDue;
+    plan.auditsFrom = lod::lateness::kDue;
   }
   LivingPair(const LivingPair&) = delete;
   LivingPair& operator=(const LivingPair&) = delete;
@@ -206,12 +206,12 @@ TEST(PairStep, MovesContactsAlongWithinTheTolerance) {
 TEST(PairStep, AuditsLateWhereThereIsRoomForLateOnesAlone) {
   LivingPair living;
   ASSERT_TRUE(living.meetAndGoTo(2).credited);
-  living.plan.audits = lod::Audits::kLate;
+  living.plan.auditsFrom = lod::lateness::kLate;
   EXPECT_FALSE(living.step(1.585F).audited) << "due, but not late";
   EXPECT_FALSE(living.step(1.54F).audited);
   const PairOutcome outcome = living.step(1.52F);
   EXPECT_TRUE(outcome.audited);
-  EXPECT_FALSE(outcome.isOverdue);
+  EXPECT_LE(outcome.late, 0.0F);
   EXPECT_NEAR(living.pair.credit.gap, -0.08F, 1e-4F);
   for (const ChildPair& child : living.pair.parts.children())
     EXPECT_EQ(child.contact, nullptr) << "its coarser shapes do not collide in the place of the finest ones";
@@ -220,13 +220,26 @@ TEST(PairStep, AuditsLateWhereThereIsRoomForLateOnesAlone) {
 TEST(PairStep, CollidesItsCoarserShapesWhereNoAuditIsMade) {
   LivingPair living;
   ASSERT_TRUE(living.meetAndGoTo(2).credited);
-  living.plan.audits = lod::Audits::kNone;
-  EXPECT_FALSE(living.step(1.54F).isOverdue);
+  living.plan.auditsFrom = lod::lateness::kNever;
+  EXPECT_LT(living.step(1.54F).late, lod::lateness::kLate);
   const PairOutcome outcome = living.step(1.52F);
   EXPECT_FALSE(outcome.audited);
-  EXPECT_TRUE(outcome.isOverdue);
+  EXPECT_GE(outcome.late, lod::lateness::kLate);
   const PartPair::Children& children = living.pair.parts.children();
   EXPECT_TRUE(std::ranges::any_of(children, [](const ChildPair& child) { return child.contact != nullptr; }));
+}
+
+TEST(PairStep, WaitsForThoseThatHaveWaitedLonger) {
+  LivingPair living;
+  ASSERT_TRUE(living.meetAndGoTo(2).credited);
+  living.plan.auditsFrom = 2.0F;
+  const PairOutcome late = living.step(1.52F);
+  EXPECT_FALSE(late.audited);
+  EXPECT_GE(late.late, lod::lateness::kLate);
+  EXPECT_LT(late.late, 2.0F);
+  const PairOutcome outcome = living.step(1.45F);
+  EXPECT_TRUE(outcome.audited);
+  EXPECT_LE(outcome.late, 0.0F);
 }
 
 TEST(PairStep, RecyclesNothingOnCredit) {
@@ -365,7 +378,8 @@ TEST(PairStep, NeverPressesByASwitch) {
       // Solvers keep bodies from sinking into each other.
       x = std::max(x + random.uniform(-0.02F, 0.018F), 1.57F);
       if (step % 5 == 0) living.plan.target = 1 + static_cast<int>(random.uniform(0.0F, 2.999F));
-      living.plan.audits = static_cast<lod::Audits>(random.uniform(0.0F, 2.999F));
+      constexpr float kFrom[] = {lod::lateness::kDue, lod::lateness::kLate, 2.0F, lod::lateness::kNever};
+      living.plan.auditsFrom = kFrom[static_cast<int>(random.uniform(0.0F, 3.999F))];
       const PairOutcome outcome = living.step(x);
       EXPECT_FALSE(outcome.isUnsafe) << "trial " << trial << ", step " << step;
       EXPECT_EQ(outcome.credited, !living.pair.credit.account.empty());
