@@ -65,6 +65,7 @@ class btHybridDynamicsWorld : public btDiscreteDynamicsWorld
 	void closeRequests();
 	void findAsked();
 	void updateHybridAabb(btHybridRigidBody* body);
+	void getCoarsestAabb(const btHybridLevelSet& levels, const btTransform& transform, btVector3& aabbMin, btVector3& aabbMax) const;
 	bool owns(const btCollisionObject* object) const;
 	bool accepts(const btCollisionObject* object);
 	bool refuse(const char* reason);

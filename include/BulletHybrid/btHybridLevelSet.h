@@ -20,9 +20,11 @@ enum btHybridNesting
 class btHybridLevelSet
 {
 	btAlignedObjectArray<btCollisionShape*> m_levels;
+	btAlignedObjectArray<float> m_balls;  ///< of which level 1 is the hull, if they are few: all x, all y, all z, all radii
 	btAlignedObjectArray<char> m_mistake;
 
 	const char* refuse(const char* mistake);
+	void findBalls();
 
 public:
 	/// Adds the next finer level; bodies that were made before do not have it. Returns 0, or what is wrong and how to mend
@@ -61,13 +63,10 @@ public:
 		return level >= 1 && level <= m_levels.size() ? m_levels[level - 1] : 0;
 	}
 
-	/// World bounds of level 1, which hold every level. Without levels those of the transform's origin.
-	void getCoarsestAabb(const btTransform& transform, btVector3& aabbMin, btVector3& aabbMax) const
-	{
-		aabbMin = aabbMax = transform.getOrigin();
-		if (m_levels.size() > 0)
-			m_levels[0]->getAabb(transform, aabbMin, aabbMax);
-	}
+	/// World bounds of level 1, which hold every level. Where it is made of hulls, boxes, spheres and capsules with at most 64 corners in all,
+	/// they fit it however it is turned; Bullet's own, of other levels, are often those of a box that turns with it. Without levels those of
+	/// the transform's origin.
+	void getCoarsestAabb(const btTransform& transform, btVector3& aabbMin, btVector3& aabbMax) const;
 };
 
 #endif  // BT_HYBRID_LEVEL_SET_H

@@ -314,14 +314,24 @@ void btHybridDynamicsWorld::updateAabbs()
 	}
 }
 
+// In body switching those of the report, as its requests are made when bounding boxes meet (section 4.5.2).
+void btHybridDynamicsWorld::getCoarsestAabb(const btHybridLevelSet& levels, const btTransform& transform, btVector3& aabbMin, btVector3& aabbMax) const
+{
+	if (m_planner)
+		levels.getCoarsestAabb(transform, aabbMin, aabbMax);
+	else
+		levels.getLevelShape(1)->getAabb(transform, aabbMin, aabbMax);
+}
+
 void btHybridDynamicsWorld::updateHybridAabb(btHybridRigidBody* body)
 {
 	btVector3 aabbMin, aabbMax;
-	body->m_levels->getCoarsestAabb(body->getWorldTransform(), aabbMin, aabbMax);
-	if (getDispatchInfo().m_useContinuous && !body->isStaticOrKinematicObject())
+	const btTransform& next = body->getInterpolationWorldTransform();
+	getCoarsestAabb(*body->m_levels, body->getWorldTransform(), aabbMin, aabbMax);
+	if (getDispatchInfo().m_useContinuous && !body->isStaticOrKinematicObject() && !(next == body->getWorldTransform()))
 	{
 		btVector3 nextMin, nextMax;
-		body->m_levels->getCoarsestAabb(body->getInterpolationWorldTransform(), nextMin, nextMax);
+		getCoarsestAabb(*body->m_levels, next, nextMin, nextMax);
 		aabbMin.setMin(nextMin);
 		aabbMax.setMax(nextMax);
 	}

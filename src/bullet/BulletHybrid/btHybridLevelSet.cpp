@@ -6,14 +6,22 @@
 #include <cstdio>
 #include <cstring>
 
+#include "btHybridConversions.h"
+#include "btHybridConvexPart.h"
 #include "btHybridFinite.h"
 #include "btHybridNesting.h"
+#include "collision/ball_bounds.h"
+#include "collision/simd.h"
 
 namespace
 {
 // Pairs count their levels and child pairs their parts in few bits.
 const int c_mostLevels = 250;
 const int c_mostChildren = 65535;
+
+// Balls whose hull a level's bounds are found from in every step. As many take 40 ns, of the half microsecond that Bullet's broadphase
+// takes for a body in a pile (`scatter run` of implosion-12 in `lean`, update_aabbs_ms).
+const int c_mostBalls = 64;
 
 // How far, as a share of the coarser level's largest side, a level may stick out and still count as nested.
 const double c_nestingTolerance = 1e-4;
@@ -68,6 +76,24 @@ const char* findMistake(const btCollisionShape* shape, int& child)
 	return 0;
 }
 
+// Of which a level is the hull; none if they are too many, as those of round shapes are.
+std::vector<btHybridBall> ballsOf(const btCollisionShape* shape)
+{
+	const btCompoundShape* compound = shape->isCompound() ? static_cast<const btCompoundShape*>(shape) : 0;
+	const int parts = compound ? compound->getNumChildShapes() : 1;
+	std::vector<btHybridBall> balls;
+	for (int i = 0; i < parts; i++)
+	{
+		const btCollisionShape* part = compound ? compound->getChildShape(i) : shape;
+		const btTransform place = compound ? compound->getChildTransform(i) : btTransform::getIdentity();
+		const std::vector<btHybridBall> own = btHybridConvexPart(static_cast<const btConvexShape*>(part), place).getBalls();
+		if (int(balls.size() + own.size()) > c_mostBalls)
+			return std::vector<btHybridBall>();
+		balls.insert(balls.end(), own.begin(), own.end());
+	}
+	return balls;
+}
+
 double largestSide(const btCollisionShape* shape)
 {
 	btVector3 aabbMin, aabbMax;
@@ -117,5 +143,39 @@ const char* btHybridLevelSet::addLevel(btCollisionShape* shape, btHybridNesting 
 		}
 	}
 	m_levels.push_back(shape);
+	if (level == 1)
+		findBalls();
 	return 0;
+}
+
+void btHybridLevelSet::findBalls()
+{
+	const std::vector<btHybridBall> balls = ballsOf(m_levels[0]);
+	const int padded = scatter::simd::padded(int(balls.size()));
+	m_balls.resize(4 * padded);
+	for (int i = 0; i < padded; i++)
+	{
+		const btHybridBall& ball = balls[btMin(i, int(balls.size()) - 1)];
+		for (int axis = 0; axis < 3; axis++)
+			m_balls[axis * padded + i] = float(ball.m_center[axis]);
+		m_balls[3 * padded + i] = float(ball.m_radius);
+	}
+}
+
+void btHybridLevelSet::getCoarsestAabb(const btTransform& transform, btVector3& aabbMin, btVector3& aabbMax) const
+{
+	aabbMin = aabbMax = transform.getOrigin();
+	if (m_levels.size() == 0)
+		return;
+	if (m_balls.size() == 0)
+		return m_levels[0]->getAabb(transform, aabbMin, aabbMax);
+	const int padded = m_balls.size() / 4;
+	const float* x = &m_balls[0];
+	const float* y = x + padded;
+	const float* z = y + padded;
+	const scatter::BallsView balls = {x, y, z, z + padded, padded};
+	scatter::Vec3 low, high;
+	scatter::boundBalls(balls, btHybridFrameOf(transform), low, high);
+	aabbMin.setValue(low.x, low.y, low.z);
+	aabbMax.setValue(high.x, high.y, high.z);
 }

@@ -334,6 +334,70 @@ TEST_F(LevelSetTest, ProvenLevelsAreTakenAsTheyAre) {
             nullptr);
 }
 
+/// How far a shape reaches along a direction in the world.
+btScalar reachOf(const btCollisionShape* shape, const btTransform& pose, const btVector3& direction) {
+  if (!shape->isCompound()) {
+    const auto* convex = static_cast<const btConvexShape*>(shape);
+    return (pose * convex->localGetSupportingVertex(direction * pose.getBasis())).dot(direction);
+  }
+  const auto* compound = static_cast<const btCompoundShape*>(shape);
+  btScalar reach = -SIMD_INFINITY;
+  for (int i = 0; i < compound->getNumChildShapes(); ++i) {
+    const btTransform place = pose * compound->getChildTransform(i);
+    reach = std::max(reach, reachOf(compound->getChildShape(i), place, direction));
+  }
+  return reach;
+}
+
+// Of up to ten parts, round ones among them, so that there are those whose balls are too many.
+btCollisionShape* randomLevel(RandomShapes& shapes) {
+  if (shapes.random.chance(0.4F)) return shapes.convex(2);
+  auto* compound = shapes.make<btCompoundShape>();
+  for (int i = shapes.random.index(10); i >= 0; --i)
+    compound->addChildShape(shapes.random.pose(1), shapes.convex(1));
+  return compound;
+}
+
+TEST_F(LevelSetTest, CoarsestBoundsHoldTheLevelAndAreInsideBullets) {
+  RandomShapes shapes(1);
+  for (int trial = 0; trial < 300; ++trial) {
+    btCollisionShape* shape = randomLevel(shapes);
+    btHybridLevelSet levels;
+    ASSERT_EQ(levels.addLevel(shape), nullptr);
+    const btTransform pose = shapes.random.pose(10);
+    btVector3 low, high, bulletLow, bulletHigh;
+    levels.getCoarsestAabb(pose, low, high);
+    shape->getAabb(pose, bulletLow, bulletHigh);
+    for (int axis = 0; axis < 3; ++axis) {
+      btVector3 direction(0, 0, 0);
+      direction[axis] = 1;
+      EXPECT_GE(high[axis], reachOf(shape, pose, direction) - 1e-5F) << "shape " << shape->getName();
+      EXPECT_LE(low[axis], -reachOf(shape, pose, -direction) + 1e-5F) << "shape " << shape->getName();
+      EXPECT_LE(high[axis], bulletHigh[axis] + 1e-5F) << "shape " << shape->getName();
+      EXPECT_GE(low[axis], bulletLow[axis] - 1e-5F) << "shape " << shape->getName();
+    }
+  }
+}
+
+// The longer a hull is, the more of a box around it is empty.
+TEST_F(LevelSetTest, CoarsestBoundsOfATurnedHullAreCloserThanThoseOfItsBox) {
+  auto* hull = make<btConvexHullShape>();
+  for (int i = 0; i < 6; ++i) {
+    btVector3 point(0, 0, 0);
+    point[i / 2] = (i % 2 == 0 ? 1.0F : -1.0F) * (i < 2 ? 4.0F : 1.0F);
+    hull->addPoint(point);
+  }
+  hull->setMargin(0);
+  btHybridLevelSet levels;
+  ASSERT_EQ(levels.addLevel(hull), nullptr);
+  const btTransform pose(btQuaternion(btVector3(0, 0, 1), SIMD_PI / 4), btVector3(0, 0, 0));
+  btVector3 low, high;
+  levels.getCoarsestAabb(pose, low, high);
+  EXPECT_NEAR(high.x(), 4 * SIMDSQRT12, 1e-5F);
+  hull->getAabb(pose, low, high);
+  EXPECT_GE(high.x(), 5 * SIMDSQRT12);
+}
+
 TEST_F(LevelSetTest, LevelsThatAreNotThereAreNull) {
   btHybridLevelSet levels;
   btVector3 low;
