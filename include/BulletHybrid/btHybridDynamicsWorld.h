@@ -11,6 +11,7 @@
 class btHybridBodySwitching;
 class btHybridContactVerifier;
 class btHybridNarrowphase;
+class btHybridCoarsestBounds;
 class btHybridNeighbourhood;
 class btHybridPlanner;
 class btHybridRegistration;
@@ -51,6 +52,7 @@ class btHybridDynamicsWorld : public btDiscreteDynamicsWorld
 
 	btHybridRequests* m_requests;
 	btHybridNeighbourhood* m_neighbourhood;
+	btHybridCoarsestBounds* m_coarsestBounds;  ///< of the hybrids, by their numbers
 	btHybridBodySwitching* m_bodySwitching;
 	btHybridNarrowphase* m_narrowphase;
 	btHybridRegistration* m_registration;
@@ -65,7 +67,6 @@ class btHybridDynamicsWorld : public btDiscreteDynamicsWorld
 	void closeRequests();
 	void findAsked();
 	void updateHybridAabb(btHybridRigidBody* body);
-	void getCoarsestAabb(const btHybridLevelSet& levels, const btTransform& transform, btVector3& aabbMin, btVector3& aabbMax) const;
 	bool owns(const btCollisionObject* object) const;
 	bool accepts(const btCollisionObject* object);
 	bool refuse(const char* reason);

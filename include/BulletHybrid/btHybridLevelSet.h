@@ -19,8 +19,10 @@ enum btHybridNesting
 /// before it. Shared by any number of bodies; does not own the shapes, which must not change any more.
 class btHybridLevelSet
 {
+	friend class btHybridCoarsestBounds;
+
 	btAlignedObjectArray<btCollisionShape*> m_levels;
-	btAlignedObjectArray<float> m_balls;  ///< of which level 1 is the hull, if they are few: all x, all y, all z, all radii
+	btAlignedObjectArray<float> m_balls;  ///< of which level 1 is the hull: all x, all y, all z, all radii; none where Bullet's bounds do
 	btAlignedObjectArray<char> m_mistake;
 
 	const char* refuse(const char* mistake);

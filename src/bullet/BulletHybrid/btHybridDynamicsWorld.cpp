@@ -10,6 +10,7 @@
 #include "btHybridAheadEngine.h"
 #include "btHybridAwakePairs.h"
 #include "btHybridBodySwitching.h"
+#include "btHybridCoarsestBounds.h"
 #include "btHybridContactGroups.h"
 #include "btHybridContactVerifier.h"
 #include "btHybridNarrowphase.h"
@@ -50,6 +51,7 @@ btHybridDynamicsWorld::btHybridDynamicsWorld(btDispatcher* dispatcher, btBroadph
       m_isIndexed(false),
       m_requests(new btHybridRequests),
       m_neighbourhood(new btHybridNeighbourhood),
+      m_coarsestBounds(new btHybridCoarsestBounds),
       m_bodySwitching(new btHybridBodySwitching(*m_requests, *m_neighbourhood)),
       m_narrowphase(new btHybridNarrowphase(mode == BT_HYBRID_PAIR_SWITCHING)),
       m_registration(new btHybridRegistration(dispatcher, this, m_narrowphase)),
@@ -80,6 +82,7 @@ btHybridDynamicsWorld::~btHybridDynamicsWorld()
 	delete m_registration;
 	m_narrowphase->removeUser();
 	delete m_bodySwitching;
+	delete m_coarsestBounds;
 	delete m_neighbourhood;
 	delete m_requests;
 }
@@ -126,6 +129,7 @@ void btHybridDynamicsWorld::registerHybrid(btRigidBody* body)
 	hybrid->m_hybridIndex = m_hybrids.size();
 	hybrid->m_lonelySteps = 0;
 	m_hybrids.push_back(hybrid);
+	m_coarsestBounds->add();
 	if (!m_planner)
 		return;
 	hybrid->setCollisionShape(hybrid->m_levels->getLevelShape(hybrid->getFinestLevel()));
@@ -141,6 +145,7 @@ void btHybridDynamicsWorld::unregisterHybrid(btHybridRigidBody* hybrid)
 	m_requests->retract(hybrid, BT_HYBRID_RETRACTED_BY_REMOVAL);
 	btHybridRigidBody* last = m_hybrids[m_hybrids.size() - 1];
 	m_hybrids[hybrid->m_hybridIndex] = last;
+	m_coarsestBounds->remove(hybrid->m_hybridIndex);
 	last->m_hybridIndex = hybrid->m_hybridIndex;
 	m_hybrids.pop_back();
 	hybrid->m_hybridIndex = -1;
@@ -300,6 +305,8 @@ void btHybridDynamicsWorld::updateAabbs()
 		m_neighbourhood->indexHybrids(m_collisionObjects.size(), m_hybrids);
 	m_isIndexed = true;
 	m_effective = btHybridEffective(m_switching);
+	// In body switching bounds are those of the report, as its requests are made when bounding boxes meet (section 4.5.2).
+	m_coarsestBounds->beginStep(m_planner ? m_broadphasePairCache->getOverlappingPairCache()->getNumOverlappingPairs() : 0);
 	BT_PROFILE("updateAabbs");
 	for (int i = 0; i < m_collisionObjects.size(); i++)
 	{
@@ -314,24 +321,14 @@ void btHybridDynamicsWorld::updateAabbs()
 	}
 }
 
-// In body switching those of the report, as its requests are made when bounding boxes meet (section 4.5.2).
-void btHybridDynamicsWorld::getCoarsestAabb(const btHybridLevelSet& levels, const btTransform& transform, btVector3& aabbMin, btVector3& aabbMax) const
-{
-	if (m_planner)
-		levels.getCoarsestAabb(transform, aabbMin, aabbMax);
-	else
-		levels.getLevelShape(1)->getAabb(transform, aabbMin, aabbMax);
-}
-
 void btHybridDynamicsWorld::updateHybridAabb(btHybridRigidBody* body)
 {
 	btVector3 aabbMin, aabbMax;
-	const btTransform& next = body->getInterpolationWorldTransform();
-	getCoarsestAabb(*body->m_levels, body->getWorldTransform(), aabbMin, aabbMax);
-	if (getDispatchInfo().m_useContinuous && !body->isStaticOrKinematicObject() && !(next == body->getWorldTransform()))
+	m_coarsestBounds->getAabb(body->m_hybridIndex, *body->m_levels, body->getWorldTransform(), aabbMin, aabbMax);
+	if (getDispatchInfo().m_useContinuous && !body->isStaticOrKinematicObject())
 	{
 		btVector3 nextMin, nextMax;
-		getCoarsestAabb(*body->m_levels, next, nextMin, nextMax);
+		m_coarsestBounds->getAabb(body->m_hybridIndex, *body->m_levels, body->getInterpolationWorldTransform(), nextMin, nextMax);
 		aabbMin.setMin(nextMin);
 		aabbMax.setMax(nextMax);
 	}

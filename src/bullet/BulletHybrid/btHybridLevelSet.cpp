@@ -76,9 +76,11 @@ const char* findMistake(const btCollisionShape* shape, int& child)
 	return 0;
 }
 
-// Of which a level is the hull; none if they are too many, as those of round shapes are.
+// Of which a level is the hull; none if they are too many, as those of round shapes are, or if Bullet's bounds are as close.
 std::vector<btHybridBall> ballsOf(const btCollisionShape* shape)
 {
+	if (shape->getShapeType() == BOX_SHAPE_PROXYTYPE)
+		return std::vector<btHybridBall>();
 	const btCompoundShape* compound = shape->isCompound() ? static_cast<const btCompoundShape*>(shape) : 0;
 	const int parts = compound ? compound->getNumChildShapes() : 1;
 	std::vector<btHybridBall> balls;

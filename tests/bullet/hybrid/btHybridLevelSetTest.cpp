@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "LevelReach.h"
 #include "NotFinite.h"
 #include "RandomShapes.h"
 
@@ -332,30 +333,6 @@ TEST_F(LevelSetTest, ProvenLevelsAreTakenAsTheyAre) {
   EXPECT_EQ(levels.getNumLevels(), 2);
   EXPECT_NE(levels.addLevel(make<btStaticPlaneShape>(btVector3(0, 1, 0), 0.0F), BT_HYBRID_NESTING_IS_PROVEN),
             nullptr);
-}
-
-/// How far a shape reaches along a direction in the world.
-btScalar reachOf(const btCollisionShape* shape, const btTransform& pose, const btVector3& direction) {
-  if (!shape->isCompound()) {
-    const auto* convex = static_cast<const btConvexShape*>(shape);
-    return (pose * convex->localGetSupportingVertex(direction * pose.getBasis())).dot(direction);
-  }
-  const auto* compound = static_cast<const btCompoundShape*>(shape);
-  btScalar reach = -SIMD_INFINITY;
-  for (int i = 0; i < compound->getNumChildShapes(); ++i) {
-    const btTransform place = pose * compound->getChildTransform(i);
-    reach = std::max(reach, reachOf(compound->getChildShape(i), place, direction));
-  }
-  return reach;
-}
-
-// Of up to ten parts, round ones among them, so that there are those whose balls are too many.
-btCollisionShape* randomLevel(RandomShapes& shapes) {
-  if (shapes.random.chance(0.4F)) return shapes.convex(2);
-  auto* compound = shapes.make<btCompoundShape>();
-  for (int i = shapes.random.index(10); i >= 0; --i)
-    compound->addChildShape(shapes.random.pose(1), shapes.convex(1));
-  return compound;
 }
 
 TEST_F(LevelSetTest, CoarsestBoundsHoldTheLevelAndAreInsideBullets) {
