@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "collision/geometry.h"
-#include "collision/simd.h"
 
 namespace scatter {
 namespace {
 
 using testing::anyInt;
+using testing::OwnedPolytope;
 using testing::Random;
 using testing::randomFrame;
 
@@ -20,26 +20,16 @@ struct Ball {
   float radius;
 };
 
-/// Balls as BallsView wants them.
-class OwnedBalls {
- public:
-  explicit OwnedBalls(const std::vector<Ball>& balls) {
-    const int padded = simd::padded(static_cast<int>(balls.size()));
-    for (int i = 0; i < padded; ++i) {
-      const Ball& ball = balls[std::min(static_cast<std::size_t>(i), balls.size() - 1)];
-      for (int axis = 0; axis < 3; ++axis) values_[axis].push_back(ball.center[axis]);
-      values_[3].push_back(ball.radius);
-    }
+void bound(const std::vector<Ball>& balls, const Frame& frame, Vec3& low, Vec3& high) {
+  std::vector<Vec3> centers;
+  std::vector<float> radii;
+  for (const Ball& ball : balls) {
+    centers.push_back(ball.center);
+    radii.push_back(ball.radius);
   }
-
-  [[nodiscard]] BallsView view() const {
-    return {values_[0].data(), values_[1].data(), values_[2].data(), values_[3].data(),
-            static_cast<int>(values_[0].size())};
-  }
-
- private:
-  std::vector<float> values_[4];
-};
+  radii.resize(static_cast<std::size_t>(simd::padded(static_cast<int>(balls.size()))), balls.back().radius);
+  boundBalls(OwnedPolytope(centers).view(), radii.data(), frame, low, high);
+}
 
 std::vector<Ball> randomBalls(Random& random) {
   std::vector<Ball> balls;
@@ -58,7 +48,7 @@ TEST(BallBounds, FitHoweverTheBodyIsTurned) {
     const Frame frame = randomFrame(random, 20.0F);
     Vec3 low;
     Vec3 high;
-    boundBalls(OwnedBalls(balls).view(), frame, low, high);
+    bound(balls, frame, low, high);
     for (int axis = 0; axis < 3; ++axis) {
       float least = 1e9F;
       float most = -1e9F;

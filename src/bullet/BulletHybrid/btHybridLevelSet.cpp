@@ -175,9 +175,8 @@ void btHybridLevelSet::getCoarsestAabb(const btTransform& transform, btVector3& 
 	const float* x = &m_balls[0];
 	const float* y = x + padded;
 	const float* z = y + padded;
-	const scatter::BallsView balls = {x, y, z, z + padded, padded};
 	scatter::Vec3 low, high;
-	scatter::boundBalls(balls, btHybridFrameOf(transform), low, high);
+	scatter::boundBalls({x, y, z, padded}, z + padded, btHybridFrameOf(transform), low, high);
 	aabbMin.setValue(low.x, low.y, low.z);
 	aabbMax.setValue(high.x, high.y, high.z);
 }
