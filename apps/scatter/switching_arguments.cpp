@@ -255,9 +255,11 @@ Result<void> checkSwitching(const SwitchingArguments& arguments, const Switching
     return fail("the world " + worlds.back().world.name +
                 " has its own switching mode; leave --switching out or use the hybrid world");
   }
+  constexpr const char* kForBudgets =
+      "use the hybrid world and pairs, without the --policy finest or coarsest";
   const Use uses[] = {
-      {"--budget-units", arguments.budgetUnits.has_value(), takesBudget, "use the hybrid world and pairs"},
-      {"--replay", arguments.replay.has_value(), takesBudget, "use the hybrid world and pairs"},
+      {"--budget-units", arguments.budgetUnits.has_value(), takesBudget, kForBudgets},
+      {"--replay", arguments.replay.has_value(), takesBudget, kForBudgets},
       {"--credit-level", arguments.creditLevel.has_value(), isPair, "use --switching pair"},
       {"--no-credit", arguments.noCredit, isPair, "use --switching pair"},
       {"this --policy", !choices.policies.empty(), isPair, "use --switching pair"},

@@ -110,7 +110,8 @@ constexpr int PairWork::*kCounts[]{
     &PairWork::pairs,          &PairWork::pairsSkipped,     &PairWork::rebuilds,
     &PairWork::childPairs,     &PairWork::childPairsAsleep, &PairWork::recycled,
     &PairWork::boundsRejected, &PairWork::axisRejected,     &PairWork::gjkRuns,
-    &PairWork::gjkIterations,  &PairWork::detectorRuns,     &PairWork::pieces};
+    &PairWork::gjkIterations,  &PairWork::detectorRuns,     &PairWork::halfSpaceRuns,
+    &PairWork::pieces};
 static_assert(sizeof(kCounts) / sizeof(kCounts[0]) == sizeof(PairWork) / sizeof(int));
 
 }  // namespace

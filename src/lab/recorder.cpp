@@ -17,6 +17,7 @@ struct CounterColumn {
 constexpr std::array kCounters{
     CounterColumn{"objects", &StepCounters::objects},
     CounterColumn{"hybrids", &StepCounters::hybrids},
+    CounterColumn{"joints", &StepCounters::joints},
     CounterColumn{"overlapping_pairs", &StepCounters::overlappingPairs},
     CounterColumn{"narrowphase_pairs", &StepCounters::narrowphasePairs},
     CounterColumn{"pairs_with_hybrid", &StepCounters::pairsWithHybrid},
@@ -61,6 +62,7 @@ constexpr std::array kWork{
     PairWorkColumn{"gjk_runs", &PairWork::gjkRuns},
     PairWorkColumn{"gjk_iterations", &PairWork::gjkIterations},
     PairWorkColumn{"detector_runs", &PairWork::detectorRuns},
+    PairWorkColumn{"half_space_runs", &PairWork::halfSpaceRuns},
     PairWorkColumn{"ground_pieces", &PairWork::pieces},
 };
 

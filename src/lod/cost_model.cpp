@@ -55,8 +55,8 @@ double CostModel::units(const PairWorkload& work) const {
   const PairWork& counts = work.counts;
   const int awake = counts.childPairs - counts.childPairsAsleep;
   return weights_.pair + weights_.rebuild * counts.rebuilds + weights_.childPair * awake +
-         weights_.gjkRun * counts.gjkRuns + weights_.gjkIteration * counts.gjkIterations +
-         weights_.detectorRun * counts.detectorRuns + weights_.contact * work.contacts +
+         weights_.gjkIteration * counts.gjkIterations + weights_.detectorRun * counts.detectorRuns +
+         weights_.halfSpaceRun * counts.halfSpaceRuns + weights_.contact * work.contacts +
          weights_.manifold * work.manifolds + weights_.piece * counts.pieces;
 }
 
@@ -73,7 +73,7 @@ double CostModel::boundUnits(const PairWorkload& work) const {
 }
 
 double CostModel::units(const StepLoad& load) const {
-  return weights_.object * load.objects + weights_.awakeBody * load.awake +
+  return weights_.step + weights_.object * load.objects + weights_.awakeBody * load.awake +
          weights_.broadphasePair * load.broadphasePairs + weights_.joint * load.joints;
 }
 

@@ -35,24 +35,25 @@ struct LooseContacts {
 
 /// What a unit of work costs, relative to each other: about microseconds on the machine they were fitted on.
 struct CostWeights {
-  double object = 0.02;
-  double awakeBody = 0.32;
-  double broadphasePair = 0.1;
-  double joint = 0.6;
-  double looseManifold = 0.75;  ///< With what found its contacts.
-  double pair = 0.08;
-  double rebuild = 1.05;
-  double childPair = 0.25;
-  double gjkRun = 0.02;
+  double step = 7.0;     ///< Whatever is in it.
+  double object = 0.01;  ///< Of those that sleep, which the fit does not see.
+  double awakeBody = 0.27;
+  double broadphasePair = 0.35;
+  double joint = 0.55;
+  double looseManifold = 0.08;  ///< With what found its contacts.
+  double pair = 0.05;
+  double rebuild = 0.9;
+  double childPair = 0.165;
   double gjkIteration = 0.06;
   double detectorRun = 0.6;
-  double contact = 0.23;
-  double hiddenContact = 0.2;  ///< Of it: what is saved by a contact that the solver is not shown.
-  double manifold = 0.15;
-  double piece = 0.75;  ///< With all of its region.
-  double separationQuery = 3.0;
+  double halfSpaceRun = 0.05;
+  double contact = 0.2;
+  double hiddenContact = 0.185;  ///< Of it: what is saved by a contact that the solver is not shown.
+  double manifold = 0.06;
+  double piece = 0.48;  ///< With all of its region.
+  double separationQuery = 1.5;
   double audit = 0.5;     ///< The distance between the finest shapes, from scratch.
-  double switched = 5.0;  ///< Besides the queries: contacts dropped, lists made anew.
+  double switched = 0.5;  ///< Besides the queries: contacts dropped, lists made anew.
 };
 
 /// What is remembered of one pair's cost, units a step.

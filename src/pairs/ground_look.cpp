@@ -248,7 +248,7 @@ void GroundLook::lookAtHalfSpace(const HalfSpace& solid) {
       continue;
     }
     if (!engine_.mayMeet(pair_.region.pieces(), child)) continue;
-    ++work_.detectorRuns;
+    ++work_.halfSpaceRuns;
     engine_.detect(manifoldOf(i), pair_.region.pieces(), child);
   }
 }

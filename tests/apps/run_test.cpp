@@ -17,7 +17,8 @@ constexpr const char* kHeader =
     "ms,"
     "noncontact_constraints_ms,contact_constraints_ms,integrate_ms,vehicles_ms,activation_ms,plan_ms,cpu_"
     "load,"
-    "objects,hybrids,overlapping_pairs,narrowphase_pairs,pairs_with_hybrid,pairs_without_hybrid,manifolds,"
+    "objects,hybrids,joints,overlapping_pairs,narrowphase_pairs,pairs_with_hybrid,pairs_without_hybrid,"
+    "manifolds,"
     "contacts,"
     "new_contacts,requests,switches_coarser,switches_finer,retractions,credited_pairs,finest_pairs,"
     "touching_pairs,touching_finest_pairs,reused_pairs,hidden_contacts,blocked_tries,separation_queries,cost_"
@@ -25,7 +26,7 @@ constexpr const char* kHeader =
     "units,floor_units,reachable_units,budget_verdict,withheld_pairs,overdue_pairs,"
     "pairs_skipped,list_rebuilds,child_pairs,child_pairs_asleep,recycled,bounds_rejected,axis_rejected,gjk_"
     "runs,"
-    "gjk_iterations,detector_runs,ground_pieces,awake_bodies,budget_ms,budget_units,"
+    "gjk_iterations,detector_runs,half_space_runs,ground_pieces,awake_bodies,budget_ms,budget_units,"
     "kinetic_energy,max_penetration,state_hash";
 
 class RunTest : public ProgramTest {

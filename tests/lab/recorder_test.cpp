@@ -28,7 +28,7 @@ TEST(FrameRecorder, HasExactlyTheAgreedColumnsInOrder) {
       names,
       "frame,time_s,physics_ms,physics_cpu_ms,update_aabbs_ms,predict_motion_ms,collision_detection_ms,"
       "islands_ms,noncontact_constraints_ms,contact_constraints_ms,integrate_ms,vehicles_ms,activation_ms,"
-      "plan_ms,cpu_load,objects,hybrids,overlapping_pairs,narrowphase_pairs,pairs_with_hybrid,"
+      "plan_ms,cpu_load,objects,hybrids,joints,overlapping_pairs,narrowphase_pairs,pairs_with_hybrid,"
       "pairs_without_hybrid,manifolds,contacts,new_contacts,requests,switches_coarser,switches_finer,"
       "retractions,credited_pairs,finest_pairs,touching_pairs,touching_finest_pairs,reused_pairs,hidden_"
       "contacts,blocked_"
@@ -38,7 +38,9 @@ TEST(FrameRecorder, HasExactlyTheAgreedColumnsInOrder) {
       "pairs_skipped,list_rebuilds,child_pairs,child_"
       "pairs_"
       "asleep,recycled,"
-      "bounds_rejected,axis_rejected,gjk_runs,gjk_iterations,detector_runs,ground_pieces,awake_bodies,budget_"
+      "bounds_rejected,axis_rejected,gjk_runs,gjk_iterations,detector_runs,half_space_runs,ground_pieces,"
+      "awake_"
+      "bodies,budget_"
       "ms,budget_"
       "units,kinetic_"
       "energy,max_"
@@ -82,14 +84,15 @@ TEST(FrameRecorder, EveryCountOfThePairAlgorithmHasItsColumn) {
                                                  .gjkRuns = 9,
                                                  .gjkIterations = 10,
                                                  .detectorRuns = 11,
-                                                 .pieces = 12}});
+                                                 .halfSpaceRuns = 12,
+                                                 .pieces = 13}});
   FrameData data(2);
   FrameRecorder recorder(*world, data);
   ASSERT_TRUE(recorder.step());
   double expected = 2.0;
   for (const char* column :
        {"pairs_skipped", "list_rebuilds", "child_pairs", "child_pairs_asleep", "recycled", "bounds_rejected",
-        "axis_rejected", "gjk_runs", "gjk_iterations", "detector_runs", "ground_pieces"}) {
+        "axis_rejected", "gjk_runs", "gjk_iterations", "detector_runs", "half_space_runs", "ground_pieces"}) {
     EXPECT_EQ(data.value(*data.find(column)), expected++) << column;
   }
 }

@@ -22,7 +22,7 @@ BudgetState after(double budgetUnits, int objects, int steps = 12) {
   std::vector<PlannedPair> pairs = knownPairs(costs, 50, 3);
   PairWorkload work;
   work.counts.rebuilds = 1;
-  work.contacts = 40;
+  work.contacts = 50;
   for (int step = 0; step < steps; ++step) {
     budget.begin({.objects = objects, .awake = objects});
     budget.plan(pairs, 2);

@@ -18,20 +18,20 @@ TEST(CostModel, AddsUpTheWorkOfAPair) {
   weights.pair = 1.0;
   weights.rebuild = 2.0;
   weights.childPair = 3.0;
-  weights.gjkRun = 5.0;
   weights.gjkIteration = 7.0;
   weights.detectorRun = 11.0;
+  weights.halfSpaceRun = 5.0;
   weights.contact = 13.0;
   weights.manifold = 17.0;
   weights.piece = 19.0;
   const CostModel costs(weights);
-  // 1 + 2·1 + 3·2 + 5·3 + 7·4 + 11·5 + 13·6 + 17·7 + 19·8
+  // 1 + 2·1 + 3·2 + 7·4 + 11·5 + 5·3 + 13·6 + 17·7 + 19·8
   const PairWork counts{.rebuilds = 1,
                         .childPairs = 12,
                         .childPairsAsleep = 10,
-                        .gjkRuns = 3,
                         .gjkIterations = 4,
                         .detectorRuns = 5,
+                        .halfSpaceRuns = 3,
                         .pieces = 8};
   EXPECT_DOUBLE_EQ(costs.units(PairWorkload{.counts = counts, .contacts = 6, .manifolds = 7}), 456.0);
   EXPECT_DOUBLE_EQ(costs.units(PairWorkload{}), 1.0);
@@ -39,6 +39,7 @@ TEST(CostModel, AddsUpTheWorkOfAPair) {
 
 TEST(CostModel, CountsWhatNoLevelChanges) {
   CostWeights weights;
+  weights.step = 7.0;
   weights.object = 2.0;
   weights.awakeBody = 3.0;
   weights.broadphasePair = 0.5;
@@ -46,7 +47,7 @@ TEST(CostModel, CountsWhatNoLevelChanges) {
   weights.looseManifold = 4.0;
   weights.contact = 0.25;
   const CostModel costs(weights);
-  EXPECT_DOUBLE_EQ(costs.units(StepLoad{.objects = 10, .awake = 4, .broadphasePairs = 8, .joints = 2}), 46.0);
+  EXPECT_DOUBLE_EQ(costs.units(StepLoad{.objects = 10, .awake = 4, .broadphasePairs = 8, .joints = 2}), 53.0);
   EXPECT_DOUBLE_EQ(costs.units(LooseContacts{.manifolds = 3, .points = 8}), 14.0);
 }
 

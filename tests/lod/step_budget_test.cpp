@@ -8,9 +8,9 @@
 namespace scatter::lod {
 namespace {
 
-PairWorkload work(int queries) {
+PairWorkload work(int iterations) {
   PairWorkload load;
-  load.counts.gjkRuns = queries;
+  load.counts.gjkIterations = iterations;
   return load;
 }
 

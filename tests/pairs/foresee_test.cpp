@@ -102,6 +102,7 @@ void expectSame(const PairWork& a, const PairWork& b) {
   EXPECT_EQ(a.axisRejected, b.axisRejected);
   EXPECT_EQ(a.gjkRuns, b.gjkRuns);
   EXPECT_EQ(a.detectorRuns, b.detectorRuns);
+  EXPECT_EQ(a.halfSpaceRuns, b.halfSpaceRuns);
 }
 
 void expectSame(const Pair& a, const Pair& b) {

@@ -67,7 +67,7 @@ struct PlannedRow {
     outcome.tried = plan.tries;
     outcome.choice = {kind, plan.target};
     outcome.touching = touching;
-    outcome.work.counts.gjkRuns = 100;
+    outcome.work.counts.gjkIterations = 100;
     planner.take(pair, outcome);
   }
 
@@ -241,7 +241,7 @@ TEST(Planner, LetsPairsKeepTheirContactsWhereAStepIsShort) {
 TEST(Planner, KnowsWhatCouldNotBeGivenUp) {
   for (const SwitchKind kind : {SwitchKind::kBlocked, SwitchKind::kFree}) {
     PlannedRow row(2);
-    row.planner.setBudget(lod::UnitBudget::ofUnits(1.0));
+    row.planner.setBudget(lod::UnitBudget::ofUnits(10.0));
     row.step();
     row.step(kind);
     const bool wasRefused = kind == SwitchKind::kBlocked;

@@ -52,6 +52,7 @@ struct PairWork {
   int gjkRuns = 0;
   int gjkIterations = 0;  ///< Those of penetration depths included.
   int detectorRuns = 0;   ///< Child pairs that the engine's own detectors decided.
+  int halfSpaceRuns = 0;  ///< Parts near a half-space, that its own algorithm decided.
   int pieces = 0;         ///< Of grounds (triangles, what of a large shape is near a body), looked up anew.
 };
 

@@ -34,6 +34,7 @@ using StageTimes = std::array<double, kStageCount>;
 struct StepCounters {
   std::uint32_t objects = 0;
   std::uint32_t hybrids = 0;
+  std::uint32_t joints = 0;
   std::uint32_t overlappingPairs = 0;  ///< Broadphase pairs.
   std::uint32_t narrowphasePairs = 0;  ///< Pairs that went through the narrowphase.
   std::uint32_t pairsWithHybrid = 0;   ///< Of those, with at least one hybrid.

@@ -224,6 +224,7 @@ void BulletPhysics::countStep(std::uint32_t newContacts) {
   counters_ = {};
   counters_.objects = bodies_.count();
   counters_.hybrids = bodies_.hybridCount();
+  counters_.joints = static_cast<std::uint32_t>(engine_.world().getNumConstraints());
   counters_.overlappingPairs =
       static_cast<std::uint32_t>(engine_.world().getPairCache()->getNumOverlappingPairs());
   counters_.narrowphasePairs = pairs.all;

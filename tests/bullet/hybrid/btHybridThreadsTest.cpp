@@ -97,7 +97,7 @@ class Crowd : public PairTestWorld {
     const btHybridCollisionCounts counts = world.getCollisionCounts();
     for (const int count : {counts.pairs, counts.pairsSkipped, counts.rebuilds, counts.childPairs,
                             counts.childPairsAsleep, counts.boundsRejected, counts.axisRejected,
-                            counts.gjkRuns, counts.gjkIterations, counts.detectorRuns})
+                            counts.gjkRuns, counts.gjkIterations, counts.detectorRuns, counts.halfSpaceRuns})
       result.push_back(static_cast<std::uint32_t>(count));
     return result;
   }
