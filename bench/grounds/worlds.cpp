@@ -86,7 +86,10 @@ class Stage {
     cost.p99 = steps[steps.size() * 99 / 100];
     cost.detection = world_.detection;
     cost.contacts /= trial_.steps;
-    if (installation_) cost.asked = installation_->takeCollisionCounts().detectorRuns;
+    if (installation_) {
+      const auto counts = installation_->takeCollisionCounts();
+      cost.asked = counts.detectorRuns + counts.halfSpaceRuns;
+    }
     look(cost);
     return cost;
   }

@@ -34,7 +34,7 @@ struct Cost {
   double detection = 0.0;
   double bodySteps = 0.0;  ///< Of bodies that were awake.
   double contacts = 0.0;   ///< The mean of a step.
-  double asked = 0.0;      ///< Parts that Bullet's own detectors decided, with the algorithm installed.
+  double asked = 0.0;      ///< Parts that Bullet's own algorithms decided, with the algorithm installed.
   int sunk = 0;            ///< Bodies whose middle is under the ground at the end.
   float deepest = 0.0F;    ///< Contact at the end, metres.
 };
