@@ -137,7 +137,7 @@ TEST(GovernorLongRun, GivesAllDetailBackWhenTheLoadIsGone) {
 TEST(GovernorLongRun, ASuddenLoadIsShedInAFewSteps) {
   FakeDef def;
   const auto script = makeClump(1000, 6);
-  def.activity = [](int step) { return step < 200 ? 1.0 : 2.0; };
+  def.activity = [](int step) { return step < 200 ? 1.0 : 1.8; };
   FakeEngine engine(def, script);
   double budget = kNoBudget;
   int over = 0;
