@@ -33,7 +33,8 @@ struct LooseContacts {
   int points = 0;
 };
 
-/// What a unit of work costs, relative to each other: about microseconds on the machine they were fitted on.
+/// What a unit of work costs, relative to each other: about microseconds on the machine they were fitted on,
+/// by bench/costs/fit.
 struct CostWeights {
   double step = 7.0;     ///< Whatever is in it.
   double object = 0.01;  ///< Of those that sleep, which the fit does not see.

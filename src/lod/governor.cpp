@@ -122,9 +122,13 @@ constexpr double kLeastKindUnits = 0.01;
 // --families ships_mesh --seeds 3 --scale 0.5`).
 constexpr double kNewLists = 4.0;
 
-/// Besides what a pair usually takes at its new level.
 double switchUnits(const CostModel& costs) {
-  return costs.weights().switched + costs.weights().separationQuery + kNewLists;
+  return costs.weights().switched + costs.weights().separationQuery;
+}
+
+/// Besides what a pair usually takes at its new level.
+double freshSwitchUnits(const CostModel& costs) {
+  return switchUnits(costs) + kNewLists;
 }
 
 double predict(const PlannedPair& pair, const CostModel& costs, int level) {
@@ -193,7 +197,7 @@ void Governor::grantAll(std::span<PlannedPair> pairs, const CostModel& costs, do
     pair.byBudget = pair.mustSave = false;
     pair.expected = static_cast<float>(predict(pair, costs, pair.target));
     if (pair.target > level && level > 0)
-      room -= correction_ * (switchUnits(costs) + static_cast<double>(pair.expected));
+      room -= correction_ * (freshSwitchUnits(costs) + static_cast<double>(pair.expected));
     predicted_ += static_cast<double>(pair.expected);
   }
   await();
@@ -377,7 +381,7 @@ void Governor::planPair(PlannedPair& pair, const CostModel& costs) {
     const int wanted = isMiddle_ && !admitted ? target : levelFor(pair, admitted);
     double& room = wanted < view.level ? coarserRoom_ : finerRoom_;
     if (wanted != view.level && room > 0.0) {
-      room -= switchUnits(costs);
+      room -= freshSwitchUnits(costs);
       target = wanted;
     }
   }
@@ -405,7 +409,7 @@ void Governor::relieve(std::span<PlannedPair> pairs, const CostModel& costs, dou
 /// The best offers that save the excess, as far as the step has room for their switches. Lists made anew are
 /// not among these: relief that waits costs more.
 void Governor::acceptRelief(std::span<PlannedPair> pairs, const CostModel& costs, double excess) {
-  const double each = costs.weights().switched + costs.weights().separationQuery;
+  const double each = switchUnits(costs);
   PriceCut cut = search_.find(offers_, std::max(excess, bestCost()));
   std::erase_if(offers_, [&](const Offer& offer) { return !cut.take(offer); });
   for (Offer& offer : offers_) {
