@@ -30,19 +30,27 @@ std::size_t roomOf(std::size_t points) {
   return 3 * static_cast<std::size_t>(simd::padded(static_cast<int>(points)));
 }
 
-void setPlane(PartList::Part& triangle, std::span<const Vec3> corners) {
+void setPlane(PartList::Part& part, std::span<const Vec3> corners) {
+  part.normal = Vec3(0.0F);
+  part.offset = 0.0F;
+  if (part.kind != PartKind::kTriangle) return;
   const Vec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
   const float length = glm::length(normal);
   constexpr float kLeastArea = 1e-12F;
   if (!(length > kLeastArea)) return;
-  triangle.normal = normal / length;
-  triangle.offset = glm::dot(triangle.normal, corners[0]);
+  part.normal = normal / length;
+  part.offset = glm::dot(part.normal, corners[0]);
 }
 
-void resize(PartList::Boxes& boxes, std::size_t count) {
+// What is beyond `used` is nowhere.
+void resize(PartList::Boxes& boxes, std::size_t used, std::size_t count) {
+  const auto fill = [used, count](std::vector<float>& values, float value) {
+    values.resize(count);
+    std::fill(values.begin() + static_cast<std::ptrdiff_t>(used), values.end(), value);
+  };
   for (int axis = 0; axis < 3; ++axis) {
-    boxes.center[axis].assign(count, 0.0F);
-    boxes.half[axis].assign(count, -kNowhere);
+    fill(boxes.center[axis], 0.0F);
+    fill(boxes.half[axis], -kNowhere);
   }
 }
 
@@ -61,7 +69,7 @@ PartList::PartList(std::span<const PartDef> parts) {
 
 void PartList::assign(std::span<const PartDef> parts) {
   assert(!parts.empty() && parts.size() <= std::numeric_limits<std::uint16_t>::max());
-  parts_.assign(parts.size(), Part());
+  parts_.resize(parts.size());
   addPolytopes(parts);
   addBoxes(parts);
   addEngineAxes(parts);
@@ -78,12 +86,14 @@ void PartList::addPolytopes(std::span<const PartDef> parts) {
   hasOpaque_ = false;
   float* next = vertices_.data();
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    parts_[i].kind = parts[i].kind;
-    hasOpaque_ = hasOpaque_ || parts[i].kind == PartKind::kOpaque;
-    parts_[i].margin = parts[i].margin;
-    parts_[i].core = addPolytope(parts[i].core, next);
-    if (parts[i].kind == PartKind::kBox) parts_[i].sharp = addPolytope(cornersOf(parts[i]), next);
-    if (parts[i].kind == PartKind::kTriangle) setPlane(parts_[i], parts[i].core);
+    const PartDef& def = parts[i];
+    Part& part = parts_[i];
+    part.kind = def.kind;
+    hasOpaque_ = hasOpaque_ || def.kind == PartKind::kOpaque;
+    part.margin = def.margin;
+    part.core = addPolytope(def.core, next);
+    part.sharp = def.kind == PartKind::kBox ? addPolytope(cornersOf(def), next) : PolytopeView();
+    setPlane(part, def.core);
   }
 }
 
@@ -101,8 +111,8 @@ PolytopeView PartList::addPolytope(std::span<const Vec3> points, float*& next) {
 
 void PartList::addBoxes(std::span<const PartDef> parts) {
   const auto room = static_cast<std::size_t>(paddedCount());
-  resize(boxes_, room);
-  resize(engineBoxes_, room);
+  resize(boxes_, parts.size(), room);
+  resize(engineBoxes_, parts.size(), room);
   engineMargin_.assign(room, 0.0F);
   asking_.clear();
   for (std::size_t i = 0; i < parts.size(); ++i) {

@@ -12,8 +12,9 @@ using Lanes = stdx::native_simd<float>;
 /// One float, for tests: kernels are templates over the lanes and give the same bits for any of them.
 using OneLane = stdx::simd<float, stdx::simd_abi::scalar>;
 
-/// Arrays that kernels read are padded to a multiple of this, whatever the lanes.
-inline constexpr int kPadding = 16;
+/// Arrays that kernels read are padded to a multiple of this. Parts have few vertices: more would be mostly
+/// padding.
+inline constexpr int kPadding = static_cast<int>(Lanes::size());
 
 [[nodiscard]] constexpr int padded(int count) {
   return (count + kPadding - 1) / kPadding * kPadding;

@@ -51,7 +51,7 @@ struct CostWeights {
   double contact = 0.2;
   double hiddenContact = 0.185;  ///< Of it: what is saved by a contact that the solver is not shown.
   double manifold = 0.06;
-  double piece = 0.48;  ///< With all of its region.
+  double piece = 0.2;  ///< Of a ground, looked up. The fit takes it as known.
   double separationQuery = 1.5;
   double audit = 0.5;     ///< The distance between the finest shapes, from scratch.
   double switched = 0.5;  ///< Besides the queries: contacts dropped, lists made anew.
