@@ -1,6 +1,7 @@
 #include "pairs/region.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace scatter::pairs {
@@ -10,11 +11,17 @@ namespace {
 /// Of the body's radius. A larger one makes regions of more pieces, a smaller one more regions.
 constexpr float kSkin = 0.25F;
 
+/// A ground that is no larger than so many regions, and has no more than so many times their pieces, is taken
+/// whole. Bowls and furniture are looked up once by bodies of their size, which takes a third of a
+/// millisecond of a thousand triangles; terrains never are.
+constexpr float kLargestWhole = 4.0F;
+constexpr std::size_t kMostOfWhole = 2;
+
 /// Of the body's radius: the longest way in a step around which pieces are looked up.
 constexpr float kLongestWay = 8.0F;
 
-Vec3 limited(const Vec3& way, const PartList& parts) {
-  const float most = kLongestWay * parts.radius();
+Vec3 limited(const Vec3& way, float radius) {
+  const float most = kLongestWay * radius;
   const float length = glm::length(way);
   return length > most ? way * (most / length) : way;
 }
@@ -55,6 +62,7 @@ bool areSame(const GroundPieces& a, const GroundPieces::Piece& pieceA, const Gro
 
 float Region::room(const PartList& parts, const Frame& body) const {
   if (!gathered_) return -1.0F;
+  if (all_) return std::numeric_limits<float>::infinity();
   Vec3 low;
   Vec3 high;
   boundsIn(parts, body, low, high);
@@ -64,26 +72,19 @@ float Region::room(const PartList& parts, const Frame& body) const {
 
 bool Region::holds(const PartList& parts, const Frame& body, const Vec3& ahead) const {
   Frame next = body;
-  next.origin += limited(ahead, parts);
+  next.origin += limited(ahead, parts.radius());
   return room(parts, body) >= 0.0F && room(parts, next) >= 0.0F;
 }
 
 bool Region::gather(const PartList& parts, const Frame& body, const GroundMotion& motion, float reach,
                     GroundEngine& engine, PartPair& pair, RegionScratch& scratch) {
   boundsIn(parts, body, low_, high_);
-  const Vec3 ahead = limited(motion.ahead, parts);
-  low_ = glm::min(low_, low_ + ahead) - Vec3(kSkin * parts.radius());
-  high_ = glm::max(high_, high_ + ahead) + Vec3(kSkin * parts.radius());
   std::swap(pieces_, scratch.before);
-  pieces_.clear();
-  const Vec3 since = limited(motion.since, parts);
-  const Vec3 low = glm::min(low_, low_ - since);
-  const Vec3 high = glm::max(high_, high_ - since);
-  const bool isWhole = engine.collect(low - reach, high + reach, pieces_);
-  if (!isWhole || pieces_.pieces.empty()) {
+  const bool isComplete = collect(motion, reach, parts.radius(), engine);
+  if (!isComplete || pieces_.pieces.empty()) {
     pair.reset(pair.threshold());
-    gathered_ = isWhole;
-    return isWhole;
+    gathered_ = isComplete;
+    return isComplete;
   }
   origin_ = 0.5F * (low_ + high_);
   rebuild(scratch);
@@ -94,6 +95,24 @@ bool Region::gather(const PartList& parts, const Frame& body, const GroundMotion
   }
   gathered_ = true;
   return true;
+}
+
+bool Region::collect(const GroundMotion& motion, float reach, float radius, GroundEngine& engine) {
+  const Vec3 ahead = limited(motion.ahead, radius);
+  low_ = glm::min(low_, low_ + ahead) - Vec3(kSkin * radius);
+  high_ = glm::max(high_, high_ + ahead) + Vec3(kSkin * radius);
+  const Vec3 since = limited(motion.since, radius);
+  const Vec3 low = glm::min(low_, low_ - since) - reach;
+  const Vec3 high = glm::max(high_, high_ - since) + reach;
+  pieces_.clear();
+  all_ = false;
+  if (!engine.collect(low, high, pieces_)) return false;
+  const Vec3 wider = 0.5F * (kLargestWhole - 1.0F) * (high - low);
+  const std::size_t count = pieces_.pieces.size();
+  all_ = count > 0 && engine.isWithin(low - wider, high + wider, kMostOfWhole * count);
+  if (!all_) return true;
+  pieces_.clear();
+  return engine.collect(low - wider, high + wider, pieces_);
 }
 
 void Region::rebuild(RegionScratch& scratch) {

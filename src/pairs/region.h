@@ -24,18 +24,18 @@ struct GroundMotion {
 /// the body's parts they are one more body.
 class Region {
  public:
-  void forget() { gathered_ = false; }
+  void forget() { gathered_ = all_ = false; }
 
   /// How far the body may still go until the region has to be gathered anew, metres; negative: it has to be
-  /// now. `body` is where it is in the ground's frame.
+  /// now; infinite: never. `body` is where it is in the ground's frame.
   [[nodiscard]] float room(const PartList& parts, const Frame& body) const;
 
   /// Whether all that is near is known also when the body has gone `ahead`.
   [[nodiscard]] bool holds(const PartList& parts, const Frame& body, const Vec3& ahead) const;
 
   /// Looks up the pieces around the body, up to `reach` further, and around its ways, as far as they are not
-  /// longer than bodies that anybody sees move; `pair`, of this region and the body, goes on with those that
-  /// it knows. False if the engine cannot tell them all.
+  /// longer than bodies that anybody sees move; all that there are if they are hardly more. `pair`, of this
+  /// region and the body, goes on with those that it knows. False if the engine cannot tell them all.
   [[nodiscard]] bool gather(const PartList& parts, const Frame& body, const GroundMotion& motion, float reach,
                             GroundEngine& engine, PartPair& pair, RegionScratch& scratch);
 
@@ -47,6 +47,7 @@ class Region {
   [[nodiscard]] std::size_t bytes() const;
 
  private:
+  [[nodiscard]] bool collect(const GroundMotion& motion, float reach, float radius, GroundEngine& engine);
   void rebuild(RegionScratch& scratch);
   void remap(const GroundPieces& before, PartPair& pair, std::vector<int>& moved) const;
 
@@ -57,6 +58,7 @@ class Region {
   Vec3 low_{0.0F};     ///< The body's box may lie between these without another look, in the ground's frame.
   Vec3 high_{0.0F};
   bool gathered_ = false;
+  bool all_ = false;  ///< The ground has no other pieces.
 };
 
 }  // namespace scatter::pairs

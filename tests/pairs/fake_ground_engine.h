@@ -28,6 +28,7 @@ class FakeGroundEngine : public FakeManifolds<pairs::GroundEngine> {
   bool refuses = false;    ///< The shape is no list of parts.
   int version = 0;         ///< Of the ground.
   bool isTooFine = false;  ///< There are too many triangles.
+  int end = 1000;          ///< The net ends so many metres from the origin, along x and z.
   int fallbacks = 0;
   int lookups = 0;
 
@@ -52,11 +53,17 @@ class FakeGroundEngine : public FakeManifolds<pairs::GroundEngine> {
     ++lookups;
     if (isTooFine) return false;
     if (low.y > 0.0F || high.y < 0.0F) return true;
-    for (int x = static_cast<int>(std::floor(low.x)); static_cast<float>(x) <= high.x; ++x) {
-      for (int z = static_cast<int>(std::floor(low.z)); static_cast<float>(z) <= high.z; ++z)
-        addCell(x, z, pieces);
+    const auto first = [this](float at) { return std::max(static_cast<int>(std::floor(at)), -end); };
+    const auto last = [this](float at) { return std::min(static_cast<int>(std::floor(at)), end - 1); };
+    for (int x = first(low.x); x <= last(high.x); ++x) {
+      for (int z = first(low.z); z <= last(high.z); ++z) addCell(x, z, pieces);
     }
     return true;
+  }
+  [[nodiscard]] bool isWithin(const Vec3& low, const Vec3& high, std::size_t most) const override {
+    const auto edge = static_cast<float>(end);
+    const bool isIn = low.x <= -edge && low.z <= -edge && high.x >= edge && high.z >= edge;
+    return isIn && static_cast<std::size_t>(8 * end * end) <= most;
   }
   [[nodiscard]] float reach(const Vec3& /*direction*/) const override { return 0.0F; }
   bool fallBack() override {

@@ -142,6 +142,32 @@ TEST(GroundRegion, IsLookedUpOncePerSkin) {
   EXPECT_GE(body.engine.lookups, 2);
 }
 
+// A net of 4 x 4 m has 32 triangles, of which a body of 2 m is near at least 18.
+TEST(GroundRegion, OfASmallGroundIsLookedUpOnce) {
+  LivingGround body(true);
+  LivingGround onEndlessNet(true);
+  body.engine.end = 2;
+  for (int i = 0; i < 160; ++i) {
+    const Vec3 position(0.01F * static_cast<float>(i) - 0.8F, 0.79F, 0.005F * static_cast<float>(i) - 0.4F);
+    body.step(position);
+    onEndlessNet.step(position);
+    ASSERT_EQ(body.pair.contacts.size(), onEndlessNet.pair.contacts.size()) << i;
+    EXPECT_FLOAT_EQ(body.press(), onEndlessNet.press());
+  }
+  EXPECT_FALSE(body.pair.contacts.empty());
+  EXPECT_EQ(body.engine.lookups, 2) << "what is near, and then all";
+  EXPECT_GT(onEndlessNet.engine.lookups, 2);
+  body.step(Vec3(50.0F, 0.79F, 0.0F));
+  EXPECT_EQ(body.engine.lookups, 2);
+}
+
+TEST(GroundRegion, IsNotAllOfAGroundThatIsLargerOrHasMorePieces) {
+  LivingGround body(true);
+  body.engine.end = 5;
+  for (int i = 0; i < 100; ++i) body.step(Vec3(0.01F * static_cast<float>(i), 0.81F, 0.0F));
+  EXPECT_GT(body.engine.lookups, 2);
+}
+
 /// Two plates of 4 cm, one beside the other, that go 60 cm a step.
 struct FastPlates : LivingGround {
   explicit FastPlates(bool holds) : LivingGround(true, plates()) {

@@ -3,7 +3,10 @@
 #include <BulletCollision/CollisionShapes/btBoxShape.h>
 #include <BulletCollision/CollisionShapes/btConcaveShape.h>
 #include <BulletCollision/CollisionShapes/btPolyhedralConvexShape.h>
+#include <BulletCollision/CollisionShapes/btScaledBvhTriangleMeshShape.h>
 #include <BulletCollision/CollisionShapes/btStaticPlaneShape.h>
+#include <BulletCollision/CollisionShapes/btStridingMeshInterface.h>
+#include <BulletCollision/CollisionShapes/btTriangleMeshShape.h>
 
 #include <limits>
 
@@ -55,6 +58,27 @@ btScalar halfDiagonal(const btCollisionShape* shape)
 	btVector3 aabbMin, aabbMax;
 	shape->getAabb(btTransform::getIdentity(), aabbMin, aabbMax);
 	return btScalar(0.5) * (aabbMax - aabbMin).length();
+}
+
+// 0: it does not tell.
+size_t countTriangles(const btCollisionShape* shape)
+{
+	if (shape->getShapeType() == SCALED_TRIANGLE_MESH_SHAPE_PROXYTYPE)
+		shape = const_cast<btScaledBvhTriangleMeshShape*>(static_cast<const btScaledBvhTriangleMeshShape*>(shape))->getChildShape();
+	if (shape->getShapeType() != TRIANGLE_MESH_SHAPE_PROXYTYPE && shape->getShapeType() != MULTIMATERIAL_TRIANGLE_MESH_PROXYTYPE)
+		return 0;
+	const btStridingMeshInterface* mesh = static_cast<const btTriangleMeshShape*>(shape)->getMeshInterface();
+	size_t count = 0;
+	for (int part = 0; part < mesh->getNumSubParts(); part++)
+	{
+		const unsigned char *vertices, *indices;
+		int numVertices, vertexStride, indexStride, numTriangles;
+		PHY_ScalarType vertexType, indexType;
+		mesh->getLockedReadOnlyVertexIndexBase(&vertices, numVertices, vertexType, vertexStride, &indices, indexStride, numTriangles, indexType, part);
+		mesh->unLockReadOnlyVertexBase(part);
+		count += size_t(numTriangles);
+	}
+	return count;
 }
 
 btVector3 corner(int number, const btVector3& low, const btVector3& high)
@@ -121,6 +145,7 @@ void btHybridGround::follow(const btCollisionShape* shape, btScalar radius)
 	m_scaling = shape->getLocalScaling();
 	m_margin = shape->getMargin();
 	shape->getAabb(btTransform::getIdentity(), m_min, m_max);
+	m_numTriangles = countTriangles(shape);
 	m_core.reset();
 	m_version++;
 }
@@ -128,6 +153,16 @@ void btHybridGround::follow(const btCollisionShape* shape, btScalar radius)
 btScalar btHybridGround::getReach(const btVector3& direction) const
 {
 	return direction.dot(static_cast<const btConvexShape*>(m_shape)->localGetSupportVertexWithoutMarginNonVirtual(direction));
+}
+
+bool btHybridGround::isWithin(const btVector3& low, const btVector3& high, size_t most) const
+{
+	if (m_numTriangles == 0 || m_numTriangles > most)
+		return false;
+	for (int axis = 0; axis < 3; axis++)
+		if (!(m_min[axis] >= low[axis] && m_max[axis] <= high[axis]))
+			return false;
+	return true;
 }
 
 bool btHybridGround::collect(const btVector3& low, const btVector3& high, scatter::pairs::GroundPieces& pieces)

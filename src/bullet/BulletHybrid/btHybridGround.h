@@ -28,6 +28,7 @@ class btHybridGround
 	btVector3 m_min;
 	btVector3 m_max;
 	btScalar m_margin;
+	size_t m_numTriangles;  ///< of a mesh, as far as it tells
 	int m_version;
 	std::optional<scatter::levels::Polytope> m_core;  ///< the hull's, once it was asked for; empty if it cannot be clipped
 
@@ -42,7 +43,7 @@ class btHybridGround
 
 public:
 	btHybridGround()
-	    : m_shape(0), m_kind(BT_HYBRID_NO_GROUND), m_scaling(0, 0, 0), m_min(0, 0, 0), m_max(0, 0, 0), m_margin(0), m_version(0)
+	    : m_shape(0), m_kind(BT_HYBRID_NO_GROUND), m_scaling(0, 0, 0), m_min(0, 0, 0), m_max(0, 0, 0), m_margin(0), m_numTriangles(0), m_version(0)
 	{
 	}
 
@@ -70,6 +71,9 @@ public:
 
 	/// See scatter::pairs::GroundEngine::reach().
 	btScalar getReach(const btVector3& direction) const;
+
+	/// See scatter::pairs::GroundEngine. Only meshes tell.
+	bool isWithin(const btVector3& low, const btVector3& high, size_t most) const;
 
 	/// See scatter::pairs::GroundEngine. Not of a half-space.
 	bool collect(const btVector3& low, const btVector3& high, scatter::pairs::GroundPieces& pieces);
