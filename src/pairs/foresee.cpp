@@ -228,10 +228,8 @@ bool foresee(GroundPair& pair, const PlacedBody& placed, const Frame& ground, co
   const Frame bodyInGround = relativeFrame(ground, placed.body->frame());
   const Vec3 ahead = steps.passages ? engine.wayAhead() : Vec3(0.0F);
   PairWork work;
-  if (!pair.region.holds(placed.body->parts(), bodyInGround, ahead)) {
-    if (pair.jumps != placed.body->jumps()) return false;
-    if (!gatherRegion(pair, *placed.body, bodyInGround, ahead, steps, engine, region, work)) return false;
-  }
+  if (pair.jumps != placed.body->jumps()) return false;
+  if (!findRegion(pair, *placed.body, bodyInGround, ahead, steps, engine, region, work)) return false;
   if (pair.region.empty()) return true;
   Foresight& foresight = scratch.take();
   foresight.work = work;

@@ -74,13 +74,15 @@ float reachOf(const GroundPair& pair, const GroundEngine& engine) {
 
 }  // namespace
 
-bool gatherRegion(GroundPair& pair, const PartBody& body, const Frame& bodyInGround, const Vec3& ahead,
-                  const PairSteps& steps, GroundEngine& engine, RegionScratch& scratch, PairWork& work) {
+bool findRegion(GroundPair& pair, const PartBody& body, const Frame& bodyInGround, const Vec3& ahead,
+                const PairSteps& steps, GroundEngine& engine, RegionScratch& scratch, PairWork& work) {
+  const float reach = reachOf(pair, engine);
+  if (pair.region.holds(body.parts(), bodyInGround, ahead, reach)) return true;
   GroundMotion motion;
   motion.ahead = ahead;
   if (steps.passages) motion.since = pair.passage.wayTo(bodyInGround, ahead);
-  const bool isWhole = pair.region.gather(body.parts(), bodyInGround, motion, reachOf(pair, engine), engine,
-                                          pair.parts, scratch);
+  const bool isWhole =
+      pair.region.gather(body.parts(), bodyInGround, motion, reach, engine, pair.parts, scratch);
   work.pieces += static_cast<int>(pair.region.pieces().pieces.size());
   return isWhole;
 }
@@ -170,7 +172,10 @@ bool GroundLook::place(int level) {
   if (pair_.level != level || pair_.hasFallenBack || !std::ranges::equal(versions, pair_.versions)) {
     pair_.restart(engine_.threshold(), engine_);
     pair_.passage.begin(placed.body->parts());
-    if (versions[1] != pair_.versions[1]) pair_.passage.forget();
+    if (versions[1] != pair_.versions[1]) {
+      pair_.region.forget();
+      pair_.passage.forget();
+    }
     pair_.level = level;
     std::ranges::copy(versions, pair_.versions);
   }
@@ -255,9 +260,8 @@ void GroundLook::lookAtHalfSpace(const HalfSpace& solid) {
 
 // False: the engine's own algorithm is at work.
 bool GroundLook::hasRegion(const Frame& bodyInGround, const Vec3& ahead) {
-  if (pair_.region.holds(body_->parts(), bodyInGround, ahead)) return true;
   const bool isWhole =
-      gatherRegion(pair_, *body_, bodyInGround, ahead, steps_, engine_, scratch_.region, work_);
+      findRegion(pair_, *body_, bodyInGround, ahead, steps_, engine_, scratch_.region, work_);
   if (!isWhole) pair_.isTooFine = fallBack();
   return isWhole;
 }

@@ -38,11 +38,11 @@ struct GroundScratch {
 [[nodiscard]] bool mayRecycle(const GroundPair& pair, const PartBody& body, const Frame& ground,
                               const PairSteps& steps);
 
-/// Looks up the pieces near the body, where Region::holds() says no more that they are known. Adds their
-/// number to `work`. False if there are more than can be dealt with.
-[[nodiscard]] bool gatherRegion(GroundPair& pair, const PartBody& body, const Frame& bodyInGround,
-                                const Vec3& ahead, const PairSteps& steps, GroundEngine& engine,
-                                RegionScratch& scratch, PairWork& work);
+/// Looks up the pieces near the body if they are not known, and adds their number to `work`. False if there
+/// are more than can be dealt with.
+[[nodiscard]] bool findRegion(GroundPair& pair, const PartBody& body, const Frame& bodyInGround,
+                              const Vec3& ahead, const PairSteps& steps, GroundEngine& engine,
+                              RegionScratch& scratch, PairWork& work);
 
 /// One look for the contacts of a body's parts with its ground.
 class GroundLook {

@@ -53,7 +53,7 @@ struct GroundPair {
     for (GroundContact& contact : contacts) use(contact.manifold);
   }
 
-  /// Gives the manifolds back, and forgets what was known of distances.
+  /// Gives the manifolds back, and forgets what was known of distances; not what of the ground is near.
   void restart(float threshold, Manifolds& engine);
 
   /// As new, but with the memory that it has. The manifolds must be gone.

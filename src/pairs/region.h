@@ -30,8 +30,8 @@ class Region {
   /// now; infinite: never. `body` is where it is in the ground's frame.
   [[nodiscard]] float room(const PartList& parts, const Frame& body) const;
 
-  /// Whether all that is near is known also when the body has gone `ahead`.
-  [[nodiscard]] bool holds(const PartList& parts, const Frame& body, const Vec3& ahead) const;
+  /// Whether all that is near, up to `reach`, is known also when the body has gone `ahead`.
+  [[nodiscard]] bool holds(const PartList& parts, const Frame& body, const Vec3& ahead, float reach) const;
 
   /// Looks up the pieces around the body, up to `reach` further, and around its ways, as far as they are not
   /// longer than bodies that anybody sees move; all that there are if they are hardly more. `pair`, of this
@@ -57,6 +57,7 @@ class Region {
   Vec3 origin_{0.0F};  ///< Of the pieces' frame in the ground's: near the body, for precision.
   Vec3 low_{0.0F};     ///< The body's box may lie between these without another look, in the ground's frame.
   Vec3 high_{0.0F};
+  float reach_ = 0.0F;  ///< Pieces that are further from the body's box are not known.
   bool gathered_ = false;
   bool all_ = false;  ///< The ground has no other pieces.
 };

@@ -142,6 +142,22 @@ TEST(GroundRegion, IsLookedUpOncePerSkin) {
   EXPECT_GE(body.engine.lookups, 2);
 }
 
+TEST(GroundRegion, IsNotLookedUpAnewForAFinerLevel) {
+  LivingGround body(true);
+  body.plan.target = 1;
+  for (int i = 0; i < 3; ++i) body.stepAt(1.0F);
+  ASSERT_EQ(body.plan.view.level, 1);
+  const int before = body.engine.lookups;
+  body.plan.target = kFinestLevel;
+  for (int i = 0; i < 3; ++i) body.stepAt(0.81F);
+  EXPECT_EQ(body.plan.view.level, kFinestLevel);
+  EXPECT_FALSE(body.pair.contacts.empty());
+  EXPECT_EQ(body.engine.lookups, before);
+  ++body.engine.version;
+  body.stepAt(0.81F);
+  EXPECT_GT(body.engine.lookups, before) << "another ground";
+}
+
 // A net of 4 x 4 m has 32 triangles, of which a body of 2 m is near at least 18.
 TEST(GroundRegion, OfASmallGroundIsLookedUpOnce) {
   LivingGround body(true);
