@@ -1,5 +1,8 @@
 #include "lod/contact_thinning.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace scatter::lod {
 namespace {
 
@@ -7,13 +10,12 @@ namespace {
 // and hardly anything is saved in addition.
 constexpr ThinningRule kRule{.mostAlike = 8, .leastContacts = 12};
 
-// Of the budget: from where on contacts are spared, before any detail is taken, and from where on not any
-// more.
-constexpr double kFrom = 0.85;
-constexpr double kBack = 0.75;
+// Of the budget: from where on contacts are spared, before any detail is taken.
+constexpr double kFrom = 0.88;
 
-// Steps in a row in which there must be room before all contacts are shown again: what rests would tremble if
-// that went to and fro.
+// Of the spare contacts: so many more are hidden than are needed, and twice as many must be too many before
+// some are shown again, in so many steps in a row: what rests would tremble if contacts came and went.
+constexpr double kMore = 0.05;
 constexpr int kPatience = 30;
 
 // Steps from one look to the next as long as there is nothing to spare: looking goes through all contacts.
@@ -26,18 +28,30 @@ bool ContactThinning::concerns(int contacts) {
 }
 
 double ContactThinning::expected(int contacts) const {
-  return spare_.hidden == 0 ? 0.0 : each_ * contacts * spare_.hidden / spare_.contacts;
+  return spare_.spare == 0 ? 0.0 : each_ * contacts * spare_.spare / spare_.contacts;
 }
 
-double ContactThinning::settle(double full, double budget, const Find& find) {
-  const bool wasThin = spare_.hidden > 0;
+void ContactThinning::settle(double full, double budget, const Find& find) {
   spare_ = {};
-  if (!wasThin && (full <= kFrom * budget || --stepsToTry_ > 0)) return 0.0;
-  roomySteps_ = full < kBack * budget ? roomySteps_ + 1 : 0;
-  if (roomySteps_ >= kPatience) return 0.0;
+  hidden_ = 0;
+  const double excess = full - kFrom * budget;
+  if (share_ == 0.0 && (excess <= 0.0 || --stepsToTry_ > 0)) return;
   spare_ = find(kRule);
-  if (spare_.hidden == 0) stepsToTry_ = kTryEvery;
-  return each_ * spare_.hidden;
+  if (spare_.spare == 0) {
+    share_ = 0.0;
+    stepsToTry_ = kTryEvery;
+    return;
+  }
+  adjustShare(std::clamp(excess / mostSaved(), 0.0, 1.0));
+  hidden_ = static_cast<int>(std::ceil(share_ * spare_.spare));
+}
+
+void ContactThinning::adjustShare(double needed) {
+  const double wanted = needed > 0.0 ? std::min(needed + kMore, 1.0) : 0.0;
+  roomySteps_ = wanted < share_ - kMore || wanted == 0.0 ? roomySteps_ + 1 : 0;
+  if (needed <= share_ && roomySteps_ < kPatience) return;
+  share_ = wanted;
+  roomySteps_ = 0;
 }
 
 }  // namespace scatter::lod

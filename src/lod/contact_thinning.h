@@ -11,15 +11,15 @@ struct ThinningRule {
   int leastContacts = 0;
 };
 
-/// Contacts of the bodies that the rule concerns, and those of them that are not shown.
+/// Contacts of the bodies that the rule concerns, and those of them that need not be shown.
 struct SpareContacts {
   int contacts = 0;
-  int hidden = 0;
+  int spare = 0;
 };
 
-/// The first thing that a budget takes: contacts that others stand for. That is decided when the contacts of
-/// a step are known, before they are solved; so it also saves a step that turned out dearer than it was
-/// planned. Deterministic.
+/// The first thing that a budget takes: contacts that others stand for, as many as it needs. That is decided
+/// when the contacts of a step are known, before they are solved; so it also saves a step that turned out
+/// dearer than it was planned. Deterministic.
 class ContactThinning {
  public:
   using Find = std::function<SpareContacts(const ThinningRule&)>;
@@ -30,19 +30,27 @@ class ContactThinning {
   /// Whether a pair with so many contacts may have some to spare.
   [[nodiscard]] static bool concerns(int contacts);
 
-  /// What so many contacts of such pairs are taken to save: as much as in the step before.
+  /// What so many contacts of such pairs may save: as much as in the step before.
   [[nodiscard]] double expected(int contacts) const;
 
-  /// After the narrowphase of a step that would cost `full` units if all contacts were shown: what it saves.
-  /// `find` is called only if it is needed.
-  double settle(double full, double budget, const Find& find);
+  /// After the narrowphase of a step that would cost `full` units if all contacts were shown: decides how
+  /// many are not. `find` is called only if it is needed.
+  void settle(double full, double budget, const Find& find);
 
-  /// Of the last settle(): contacts that are not to be shown.
-  [[nodiscard]] int hidden() const { return spare_.hidden; }
+  /// Of the last settle(): contacts that are not to be shown, of the spare ones in an order that lasts.
+  [[nodiscard]] int hidden() const { return hidden_; }
+
+  /// Of the last settle(), units: what these save, and what all that are spare would.
+  [[nodiscard]] double saved() const { return each_ * hidden_; }
+  [[nodiscard]] double mostSaved() const { return each_ * spare_.spare; }
 
  private:
+  void adjustShare(double needed);
+
   double each_;
-  int roomySteps_ = 0;  ///< For so many steps it would not have been needed.
+  double share_ = 0.0;  ///< Of the spare contacts, those that are not shown.
+  int hidden_ = 0;
+  int roomySteps_ = 0;  ///< For so many steps fewer would have done.
   int stepsToTry_ = 0;  ///< Until it is looked again whether there is anything to spare.
   SpareContacts spare_{};
 };

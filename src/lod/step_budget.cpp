@@ -16,6 +16,7 @@ void StepBudget::set(const UnitBudget& budget) {
 
 void StepBudget::begin(const StepLoad& load) {
   ownSpare_ = 0;
+  shownUnits_ = 0.0;
   newPairs_ = std::max(load.broadphasePairs - broadphasePairs_, 0);
   broadphasePairs_ = load.broadphasePairs;
   savedUnits_ = looseSaved_;
@@ -75,16 +76,19 @@ void StepBudget::takeLoose(const LooseContacts& contacts) {
   spend(looseUnits_ - known);
 }
 
+// The governor plans as if none was shown that need not be: before detail is taken all of them are hidden.
 void StepBudget::settleContacts(const ContactThinning::Find& find) {
   if (!isLimited()) return;
-  const double saved = contacts_.settle(units_ + savedUnits_, budgetUnits_, find);
-  spend(savedUnits_ - saved);
-  savedUnits_ = saved;
-  looseSaved_ = std::max(saved - contacts_.expected(ownSpare_), 0.0);
+  contacts_.settle(units_ + savedUnits_, budgetUnits_, find);
+  spend(savedUnits_ - contacts_.mostSaved());
+  savedUnits_ = contacts_.mostSaved();
+  looseSaved_ = std::max(savedUnits_ - contacts_.expected(ownSpare_), 0.0);
+  shownUnits_ = savedUnits_ - contacts_.saved();
+  units_ += shownUnits_;
 }
 
 void StepBudget::finish(bool isPlanned) {
-  if (isPlanned) governor_.learn(units_);
+  if (isPlanned) governor_.learn(units_ - shownUnits_);
   budget_.take(units_);
   lastUnits_ = units_;
 }

@@ -116,8 +116,9 @@ class StepBudget {
   UnitBudget budget_;
   ContactThinning contacts_;
   AuditRoom audits_;
-  double savedUnits_ = 0.0;  ///< What contacts that are not shown are taken to save of units_.
+  double savedUnits_ = 0.0;  ///< What contacts that need not be shown are taken to save of units_.
   double looseSaved_ = 0.0;  ///< Of these, by contacts that belong to no pair.
+  double shownUnits_ = 0.0;  ///< Of the units that these may save, those that they do not.
   int broadphasePairs_ = 0;
   int newPairs_ = 0;  ///< By how many more they are than in the step before.
   int ownSpare_ = 0;  ///< Contacts of pairs that may have some to spare.

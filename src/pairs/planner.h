@@ -144,6 +144,7 @@ class Planner {
 
   /// Then: which contacts the solver is to be shown.
   void settleContacts(const lod::ContactThinning::Find& find) { budget_.settleContacts(find); }
+  [[nodiscard]] int hiddenContacts() const { return budget_.hiddenContacts(); }
 
   /// Ends the step.
   void finish();

@@ -10,7 +10,7 @@ constexpr double kRoom = 1000.0;
 
 /// Bodies with contacts to spare, and how often somebody looked.
 struct Pile {
-  int hidden = 600;
+  int spare = 600;
   int looks = 0;
 
   ContactThinning::Find find() {
@@ -19,7 +19,7 @@ struct Pile {
       EXPECT_TRUE(ContactThinning::concerns(rule.leastContacts));
       EXPECT_FALSE(ContactThinning::concerns(rule.leastContacts - 1));
       ++looks;
-      return SpareContacts{1000, hidden};
+      return SpareContacts{1000, spare};
     };
   }
 };
@@ -27,18 +27,37 @@ struct Pile {
 TEST(ContactThinning, ShowsAllContactsAsLongAsThereIsRoom) {
   ContactThinning thinning(kSaving);
   Pile pile;
-  EXPECT_EQ(thinning.settle(800.0, kRoom, pile.find()), 0.0);
+  thinning.settle(850.0, kRoom, pile.find());
   EXPECT_EQ(thinning.hidden(), 0);
+  EXPECT_EQ(thinning.saved(), 0.0);
   EXPECT_EQ(pile.looks, 0) << "a quiet step pays nothing";
   EXPECT_EQ(thinning.expected(100), 0.0);
 }
 
-TEST(ContactThinning, SparesContactsBeforeTheBudgetIsUsedUp) {
+TEST(ContactThinning, SparesAsManyContactsAsAreNeededBeforeTheBudgetIsUsedUp) {
   ContactThinning thinning(kSaving);
   Pile pile;
-  EXPECT_EQ(thinning.settle(900.0, kRoom, pile.find()), kSaving * pile.hidden);
-  EXPECT_EQ(thinning.hidden(), pile.hidden);
-  EXPECT_EQ(thinning.expected(100), kSaving * 60) << "the next step will save as much";
+  for (const double full : {900.0, 950.0, 1100.0, 1179.0}) {
+    thinning.settle(full, kRoom, pile.find());
+    EXPECT_GT(full - thinning.saved(), 0.83 * kRoom);
+    EXPECT_LE(full - thinning.saved(), 0.88 * kRoom);
+    EXPECT_EQ(thinning.saved(), kSaving * thinning.hidden());
+    EXPECT_EQ(thinning.mostSaved(), kSaving * pile.spare);
+  }
+  thinning.settle(2000.0, kRoom, pile.find());
+  EXPECT_EQ(thinning.hidden(), pile.spare);
+  EXPECT_EQ(thinning.expected(100), kSaving * 60) << "the next step may save as much";
+}
+
+TEST(ContactThinning, HidesAsManyWhileALittleLessIsNeeded) {
+  ContactThinning thinning(kSaving);
+  Pile pile;
+  thinning.settle(1100.0, kRoom, pile.find());
+  const int hidden = thinning.hidden();
+  for (int i = 0; i < 200; ++i) {
+    thinning.settle(i % 2 == 0 ? 1090.0 : 1110.0, kRoom, pile.find());
+    EXPECT_EQ(thinning.hidden(), hidden) << i;
+  }
 }
 
 TEST(ContactThinning, ShowsThemAgainWhenThereHasBeenRoomForAWhile) {
@@ -47,23 +66,25 @@ TEST(ContactThinning, ShowsThemAgainWhenThereHasBeenRoomForAWhile) {
   thinning.settle(2000.0, kRoom, pile.find());
   int steps = 0;
   while (thinning.hidden() > 0 && steps < 1000) {
-    // Now and then it is needed: that does not count as room.
-    thinning.settle(steps == 20 ? 900.0 : 700.0, kRoom, pile.find());
+    // Now and then all are needed: that does not count as room.
+    thinning.settle(steps == 20 ? 1180.0 : 700.0, kRoom, pile.find());
     ++steps;
   }
   EXPECT_GT(steps, 40);
   EXPECT_LT(steps, 100);
-  EXPECT_EQ(thinning.settle(800.0, kRoom, pile.find()), 0.0) << "nor does it go to and fro";
 }
 
 TEST(ContactThinning, LooksNowAndThenWhereThereIsNothingToSpare) {
   ContactThinning thinning(kSaving);
   Pile pile;
-  pile.hidden = 0;
-  for (int i = 0; i < 100; ++i) EXPECT_EQ(thinning.settle(2000.0, kRoom, pile.find()), 0.0);
+  pile.spare = 0;
+  for (int i = 0; i < 100; ++i) {
+    thinning.settle(2000.0, kRoom, pile.find());
+    EXPECT_EQ(thinning.saved(), 0.0);
+  }
   EXPECT_LE(pile.looks, 30);
   EXPECT_GE(pile.looks, 20);
-  pile.hidden = 800;
+  pile.spare = 800;
   for (int i = 0; i < 4; ++i) thinning.settle(2000.0, kRoom, pile.find());
   EXPECT_EQ(thinning.hidden(), 800);
 }

@@ -110,7 +110,7 @@ TEST(StepBudget, LeavesContactsToOthersBeforeItIsExceeded) {
   const double full = stepUnits(roomy, pair, kContacts);
   EXPECT_EQ(roomy.hiddenContacts(), 0);
   StepBudget tight;
-  tight.set(UnitBudget::ofUnits(full));
+  tight.set(UnitBudget::ofUnits(0.3 * full));
   const double saved = full - stepUnits(tight, pair, kContacts);
   EXPECT_EQ(tight.hiddenContacts(), 750);
   EXPECT_NEAR(saved, 750 * CostWeights().hiddenContact, 1e-9);
@@ -118,6 +118,27 @@ TEST(StepBudget, LeavesContactsToOthersBeforeItIsExceeded) {
   EXPECT_NEAR(stepUnits(tight, pair, kContacts), full - saved, 1e-9);
   // When they are gone nothing is left of it.
   EXPECT_NEAR(stepUnits(tight, pair, 0), stepUnits(roomy, pair, 0), 1e-9);
+}
+
+TEST(StepBudget, LeavesNoMoreContactsToOthersThanItNeeds) {
+  PlannedPair pair;
+  pair.view = {.level = 2, .finest = 2, .touching = true};
+  pair.target = 2;
+  constexpr int kContacts = 1000;
+  StepBudget roomy;
+  roomy.set(UnitBudget::ofUnits(1e6));
+  const double full = stepUnits(roomy, pair, kContacts);
+  StepBudget tight;
+  tight.set(UnitBudget::ofUnits(full));
+  for (int i = 0; i < 5; ++i) {
+    const double units = stepUnits(tight, pair, kContacts);
+    EXPECT_GT(units, 0.8 * full);
+    EXPECT_LT(units, 0.88 * full);
+    EXPECT_GT(tight.hiddenContacts(), 0);
+    EXPECT_LT(tight.hiddenContacts(), 250);
+    EXPECT_NEAR(full - units, tight.hiddenContacts() * CostWeights().hiddenContact, 1e-9);
+    EXPECT_EQ(pair.target, 2) << "no detail is taken while contacts can be spared";
+  }
 }
 
 TEST(StepBudget, OfMillisecondsNeedsTheClock) {

@@ -169,6 +169,7 @@ void btHybridPlanner::settleContacts(btDispatcher* dispatcher)
 		m_reduced.find(m_solved.data(), int(m_solved.size()), info);
 		const btHybridContactReductionCount& count = m_reduced.getCount();
 		return scatter::lod::SpareContacts{count.m_contacts, count.m_contacts - count.m_left}; });
+	m_reduced.keepFirst(hiddenContacts());
 }
 
 void btHybridPlanner::findSolved(btDispatcher* dispatcher)

@@ -3,6 +3,8 @@
 #include <BulletCollision/CollisionDispatch/btCollisionObject.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <tuple>
 
 #include "btHybridQuad.h"
 #include "btHybridReducible.h"
@@ -11,6 +13,12 @@ namespace
 {
 const int kNoPair = -1;
 const int kNoManifold = -1;
+
+unsigned drawLot(int first, int second)
+{
+	const uint64_t golden = 0x9E3779B97F4A7C15u;
+	return unsigned(((uint64_t(first) << 32 | uint64_t(second)) * golden) >> 32);
+}
 }  // namespace
 
 // In either order of the bodies.
@@ -28,7 +36,7 @@ int btHybridReducedContacts::pairOf(const btCollisionObject* first, const btColl
 		if (m_pairs[pair].m_other == second)
 			return pair;
 	}
-	m_pairs.push_back({second, m_firstPair[index], kNoManifold, 0});
+	m_pairs.push_back({second, drawLot(index, second->getWorldArrayIndex()), m_firstPair[index], kNoManifold, 0});
 	m_firstPair[index] = int(m_pairs.size()) - 1;
 	return m_firstPair[index];
 }
@@ -48,6 +56,16 @@ void btHybridReducedContacts::group(btPersistentManifold** manifolds, int numMan
 		m_pairs[index].m_last = i;
 		m_pairs[index].m_contacts += contacts;
 	}
+}
+
+void btHybridReducedContacts::order(int leastContacts)
+{
+	m_order.clear();
+	for (size_t i = 0; i < m_pairs.size(); ++i)
+		if (m_pairs[i].m_contacts >= leastContacts)
+			m_order.push_back(int(i));
+	std::sort(m_order.begin(), m_order.end(), [this](int a, int b)
+	          { return std::tie(m_pairs[a].m_lot, a) < std::tie(m_pairs[b].m_lot, b); });
 }
 
 void btHybridReducedContacts::collect(const Pair& pair, btPersistentManifold** manifolds)
@@ -85,11 +103,10 @@ void btHybridReducedContacts::find(btPersistentManifold** manifolds, int numMani
 {
 	forget();
 	group(manifolds, numManifolds);
-	for (const Pair& pair : m_pairs)
+	order(btMax(info.m_leastContacts, 1));
+	for (int pair : m_order)
 	{
-		if (pair.m_contacts < btMax(info.m_leastContacts, 1))
-			continue;
-		collect(pair, manifolds);
+		collect(m_pairs[pair], manifolds);
 		++m_count.m_pairs;
 		m_count.m_contacts += int(m_contacts.size());
 		m_count.m_left += m_reduction.reduce(m_contacts, btMax(info.m_mostAlike, 1));
@@ -101,6 +118,12 @@ void btHybridReducedContacts::forget()
 {
 	m_count = btHybridContactReductionCount();
 	m_hidden.clear();
+}
+
+void btHybridReducedContacts::keepFirst(int most)
+{
+	if (m_hidden.size() > size_t(btMax(most, 0)))
+		m_hidden.resize(size_t(btMax(most, 0)));
 }
 
 // What a contact bore is borne by the one that stands for it.

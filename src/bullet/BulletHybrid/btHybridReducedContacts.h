@@ -15,7 +15,8 @@ class btHybridReducedContacts
 	struct Pair
 	{
 		const btCollisionObject* m_other;
-		int m_next;  ///< pair of the same first body
+		unsigned m_lot;  ///< random, and the same as long as the two are in the world
+		int m_next;      ///< pair of the same first body
 		int m_last;  ///< of its manifolds
 		int m_contacts;
 	};
@@ -29,6 +30,7 @@ class btHybridReducedContacts
 
 	std::vector<int> m_firstPair;  ///< of an object of the world
 	std::vector<Pair> m_pairs;
+	std::vector<int> m_order;   ///< of the pairs that are looked at, by their lots
 	std::vector<int> m_before;  ///< of a manifold, the one before it of the same bodies
 	std::vector<btManifoldPoint*> m_points;
 	std::vector<scatter::solver::ReducibleContact> m_contacts;
@@ -38,6 +40,7 @@ class btHybridReducedContacts
 
 	int pairOf(const btCollisionObject* first, const btCollisionObject* second);
 	void group(btPersistentManifold** manifolds, int numManifolds);
+	void order(int leastContacts);
 	void collect(const Pair& pair, btPersistentManifold** manifolds);
 	void remember();
 
@@ -45,6 +48,9 @@ public:
 	/// Finds them anew: valid until contacts change.
 	void find(btPersistentManifold** manifolds, int numManifolds, const btHybridContactReductionInfo& info);
 	void forget();
+
+	/// Of these only so many: of the same bodies in every step, as far as they have as many.
+	void keepFirst(int most);
 
 	void hide();
 	/// After hide().

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -193,6 +195,19 @@ class Slabs : public PairTestWorld {
     return counts;
   }
 
+  /// Of each pair of bodies, contacts that press.
+  [[nodiscard]] std::vector<int> countPressing() const {
+    std::map<std::pair<const void*, const void*>, int> counts;
+    for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
+      const auto both = std::minmax<const void*>(manifoldAt(i).getBody0(), manifoldAt(i).getBody1());
+      for (int k = 0; k < manifoldAt(i).getNumContacts(); ++k)
+        counts[both] += manifoldAt(i).getContactPoint(k).getAppliedImpulse() > 0 ? 1 : 0;
+    }
+    std::vector<int> result;
+    for (const auto& [both, count] : counts) result.push_back(count);
+    return result;
+  }
+
   btHybridLevelSet slab;
 };
 
@@ -221,6 +236,25 @@ TEST(Budget, LeavesContactsToOthersBeforeItTakesDetail) {
   w.step();
   EXPECT_EQ(w.pairInfo().hiddenContacts, 0);
   EXPECT_GT(w.countContacts().first, pressing / 2);
+}
+
+// Those of the others are all shown, so that what rests does not tremble.
+TEST(Budget, LeavesContactsOfTheSameBodiesToOthersInEveryStep) {
+  Slabs w;
+  w.world.setBudgetUnits(1e6);
+  w.step();
+  w.world.setBudgetUnits(w.pairInfo().units);
+  for (int i = 0; i < 150; ++i) w.step();
+  constexpr int kMany = 50;
+  const std::vector<int> pressing = w.countPressing();
+  EXPECT_EQ(std::ranges::count_if(pressing, [](int count) { return count > kMany; }), 2);
+  EXPECT_EQ(std::ranges::count_if(pressing, [](int count) { return count < kMany / 4; }), 2);
+  for (int i = 0; i < 60; ++i) {
+    w.step();
+    const std::vector<int> now = w.countPressing();
+    ASSERT_EQ(now.size(), pressing.size());
+    for (std::size_t k = 0; k < now.size(); ++k) EXPECT_EQ(now[k] > kMany, pressing[k] > kMany) << i;
+  }
 }
 
 TEST(Budget, IsThereAfterItIsSetAndGoneWhenItIsRemoved) {
