@@ -17,7 +17,7 @@ class btHybridReducedContacts
 		const btCollisionObject* m_other;
 		unsigned m_lot;  ///< random, and the same as long as the two are in the world
 		int m_next;      ///< pair of the same first body
-		int m_last;  ///< of its manifolds
+		int m_last;      ///< of its manifolds
 		int m_contacts;
 	};
 
