@@ -100,14 +100,24 @@ double stepUnits(StepBudget& budget, PlannedPair& pair, int contacts) {
   return budget.units();
 }
 
-TEST(StepBudget, LeavesContactsToOthersBeforeItIsExceeded) {
-  PlannedPair pair;
-  pair.view = {.level = 2, .finest = 2, .touching = true};
-  pair.target = 2;
-  constexpr int kContacts = 1000;
-  StepBudget roomy;
-  roomy.set(UnitBudget::ofUnits(1e6));
-  const double full = stepUnits(roomy, pair, kContacts);
+/// A pair at its finest level with many contacts, and what its step costs if all are shown.
+class StepBudgetOfContacts : public ::testing::Test {
+ protected:
+  static constexpr int kContacts = 1000;
+
+  StepBudgetOfContacts() {
+    pair.view = {.level = 2, .finest = 2, .touching = true};
+    pair.target = 2;
+    roomy.set(UnitBudget::ofUnits(1e6));
+    full = stepUnits(roomy, pair, kContacts);
+  }
+
+  PlannedPair pair{};
+  StepBudget roomy{};
+  double full = 0.0;
+};
+
+TEST_F(StepBudgetOfContacts, AreLeftToOthersBeforeItIsExceeded) {
   EXPECT_EQ(roomy.hiddenContacts(), 0);
   StepBudget tight;
   tight.set(UnitBudget::ofUnits(0.3 * full));
@@ -120,14 +130,7 @@ TEST(StepBudget, LeavesContactsToOthersBeforeItIsExceeded) {
   EXPECT_NEAR(stepUnits(tight, pair, 0), stepUnits(roomy, pair, 0), 1e-9);
 }
 
-TEST(StepBudget, LeavesNoMoreContactsToOthersThanItNeeds) {
-  PlannedPair pair;
-  pair.view = {.level = 2, .finest = 2, .touching = true};
-  pair.target = 2;
-  constexpr int kContacts = 1000;
-  StepBudget roomy;
-  roomy.set(UnitBudget::ofUnits(1e6));
-  const double full = stepUnits(roomy, pair, kContacts);
+TEST_F(StepBudgetOfContacts, AreLeftToOthersNoMoreThanItNeeds) {
   StepBudget tight;
   tight.set(UnitBudget::ofUnits(full));
   for (int i = 0; i < 5; ++i) {
