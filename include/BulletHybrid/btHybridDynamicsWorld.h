@@ -196,7 +196,7 @@ public:
 	///
 	/// Levels must not change in place. Shapes of other bodies may: what Bullet counts, places, scaling, margins,
 	/// bounds and numbers of points are compared once a step; clean the pairs of a body after any other change,
-	/// as of a mesh's vertices within its bounds, and after one of gContactBreakingThreshold. Detectors registered
+	/// as of a mesh's vertices within its bounds (of all bodies that have it), and after one of gContactBreakingThreshold. Detectors registered
 	/// for two boxes, two spheres or two hulls, and Bullet's multipoint settings, are not asked.
 	const btHybridCollisionInfo& getCollisionInfo() const;
 

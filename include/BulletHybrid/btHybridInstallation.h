@@ -7,25 +7,28 @@ class btDispatcher;
 class btHybridNarrowphase;
 class btHybridRegistration;
 
-/// The pair algorithm in the dispatcher of any world (btDiscreteDynamicsWorld, btMultiBodyDynamicsWorld, btSoftRigidDynamicsWorld,
-/// a bare btCollisionWorld), as long as this object lives:
+/// The pair algorithm in the dispatcher of any world (btDiscreteDynamicsWorld, btMultiBodyDynamicsWorld,
+/// btSoftRigidDynamicsWorld, a bare btCollisionWorld), as long as this object lives:
 ///
-///     btHybridInstallation installation(&dispatcher);
-///     if (installation.getMistake()) puts(installation.getMistake());
+///     btHybridInstallation installation(&dispatcher);     if (installation.getMistake())
+/// puts(installation.getMistake());
 ///
-/// Collides two objects of which one has a compound shape, whose children are convex or such compounds, and the other one a compound
-/// of this kind, a convex shape, a static plane, a triangle mesh (btBvhTriangleMeshShape, scaled or not), or a height field; also a
-/// bare btConvexHullShape with another one or a btBoxShape, and either on a mesh or a height field. It does so in the place of create functions that were registered before; those that a program registers afterwards are used. All other
-/// pairs go on to those of the dispatcher's configuration. The contacts are those that Bullet finds, for a fraction of its time where
-/// compounds have many children, and for about two thirds of it where bodies are bare. A btHybridRigidBody takes part with the shape that it has.
+/// Collides two objects of which one has a compound shape, whose children are convex or such compounds, and the other
+/// one a compound of this kind, a convex shape, a static plane, a triangle mesh (btBvhTriangleMeshShape, scaled or
+/// not), or a height field; also a bare btConvexHullShape with another one or a btBoxShape, and either on a mesh or a
+/// height field. It does so in the place of create functions that were registered before; those that a program
+/// registers afterwards are used. All other pairs go on to those of the dispatcher's configuration. The contacts are
+/// those that Bullet finds, for a fraction of its time where compounds have many children, and for about two thirds of
+/// it where bodies are bare. A btHybridRigidBody takes part with the shape that it has.
 ///
-/// Levels that switch, policies and budgets need the stages of a btHybridDynamicsWorld, which installs the algorithm itself: here
-/// everything is at its finest level.
+/// Levels that switch, policies and budgets need the stages of a btHybridDynamicsWorld, which installs the algorithm
+/// itself: here everything is at its finest level.
 ///
-/// Shapes may change in ways that Bullet counts (btCompoundShape::getUpdateRevision), and in the scaling and margin of the whole;
-/// clean the pairs of a body after any other change, and after one of gContactBreakingThreshold. That holds for the vertices of a mesh
-/// and the heights of a field, too, as Bullet asks for it itself. Detectors registered for two boxes, two spheres or two hulls, and
-/// Bullet's multipoint settings but those for planes, are not asked. Not for several threads at once.
+/// Shapes may change in ways that Bullet counts (btCompoundShape::getUpdateRevision), and in the scaling and margin of
+/// the whole; clean the pairs of a body after any other change, and after one of gContactBreakingThreshold. That holds
+/// for the vertices of a mesh and the heights of a field, too, as Bullet asks for it itself; of a mesh that several
+/// bodies have, of all of these. Detectors registered for two boxes, two spheres or two hulls, and Bullet's multipoint
+/// settings but those for planes, are not asked. Not for several threads at once.
 class btHybridInstallation
 {
 	btHybridNarrowphase* m_narrowphase;

@@ -30,6 +30,15 @@ Lanes gap(const float* center, const float* half, float otherCenter, float other
   return abs(load<Lanes>(center) - Lanes(otherCenter)) - (load<Lanes>(half) + Lanes(otherHalf));
 }
 
+// How far boxes lie apart from one along the axis along which it is most.
+Lanes apartFrom(const PartList::Boxes& boxes, std::size_t i, const Vec3& center, const Vec3& half) {
+  Lanes apart(-kNoBox);
+  for (int axis = 0; axis < 3; ++axis) {
+    apart = max(apart, gap(&boxes.center[axis][i], &boxes.half[axis][i], center[axis], half[axis]));
+  }
+  return apart;
+}
+
 // In the order of operations of glm::dot.
 Lanes dot(const Vec3& row, const Lanes (&v)[3]) {
   return Lanes(row.x) * v[0] + Lanes(row.y) * v[1] + Lanes(row.z) * v[2];
@@ -121,22 +130,33 @@ void NeighbourSearch::cutByPlane(std::size_t first, const PartList::Part& triang
   found_.resize(kept);
 }
 
+template <class Use>
+void NeighbourSearch::forEachNear(const PartList& list, const Vec3& center, const Vec3& reach, Use&& use) {
+  const auto count = static_cast<std::size_t>(list.paddedCount());
+  const auto useAll = [&](std::size_t from, std::size_t to) {
+    for (std::size_t i = from; i < to; i += kLaneCount) use(i);
+  };
+  const PartList::Boxes& blocks = list.blocks();
+  if (blocks.center[0].empty()) return useAll(0, count);
+  for (std::size_t i = 0; i < blocks.center[0].size(); i += kLaneCount) {
+    simd::forEachSet(apartFrom(blocks, i, center, reach) <= Lanes(0.0F), [&](int lane) {
+      const std::size_t first = (i + static_cast<std::size_t>(lane)) * PartList::kBlock;
+      useAll(first, std::min(first + PartList::kBlock, count));
+    });
+  }
+}
+
 // Near the box around all of the other body's parts, along the axes of either frame.
 template <NeighbourSearch::Candidates::Array kCenterHere, NeighbourSearch::Candidates::Array kCenterThere>
 void NeighbourSearch::collect(const PartList& list, const PartList& other, const Passage& there,
                               const Passage& back, float limit, Candidates& near) {
-  const auto count = static_cast<std::size_t>(list.paddedCount());
-  near.clear(count);
+  near.clear(static_cast<std::size_t>(list.paddedCount()));
   const PartList::Boxes& boxes = list.boxes();
   const Box all = back({other.center(), other.half()});
   const Vec3 reach = all.half + limit;
-  for (std::size_t i = 0; i < count; i += kLaneCount) {
-    Lanes apart(-kNoBox);
-    for (int axis = 0; axis < 3; ++axis) {
-      apart = max(apart, gap(&boxes.center[axis][i], &boxes.half[axis][i], all.center[axis], reach[axis]));
-    }
-    auto isNear = apart <= Lanes(0.0F);
-    if (simd::stdx::none_of(isNear)) continue;
+  forEachNear(list, all.center, reach, [&](std::size_t i) {
+    auto isNear = apartFrom(boxes, i, all.center, reach) <= Lanes(0.0F);
+    if (simd::stdx::none_of(isNear)) return;
     Lanes center[3];
     Lanes half[3];
     for (int axis = 0; axis < 3; ++axis) {
@@ -163,7 +183,7 @@ void NeighbourSearch::collect(const PartList& list, const PartList& other, const
         near.of(kCenterThere + 3 + axis)[to] = moved[3 + axis][lane];
       }
     });
-  }
+  });
   near.pad();
 }
 

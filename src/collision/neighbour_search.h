@@ -75,6 +75,10 @@ class NeighbourSearch {
     }
   };
 
+  /// Calls `use` with where lanes of parts begin that may be near a box in their frame, in ascending order.
+  template <class Use>
+  static void forEachNear(const PartList& list, const Vec3& center, const Vec3& reach, Use&& use);
+
   template <Candidates::Array kCenterHere, Candidates::Array kCenterThere>
   static void collect(const PartList& list, const PartList& other, const Passage& there, const Passage& back,
                       float limit, Candidates& near);

@@ -73,6 +73,7 @@ void PartList::assign(std::span<const PartDef> parts) {
   addPolytopes(parts);
   addBoxes(parts);
   addEngineAxes(parts);
+  addBlocks();
   boundAll();
 }
 
@@ -154,6 +155,31 @@ void PartList::addEngineAxes(std::span<const PartDef> parts) {
       std::vector<float>& values = engineAxes_[axis][k];
       values.assign(room, axis == k ? 1.0F : 0.0F);
       for (std::size_t i = 0; i < parts.size(); ++i) values[i] = parts[i].boundsAxes[axis][k];
+    }
+  }
+}
+
+void PartList::addBlocks() {
+  // With fewer, boxes of blocks are not worth a look of their own.
+  constexpr int kMany = 4 * kBlock;
+  const bool areMany = count() >= kMany;
+  const std::size_t blocks = areMany ? (static_cast<std::size_t>(count()) + kBlock - 1) / kBlock : 0;
+  resize(blocks_, blocks, static_cast<std::size_t>(simd::padded(static_cast<int>(blocks))));
+  for (std::size_t i = 0; i < blocks; ++i) {
+    const std::size_t first = i * kBlock;
+    const std::size_t end = std::min(first + kBlock, parts_.size());
+    for (int axis = 0; axis < 3; ++axis) {
+      float low = std::numeric_limits<float>::max();
+      float high = std::numeric_limits<float>::lowest();
+      for (std::size_t k = first; k < end; ++k) {
+        low = std::min(low, boxes_.center[axis][k] - boxes_.half[axis][k]);
+        high = std::max(high, boxes_.center[axis][k] + boxes_.half[axis][k]);
+      }
+      // Rounding must not make it smaller than what is in it.
+      constexpr float kRounding = 1e-6F;
+      const float widest = std::max(std::abs(low), std::abs(high));
+      blocks_.center[axis][i] = 0.5F * (low + high);
+      blocks_.half[axis][i] = 0.5F * (high - low) + kRounding * widest;
     }
   }
 }

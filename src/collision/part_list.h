@@ -97,6 +97,11 @@ class PartList {
   /// Around each part, in the body's frame, margins included.
   [[nodiscard]] const Boxes& boxes() const { return boxes_; }
 
+  /// Of a list of many parts, around each kBlock that follow each other, in the same way; else none. What
+  /// follows each other is mostly near each other: triangles come as the engine's tree of bounds has them.
+  static constexpr int kBlock = 8 * simd::kPadding;
+  [[nodiscard]] const Boxes& blocks() const { return blocks_; }
+
   /// Around all parts: a box in the body's frame, and the radius of the ball around its centre.
   [[nodiscard]] const Vec3& center() const { return center_; }
   [[nodiscard]] const Vec3& half() const { return half_; }
@@ -117,11 +122,13 @@ class PartList {
   [[nodiscard]] static PolytopeView addPolytope(std::span<const Vec3> points, float*& next);
   void addBoxes(std::span<const PartDef> parts);
   void addEngineAxes(std::span<const PartDef> parts);
+  void addBlocks();
   void boundAll();
 
   std::vector<Part> parts_;
   std::vector<float> vertices_;  ///< Of all polytopes: x, y and z, padded, one polytope after the other.
   Boxes boxes_;
+  Boxes blocks_;
   Boxes engineBoxes_;
   std::vector<float> engineMargin_;
   std::vector<float> engineAxes_[3][3];  ///< Of each axis its x, y and z; empty if all are the body's axes.

@@ -46,10 +46,6 @@ class GroundEngine : public Manifolds {
   /// of a large one is in the box. False if there are more than can be dealt with.
   [[nodiscard]] virtual bool collect(const Vec3& low, const Vec3& high, GroundPieces& pieces) = 0;
 
-  /// Whether all of the ground is in a box in its frame, and has no more pieces than `most`, as far as the
-  /// engine can tell without looking them up.
-  [[nodiscard]] virtual bool isWithin(const Vec3& low, const Vec3& high, std::size_t most) const = 0;
-
   /// How far a large convex ground reaches along a direction in its frame, without its margin: all of it, not
   /// only the piece that collect() tells.
   [[nodiscard]] virtual float reach(const Vec3& direction) const = 0;

@@ -77,14 +77,15 @@ float reachOf(const GroundPair& pair, const GroundEngine& engine) {
 bool findRegion(GroundPair& pair, const PartBody& body, const Frame& bodyInGround, const Vec3& ahead,
                 const PairSteps& steps, GroundEngine& engine, RegionScratch& scratch, PairWork& work) {
   const float reach = reachOf(pair, engine);
-  if (pair.region.holds(body.parts(), bodyInGround, ahead, reach)) return true;
-  GroundMotion motion;
-  motion.ahead = ahead;
-  if (steps.passages) motion.since = pair.passage.wayTo(bodyInGround, ahead);
-  const bool isWhole =
-      pair.region.gather(body.parts(), bodyInGround, motion, reach, engine, pair.parts, scratch);
-  work.pieces += static_cast<int>(pair.region.pieces().pieces.size());
-  return isWhole;
+  bool isComplete = pair.region.holds(body.parts(), bodyInGround, ahead, reach);
+  if (!isComplete) {
+    GroundMotion motion;
+    motion.ahead = ahead;
+    if (steps.passages) motion.since = pair.passage.wayTo(bodyInGround, ahead);
+    isComplete = pair.region.gather(body.parts(), bodyInGround, motion, reach, engine, pair.parts, scratch);
+  }
+  work.pieces += pair.region.takeLookedUp();
+  return isComplete;
 }
 
 bool mayRecycle(const GroundPair& pair, const PartBody& body, const Frame& ground, const PairSteps& steps) {
@@ -260,10 +261,10 @@ void GroundLook::lookAtHalfSpace(const HalfSpace& solid) {
 
 // False: the engine's own algorithm is at work.
 bool GroundLook::hasRegion(const Frame& bodyInGround, const Vec3& ahead) {
-  const bool isWhole =
+  const bool isComplete =
       findRegion(pair_, *body_, bodyInGround, ahead, steps_, engine_, scratch_.region, work_);
-  if (!isWhole) pair_.isTooFine = fallBack();
-  return isWhole;
+  if (!isComplete) pair_.isTooFine = fallBack();
+  return isComplete;
 }
 
 void GroundLook::lookAtPieces() {

@@ -40,6 +40,9 @@ struct GroundPieces {
     pieces.push_back(piece);
     points.insert(points.end(), corners.begin(), corners.end());
   }
+  [[nodiscard]] std::size_t bytes() const {
+    return sizeof(Vec3) * points.capacity() + sizeof(Piece) * pieces.capacity();
+  }
   [[nodiscard]] std::span<const Vec3> pointsOf(const Piece& piece) const {
     return {points.data() + piece.first, piece.count};
   }

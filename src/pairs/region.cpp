@@ -11,13 +11,6 @@ namespace {
 /// Of the body's radius. A larger one makes regions of more pieces, a smaller one more regions.
 constexpr float kSkin = 0.25F;
 
-/// A ground that is no larger than so many regions, and has no more than so many times their pieces, is taken
-/// whole: bowls and furniture by bodies of their size, for which a thousand triangles take a fifth of a
-/// millisecond; terrains never are. With 0, 2, 4, 8 times, `scatter run` of rooms-1 to rooms-6 (`scatter
-/// families --scale 0.5`) in `lean` takes 1, 0.93, 0.91, 1.00 of the time.
-constexpr float kLargestWhole = 4.0F;
-constexpr std::size_t kMostOfWhole = 4;
-
 /// Of the body's radius: the longest way in a step around which pieces are looked up.
 constexpr float kLongestWay = 8.0F;
 
@@ -36,21 +29,6 @@ void boundsIn(const PartList& parts, const Frame& body, Vec3& low, Vec3& high) {
   high = center + half;
 }
 
-/// Of a piece as a part, with `origin` as the origin of its frame. An engine's bounds of it are those of its
-/// points, widened by the margin.
-void describe(const GroundPieces& pieces, const GroundPieces::Piece& piece, const Vec3& origin,
-              PartDef& part) {
-  const auto points = pieces.pointsOf(piece);
-  part.kind = pieces.kind;
-  part.margin = pieces.margin;
-  part.core.clear();
-  for (const Vec3& point : points) part.core.push_back(point - origin);
-  part.boundsCenter = 0.5F * (piece.low + piece.high) - origin;
-  part.boundsHalf = 0.5F * (piece.high - piece.low);
-  part.boundsMargin = pieces.kind == PartKind::kBox ? 0.0F : pieces.margin;
-  if (pieces.kind == PartKind::kBox) part.boundsHalf += Vec3(pieces.margin);
-}
-
 /// Of one ground. A large piece is cut anew each time, so that its points move.
 bool areSame(const GroundPieces& a, const GroundPieces::Piece& pieceA, const GroundPieces& b,
              const GroundPieces::Piece& pieceB) {
@@ -61,9 +39,23 @@ bool areSame(const GroundPieces& a, const GroundPieces::Piece& pieceA, const Gro
 
 }  // namespace
 
+void Region::forget() {
+  if (whole_) body_.reset();
+  whole_.reset();
+  gathered_ = false;
+  lookedUp_ = 0;
+}
+
+void Region::share(std::shared_ptr<const WholeGround> whole, bool isNew) {
+  whole_ = std::move(whole);
+  body_ = std::make_unique<PartBody>(whole_->parts());
+  origin_ = whole_->origin();
+  lookedUp_ = isNew ? static_cast<int>(whole_->pieces().pieces.size()) : 0;
+}
+
 float Region::room(const PartList& parts, const Frame& body) const {
+  if (whole_) return std::numeric_limits<float>::infinity();
   if (!gathered_) return -1.0F;
-  if (all_) return std::numeric_limits<float>::infinity();
   Vec3 low;
   Vec3 high;
   boundsIn(parts, body, low, high);
@@ -72,6 +64,7 @@ float Region::room(const PartList& parts, const Frame& body) const {
 }
 
 bool Region::holds(const PartList& parts, const Frame& body, const Vec3& ahead, float reach) const {
+  if (whole_) return true;
   if (reach > reach_) return false;
   Frame next = body;
   next.origin += limited(ahead, parts.radius());
@@ -83,6 +76,7 @@ bool Region::gather(const PartList& parts, const Frame& body, const GroundMotion
   boundsIn(parts, body, low_, high_);
   std::swap(pieces_, scratch.before);
   const bool isComplete = collect(motion, reach, parts.radius(), engine);
+  lookedUp_ += static_cast<int>(pieces_.pieces.size());
   if (!isComplete || pieces_.pieces.empty()) {
     pair.reset(pair.threshold());
     gathered_ = isComplete;
@@ -108,27 +102,20 @@ bool Region::collect(const GroundMotion& motion, float reach, float radius, Grou
   const Vec3 high = glm::max(high_, high_ - since) + reach;
   pieces_.clear();
   reach_ = reach;
-  all_ = false;
-  if (!engine.collect(low, high, pieces_)) return false;
-  const Vec3 wider = 0.5F * (kLargestWhole - 1.0F) * (high - low);
-  const std::size_t count = pieces_.pieces.size();
-  all_ = count > 0 && engine.isWithin(low - wider, high + wider, kMostOfWhole * count);
-  if (!all_) return true;
-  pieces_.clear();
-  return engine.collect(low - wider, high + wider, pieces_);
+  return engine.collect(low, high, pieces_);
 }
 
 void Region::rebuild(RegionScratch& scratch) {
-  const std::size_t count = pieces_.pieces.size();
-  if (scratch.parts.size() < count) scratch.parts.resize(count);
-  for (std::size_t i = 0; i < count; ++i) describe(pieces_, pieces_.pieces[i], origin_, scratch.parts[i]);
-  const std::span<const PartDef> parts(scratch.parts.data(), count);
-  if (!list_) {
-    list_ = std::make_unique<PartList>(parts);
-    body_ = std::make_unique<PartBody>(*list_);
-  } else {
+  const auto parts = describePieces(pieces_, origin_, scratch.parts);
+  if (list_) {
     list_->assign(parts);
+  } else {
+    list_ = std::make_unique<PartList>(parts);
+  }
+  if (body_) {
     body_->setParts(*list_);
+  } else {
+    body_ = std::make_unique<PartBody>(*list_);
   }
 }
 
@@ -158,8 +145,7 @@ PartBody& Region::moveTo(const Frame& ground) {
 }
 
 std::size_t Region::bytes() const {
-  return sizeof(Vec3) * pieces_.points.capacity() + sizeof(GroundPieces::Piece) * pieces_.pieces.capacity() +
-         (list_ ? list_->bytes() : 0) + (body_ ? body_->bytes() : 0);
+  return pieces_.bytes() + (list_ ? list_->bytes() : 0) + (body_ ? body_->bytes() : 0);
 }
 
 }  // namespace scatter::pairs

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "pairs/ground_engine.h"
+#include "pairs/whole_ground.h"
 
 namespace scatter::pairs {
 
@@ -20,11 +22,17 @@ struct GroundMotion {
   Vec3 ahead{0.0F};  ///< The way that it is about to go in this step.
 };
 
-/// The pieces of a ground around a body, looked up with a skin, so that it need not be done in every step. To
-/// the body's parts they are one more body.
+/// The pieces of a ground around a body, looked up with a skin, so that it need not be done in every step; or
+/// all of a small ground. To the body's parts they are one more body.
 class Region {
  public:
-  void forget() { gathered_ = all_ = false; }
+  void forget();
+
+  /// From now on all pieces are known. `isNew`: they have just been looked up, for this region.
+  void share(std::shared_ptr<const WholeGround> whole, bool isNew);
+
+  /// Pieces that have been looked up since the last call.
+  [[nodiscard]] int takeLookedUp() { return std::exchange(lookedUp_, 0); }
 
   /// How far the body may still go until the region has to be gathered anew, metres; negative: it has to be
   /// now; infinite: never. `body` is where it is in the ground's frame.
@@ -34,16 +42,16 @@ class Region {
   [[nodiscard]] bool holds(const PartList& parts, const Frame& body, const Vec3& ahead, float reach) const;
 
   /// Looks up the pieces around the body, up to `reach` further, and around its ways, as far as they are not
-  /// longer than bodies that anybody sees move; all that there are if they are hardly more. `pair`, of this
-  /// region and the body, goes on with those that it knows. False if the engine cannot tell them all.
+  /// longer than bodies that anybody sees move. `pair`, of this region and the body, goes on with those that
+  /// it knows. False if the engine cannot tell them all.
   [[nodiscard]] bool gather(const PartList& parts, const Frame& body, const GroundMotion& motion, float reach,
                             GroundEngine& engine, PartPair& pair, RegionScratch& scratch);
 
   /// The pieces as a body, with the ground at `ground`. Not if there are none.
   [[nodiscard]] PartBody& moveTo(const Frame& ground);
 
-  [[nodiscard]] bool empty() const { return pieces_.pieces.empty(); }
-  [[nodiscard]] const GroundPieces& pieces() const { return pieces_; }
+  [[nodiscard]] bool empty() const { return pieces().pieces.empty(); }
+  [[nodiscard]] const GroundPieces& pieces() const { return whole_ ? whole_->pieces() : pieces_; }
   [[nodiscard]] std::size_t bytes() const;
 
  private:
@@ -53,13 +61,14 @@ class Region {
 
   GroundPieces pieces_{};
   std::unique_ptr<PartList> list_{};
+  std::shared_ptr<const WholeGround> whole_{};  ///< In the place of these.
   std::unique_ptr<PartBody> body_{};
   Vec3 origin_{0.0F};  ///< Of the pieces' frame in the ground's: near the body, for precision.
   Vec3 low_{0.0F};     ///< The body's box may lie between these without another look, in the ground's frame.
   Vec3 high_{0.0F};
   float reach_ = 0.0F;  ///< Pieces that are further from the body's box are not known.
   bool gathered_ = false;
-  bool all_ = false;  ///< The ground has no other pieces.
+  int lookedUp_ = 0;
 };
 
 }  // namespace scatter::pairs

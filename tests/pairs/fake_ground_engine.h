@@ -60,11 +60,6 @@ class FakeGroundEngine : public FakeManifolds<pairs::GroundEngine> {
     }
     return true;
   }
-  [[nodiscard]] bool isWithin(const Vec3& low, const Vec3& high, std::size_t most) const override {
-    const auto edge = static_cast<float>(end);
-    const bool isIn = low.x <= -edge && low.z <= -edge && high.x >= edge && high.z >= edge;
-    return isIn && static_cast<std::size_t>(8 * end * end) <= most;
-  }
   [[nodiscard]] float reach(const Vec3& /*direction*/) const override { return 0.0F; }
   bool fallBack() override {
     ++fallbacks;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+
 #include "collision/geometry.h"
 #include "pairs/contact_tally.h"
 #include "pairs/fake_ground_engine.h"
@@ -158,30 +160,39 @@ TEST(GroundRegion, IsNotLookedUpAnewForAFinerLevel) {
   EXPECT_GT(body.engine.lookups, before) << "another ground";
 }
 
-// A net of 4 x 4 m has 32 triangles, of which a body of 2 m is near at least 18.
-TEST(GroundRegion, OfASmallGroundIsLookedUpOnce) {
-  LivingGround body(true);
+// Not even where it ends: on an endless net a body looks up what is near, again and again.
+TEST(GroundRegion, OfASmallGroundIsShared) {
   LivingGround onEndlessNet(true);
-  body.engine.end = 2;
+  LivingGround bodies[]{LivingGround(true), LivingGround(true)};
+  GroundPieces net;
+  onEndlessNet.engine.end = 4;
+  ASSERT_TRUE(onEndlessNet.engine.collect(Vec3(-4.0F), Vec3(4.0F), net));
+  onEndlessNet.engine.end = 1000;
+  const auto whole = std::make_shared<const WholeGround>(net);
+  for (LivingGround& body : bodies) {
+    body.pair.region.share(whole, &body == bodies);
+    body.pair.versions[1] = body.engine.version;
+  }
+  int lookedUp[2]{};
   for (int i = 0; i < 160; ++i) {
     const Vec3 position(0.01F * static_cast<float>(i) - 0.8F, 0.79F, 0.005F * static_cast<float>(i) - 0.4F);
-    body.step(position);
     onEndlessNet.step(position);
-    ASSERT_EQ(body.pair.contacts.size(), onEndlessNet.pair.contacts.size()) << i;
-    EXPECT_FLOAT_EQ(body.press(), onEndlessNet.press());
+    for (const std::size_t k : {0U, 1U}) {
+      bodies[k].step(position);
+      lookedUp[k] += bodies[k].work.pieces;
+      ASSERT_EQ(bodies[k].pair.contacts.size(), onEndlessNet.pair.contacts.size()) << i;
+      EXPECT_FLOAT_EQ(bodies[k].press(), onEndlessNet.press());
+    }
   }
-  EXPECT_FALSE(body.pair.contacts.empty());
-  EXPECT_EQ(body.engine.lookups, 2) << "what is near, and then all";
+  EXPECT_FALSE(onEndlessNet.pair.contacts.empty());
   EXPECT_GT(onEndlessNet.engine.lookups, 2);
-  body.step(Vec3(50.0F, 0.79F, 0.0F));
-  EXPECT_EQ(body.engine.lookups, 2);
-}
-
-TEST(GroundRegion, IsNotAllOfAGroundThatIsLargerOrHasMorePieces) {
-  LivingGround body(true);
-  body.engine.end = 5;
-  for (int i = 0; i < 100; ++i) body.step(Vec3(0.01F * static_cast<float>(i), 0.81F, 0.0F));
-  EXPECT_GT(body.engine.lookups, 2);
+  EXPECT_EQ(bodies[0].engine.lookups + bodies[1].engine.lookups, 0);
+  EXPECT_EQ(lookedUp[0], 128) << "once, for the first of them";
+  EXPECT_EQ(lookedUp[1], 0);
+  ++bodies[0].engine.version;
+  bodies[0].step(Vec3(0.0F, 0.79F, 0.0F));
+  EXPECT_EQ(bodies[0].engine.lookups, 1) << "another ground";
+  EXPECT_FALSE(bodies[0].pair.contacts.empty());
 }
 
 /// Two plates of 4 cm, one beside the other, that go 60 cm a step.

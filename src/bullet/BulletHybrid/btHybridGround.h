@@ -18,9 +18,8 @@ enum btHybridGroundKind
 	BT_HYBRID_LARGE_HULL
 };
 
-/// A shape that a body of parts may lie on: knows its convex pieces near the body. A large convex shape is one piece, clipped to the
-/// body's neighbourhood: GJK on what is a hundred times as large loses its digits and runs on and on.
-class btHybridGround
+/// What tells shapes of grounds apart, as far as they tell: a mesh may change in place.
+struct btHybridGroundTraits
 {
 	const btCollisionShape* m_shape;
 	btHybridGroundKind m_kind;
@@ -28,6 +27,24 @@ class btHybridGround
 	btVector3 m_min;
 	btVector3 m_max;
 	btScalar m_margin;
+
+	btHybridGroundTraits()
+	    : m_shape(0), m_kind(BT_HYBRID_NO_GROUND), m_scaling(0, 0, 0), m_min(0, 0, 0), m_max(0, 0, 0), m_margin(0)
+	{
+	}
+	btHybridGroundTraits(const btCollisionShape* shape, btHybridGroundKind kind);
+
+	bool operator==(const btHybridGroundTraits& other) const
+	{
+		return m_shape == other.m_shape && m_kind == other.m_kind && m_scaling == other.m_scaling && m_min == other.m_min && m_max == other.m_max && m_margin == other.m_margin;
+	}
+};
+
+/// A shape that a body of parts may lie on: knows its convex pieces near the body. A large convex shape is one piece, clipped to the
+/// body's neighbourhood: GJK on what is a hundred times as large loses its digits and runs on and on.
+class btHybridGround
+{
+	btHybridGroundTraits m_traits;
 	size_t m_numTriangles;  ///< of a mesh, as far as it tells
 	int m_version;
 	std::optional<scatter::levels::Polytope> m_core;  ///< the hull's, once it was asked for; empty if it cannot be clipped
@@ -35,7 +52,6 @@ class btHybridGround
 	btHybridGround(const btHybridGround&);
 	btHybridGround& operator=(const btHybridGround&);
 
-	bool isCurrent(const btCollisionShape* shape, btHybridGroundKind kind) const;
 	const scatter::levels::Polytope& getCore();
 	void collectBox(const btVector3& low, const btVector3& high, scatter::pairs::GroundPieces& pieces) const;
 	void collectHull(const btVector3& low, const btVector3& high, scatter::pairs::GroundPieces& pieces);
@@ -43,7 +59,7 @@ class btHybridGround
 
 public:
 	btHybridGround()
-	    : m_shape(0), m_kind(BT_HYBRID_NO_GROUND), m_scaling(0, 0, 0), m_min(0, 0, 0), m_max(0, 0, 0), m_margin(0), m_numTriangles(0), m_version(0)
+	    : m_numTriangles(0), m_version(0)
 	{
 	}
 
@@ -58,7 +74,11 @@ public:
 
 	btHybridGroundKind getKind() const
 	{
-		return m_kind;
+		return m_traits.m_kind;
+	}
+	const btHybridGroundTraits& getTraits() const
+	{
+		return m_traits;
 	}
 	int getVersion() const
 	{
@@ -66,14 +86,17 @@ public:
 	}
 	btScalar getMargin() const
 	{
-		return m_margin;
+		return m_traits.m_margin;
 	}
 
 	/// See scatter::pairs::GroundEngine::reach().
 	btScalar getReach(const btVector3& direction) const;
 
-	/// See scatter::pairs::GroundEngine. Only meshes tell.
-	bool isWithin(const btVector3& low, const btVector3& high, size_t most) const;
+	/// Whether it is a mesh that is no wonder to know as a whole beside a body whose parts lie in a ball of this radius.
+	bool isSmall(btScalar radius) const;
+
+	/// All pieces of one that is small.
+	void collectAll(scatter::pairs::GroundPieces& pieces) const;
 
 	/// See scatter::pairs::GroundEngine. Not of a half-space.
 	bool collect(const btVector3& low, const btVector3& high, scatter::pairs::GroundPieces& pieces);

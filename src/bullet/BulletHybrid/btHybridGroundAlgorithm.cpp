@@ -27,10 +27,27 @@ btHybridGroundAlgorithm::btHybridGroundAlgorithm(const btCollisionAlgorithmConst
 	m_bodies->take(body->getNumLevels(), objects);
 	m_narrowphase->addUser();
 	m_narrowphase->addGround(this, &m_index);
+	shareGround();
 	if (!switches)
 		return;
 	m_ground = objects.acquire(wraps[1 - side]->getCollisionObject(), false);
 	planner->addGround(body, m_ground, &m_planIndex);
+}
+
+// While no other thread is at work.
+void btHybridGroundAlgorithm::shareGround()
+{
+	btHybridGround& ground = m_bodies->m_ground;
+	const float radius = m_bodies->m_body->getBody().parts().radius();
+	ground.follow(m_bodies->m_groundObject->getCollisionShape(), radius);
+	if (!ground.isSmall(radius))
+		return;
+	bool isNew;
+	const std::shared_ptr<const scatter::pairs::WholeGround> whole = m_narrowphase->getWholeGrounds().acquire(ground, isNew);
+	if (!whole)
+		return;
+	getPair().region.share(whole, isNew);
+	getPair().versions[1] = ground.getVersion();
 }
 
 // What is freed here was got from the dispatcher, whichever call was under way.

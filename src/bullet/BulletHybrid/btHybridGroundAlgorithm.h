@@ -20,6 +20,7 @@ class btHybridGroundAlgorithm : public btHybridAlgorithm
 
 	scatter::pairs::GroundPair& getPair() const;
 	scatter::pairs::PlacedBody getPlaced() const;
+	void shareGround();
 	void stepAhead(scatter::pairs::StepAhead& step, btHybridGroundEngine& engine, btHybridStepMemory& memory);
 	void takeAhead();
 	bool staysQuiet(btHybridGroundEngine& engine) const;

@@ -187,11 +187,6 @@ bool btHybridGroundEngine::collect(const scatter::Vec3& low, const scatter::Vec3
 	return m_bodies.m_ground.collect(vector(low), vector(high), pieces);
 }
 
-bool btHybridGroundEngine::isWithin(const scatter::Vec3& low, const scatter::Vec3& high, std::size_t most) const
-{
-	return m_bodies.m_ground.isWithin(vector(low), vector(high), most);
-}
-
 float btHybridGroundEngine::reach(const scatter::Vec3& direction) const
 {
 	return m_bodies.m_ground.getReach(vector(direction));

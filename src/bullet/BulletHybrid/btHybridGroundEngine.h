@@ -80,7 +80,6 @@ public:
 	virtual float groundMargin() const;
 	virtual std::optional<scatter::pairs::HalfSpace> halfSpace() const;
 	virtual bool collect(const scatter::Vec3& low, const scatter::Vec3& high, scatter::pairs::GroundPieces& pieces);
-	virtual bool isWithin(const scatter::Vec3& low, const scatter::Vec3& high, std::size_t most) const;
 	virtual float reach(const scatter::Vec3& direction) const;
 	virtual bool fallBack();
 	virtual void looked(void* manifold);

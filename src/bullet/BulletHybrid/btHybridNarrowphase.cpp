@@ -58,6 +58,8 @@ void btHybridNarrowphase::removeGround(btHybridAlgorithm* owner, int index)
 {
 	m_foresight.forget(owner);
 	removeOwner(m_groundOwners, index);
+	// What it shares is looked up anew after the last pair that has it.
+	m_grounds[index].region.forget();
 	m_grounds.remove(index);
 }
 
@@ -123,6 +125,7 @@ btHybridCollisionMemory btHybridNarrowphase::getMemory() const
 	count(m_plainPairs, 0, memory);
 	count(m_grounds, memory);
 	m_objects.count(memory);
+	memory.m_partBytes += m_wholeGrounds.getBytes();
 	return memory;
 }
 

@@ -10,6 +10,7 @@
 #include "btHybridLookahead.h"
 #include "btHybridObjects.h"
 #include "btHybridSettings.h"
+#include "btHybridWholeGrounds.h"
 #include "pairs/pair_step.h"
 #include "pairs/pair_table.h"
 
@@ -28,6 +29,7 @@ class btHybridNarrowphase
 	scatter::pairs::PairTable m_pairs;
 	scatter::pairs::PairTable m_plainPairs;
 	scatter::pairs::GroundTable m_grounds;
+	btHybridWholeGrounds m_wholeGrounds;
 	std::vector<btHybridAlgorithm*> m_owners[2];  ///< of the pairs that do not switch, and of those that do, as in their tables
 	std::vector<btHybridAlgorithm*> m_groundOwners;
 	btHybridForesight m_foresight;
@@ -137,6 +139,11 @@ public:
 	scatter::pairs::GroundTable& getGrounds()
 	{
 		return m_grounds;
+	}
+
+	btHybridWholeGrounds& getWholeGrounds()
+	{
+		return m_wholeGrounds;
 	}
 
 	/// Memory for the engine of a ground algorithm, until the end of the step of its pair.

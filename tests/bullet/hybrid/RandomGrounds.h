@@ -11,13 +11,14 @@
 
 namespace scatter::test {
 
-enum class GroundType { kPlane, kMesh, kSoup, kScaledMesh, kHeightField, kBox, kHull };
-constexpr GroundType kGrounds[] = {GroundType::kPlane,      GroundType::kMesh,        GroundType::kSoup,
-                                   GroundType::kScaledMesh, GroundType::kHeightField, GroundType::kBox,
-                                   GroundType::kHull};
+enum class GroundType { kPlane, kMesh, kSmallMesh, kSoup, kScaledMesh, kHeightField, kBox, kHull };
+constexpr GroundType kGrounds[] = {GroundType::kPlane, GroundType::kMesh,       GroundType::kSmallMesh,
+                                   GroundType::kSoup,  GroundType::kScaledMesh, GroundType::kHeightField,
+                                   GroundType::kBox,   GroundType::kHull};
 
 inline std::string nameOf(GroundType type) {
-  constexpr const char* kNames[] = {"Plane", "Mesh", "Soup", "ScaledMesh", "HeightField", "Box", "Hull"};
+  constexpr const char* kNames[] = {"Plane",      "Mesh",        "SmallMesh", "Soup",
+                                    "ScaledMesh", "HeightField", "Box",       "Hull"};
   return kNames[static_cast<int>(type)];
 }
 
@@ -51,6 +52,8 @@ class RandomGrounds {
         return shapes_.make<btStaticPlaneShape>(shapes_.random.direction(), 0.1F * size);
       case GroundType::kMesh:
         return withMargin(shapes_.make<btBvhTriangleMeshShape>(hills(size), true), size);
+      case GroundType::kSmallMesh:
+        return withMargin(shapes_.make<btBvhTriangleMeshShape>(hills(0.1F * size), true), size);
       case GroundType::kSoup:
         return withMargin(shapes_.make<btBvhTriangleMeshShape>(soup(size), true), size);
       case GroundType::kScaledMesh:

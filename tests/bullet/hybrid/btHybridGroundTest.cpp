@@ -467,6 +467,75 @@ TEST(MeshGround, ThatIsReplacedOrScaledStartsAnew) {
   EXPECT_EQ(contacts(), 0) << "the hills are gone";
 }
 
+/// Bodies over a net of triangles.
+struct BodiesOverNet {
+  BodiesOverNet(int half, int count) {
+    addFlatNet(net, -half, half);
+    auto* mesh = world.shape<btBvhTriangleMeshShape>(&net, true);
+    ground = world.add(0, mesh, {0, 0, 0});
+    for (int i = 0; i < count; ++i)
+      bodies.push_back(world.add(1, shapes.compound(6, 1.0F), {static_cast<btScalar>(i - count / 2), 0, 0}));
+  }
+
+  int lookUp() {
+    world.world.performDiscreteCollisionDetection();
+    return installation.takeCollisionCounts().pieces;
+  }
+  int countContacts() {
+    int count = 0;
+    for (int i = 0; i < world.dispatcher.getNumManifolds(); ++i)
+      count += world.dispatcher.getManifoldByIndexInternal(i)->getNumContacts();
+    return count;
+  }
+  void clean() {
+    btBroadphaseProxy* proxy = ground->getBroadphaseHandle();
+    world.broadphase.getOverlappingPairCache()->cleanProxyFromPairs(proxy, &world.dispatcher);
+  }
+
+  RandomShapes shapes{3};
+  btTriangleMesh net;
+  BulletTestWorld<btDiscreteDynamicsWorld> world;
+  btHybridInstallation installation{&world.dispatcher};
+  btRigidBody* ground = nullptr;
+  std::vector<btRigidBody*> bodies;
+};
+
+TEST(MeshGround, IsLookedUpOnceForAllBodiesIfItIsSmall) {
+  BodiesOverNet small(2, 3);
+  EXPECT_EQ(small.lookUp(), 32);
+  EXPECT_GT(small.countContacts(), 0);
+  small.bodies[0]->getWorldTransform().getOrigin().setX(1.5F);
+  EXPECT_EQ(small.lookUp(), 0);
+  small.clean();
+  EXPECT_EQ(small.lookUp(), 32);
+  BodiesOverNet large(20, 3);
+  const int near = large.lookUp();
+  EXPECT_GT(near, 0);
+  EXPECT_LT(near, 3 * 100) << "of 3200";
+}
+
+TEST(MeshGround, WhoseVerticesMovedIsKnownAnewOnceItsPairsAreClean) {
+  BodiesOverNet small(2, 3);
+  const auto sink = [&](float furthest) {
+    const btIndexedMesh& vertices = small.net.getIndexedMeshArray()[0];
+    for (int i = 0; i < vertices.m_numVertices; ++i) {
+      const unsigned char* place =
+          vertices.m_vertexBase + static_cast<std::ptrdiff_t>(i) * vertices.m_vertexStride;
+      btVector3& vertex = *reinterpret_cast<btVector3*>(const_cast<unsigned char*>(place));
+      if (std::abs(vertex.x()) + std::abs(vertex.z()) <= furthest) vertex.setY(-5);
+    }
+    auto* mesh = static_cast<btBvhTriangleMeshShape*>(small.ground->getCollisionShape());
+    mesh->refitTree(btVector3(-2, -5, -2), btVector3(2, 0, 2));
+    small.clean();
+    small.lookUp();
+  };
+  // Its middle, and then all but its corners, by which its bounds stay.
+  sink(0.0F);
+  ASSERT_GT(small.countContacts(), 0);
+  sink(3.0F);
+  EXPECT_EQ(small.countContacts(), 0);
+}
+
 INSTANTIATE_TEST_SUITE_P(All, Grounds, testing::ValuesIn(kGrounds), nameOfGround);
 
 }  // namespace
