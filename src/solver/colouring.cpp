@@ -43,12 +43,18 @@ int Colouring::take(const ContactPair& pair, const ContactProblem& problem) {
 }
 
 // Those of two moving bodies apart from the others, and those of as many contacts together: few lanes idle.
-void Colouring::sort(std::vector<int>& pairs, const ContactProblem& problem) const {
-  const auto pairOf = [&](int i) -> const ContactPair& { return problem.pairs[static_cast<std::size_t>(i)]; };
-  std::sort(pairs.begin(), pairs.end(), [&](int i, int k) {
-    if (bothMove(i, problem) != bothMove(k, problem)) return bothMove(i, problem);
-    return pairOf(i).count != pairOf(k).count ? pairOf(i).count > pairOf(k).count : i < k;
-  });
+// Among these in the order of their indices.
+void Colouring::sort(std::vector<int>& pairs, const ContactProblem& problem) {
+  constexpr std::uint64_t kOneMoves = std::uint64_t{1} << 63U;
+  constexpr std::uint32_t kMostContacts = 0x7FFFFFFFU;
+  keys_.clear();
+  for (const int i : pairs) {
+    const auto count = static_cast<std::uint32_t>(problem.pairs[static_cast<std::size_t>(i)].count);
+    const std::uint64_t most = bothMove(i, problem) ? 0 : kOneMoves;
+    keys_.push_back(most | std::uint64_t{kMostContacts - count} << 32U | static_cast<std::uint32_t>(i));
+  }
+  std::sort(keys_.begin(), keys_.end());
+  std::ranges::transform(keys_, pairs.begin(), [](std::uint64_t key) { return static_cast<int>(key); });
 }
 
 void Colouring::fill(std::vector<int>& pairs, const ContactProblem& problem) {

@@ -34,7 +34,7 @@ class Colouring {
   static constexpr int kColours = 64;  ///< Bits of a mask. The last is for pairs that have found no other.
 
   [[nodiscard]] int take(const ContactPair& pair, const ContactProblem& problem);
-  void sort(std::vector<int>& pairs, const ContactProblem& problem) const;
+  void sort(std::vector<int>& pairs, const ContactProblem& problem);
   void fill(std::vector<int>& pairs, const ContactProblem& problem);
   void addBatch(std::span<const int> pairs, const ContactProblem& problem);
   void fit(const ContactProblem& problem);
@@ -42,7 +42,8 @@ class Colouring {
 
   std::vector<std::uint64_t> taken_;  ///< A bit for each colour that a body has.
   std::array<std::vector<int>, kColours> byColour_;
-  std::vector<int> left_;  ///< Pairs that fill no batch of their colour.
+  std::vector<int> left_;            ///< Pairs that fill no batch of their colour.
+  std::vector<std::uint64_t> keys_;  ///< Of pairs, in the order in which these are sorted.
   std::vector<PairBatch> batches_;
   int colours_ = 0;
 };

@@ -40,7 +40,7 @@ void btHybridContactProblem::clear()
 	m_fixed.clear();
 	m_taken.clear();
 	m_lastPair.clear();
-	m_nextPair.clear();
+	m_known.clear();
 	m_reduced = btHybridContactReductionCount();
 }
 
@@ -73,14 +73,14 @@ int btHybridContactProblem::pairOf(int a, int b)
 {
 	if (size_t(a) >= m_lastPair.size())
 		m_lastPair.resize(a + 1, kNone);
-	for (int pair = m_lastPair[a]; pair != kNone; pair = m_nextPair[pair])
+	for (int pair = m_lastPair[a]; pair != kNone; pair = m_known[pair].m_next)
 	{
-		if (m_problem.pairs[pair].b == b)
+		if (m_known[pair].m_b == b)
 			return pair;
 	}
 	const int pair = int(m_problem.pairs.size());
 	m_problem.pairs.push_back({a, b, 0, 0});
-	m_nextPair.push_back(m_lastPair[a]);
+	m_known.push_back({b, m_lastPair[a]});
 	m_lastPair[a] = pair;
 	return pair;
 }

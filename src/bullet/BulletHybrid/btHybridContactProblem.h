@@ -76,6 +76,13 @@ public:
 	btHybridContactReductionCount m_reduced;
 
 private:
+	/// Of a pair that was found: what tells it from others with the same a, of which one comes next.
+	struct Known
+	{
+		int m_b;
+		int m_next;
+	};
+
 	/// Where the contacts of a manifold are.
 	struct Taken
 	{
@@ -106,7 +113,7 @@ private:
 	std::vector<int> m_reducibleIndex;  ///< of the problem's points
 	std::vector<Taken> m_taken;
 	std::vector<int> m_lastPair;  ///< of a body that is a pair's a, the pair that was found last
-	std::vector<int> m_nextPair;  ///< of a pair, another one with the same a
+	std::vector<Known> m_known;   ///< of the pairs
 };
 
 #endif  // BT_HYBRID_CONTACT_PROBLEM_H
