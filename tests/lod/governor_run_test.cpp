@@ -134,6 +134,8 @@ TEST(GovernorLongRun, GivesAllDetailBackWhenTheLoadIsGone) {
   EXPECT_EQ(step.touchingFinest, step.touching);
 }
 
+// Where everything becomes twice as dear in one step, which no work that is counted does, relief gains
+// nothing: it asks what pairs on credit cost against what they did cost before.
 TEST(GovernorLongRun, ASuddenLoadIsShedInAFewSteps) {
   FakeDef def;
   const auto script = makeClump(1000, 6);

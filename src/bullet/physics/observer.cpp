@@ -41,11 +41,10 @@ std::optional<ObservedRequest> requestOf(const btHybridRequestView& view, bool r
 
 /// Of a pair whose work nobody has counted: with what found its contacts.
 float unitsOf(const Manifolds& manifolds) {
-  static constexpr lod::CostWeights kWeights;
-  double units = 0.0;
-  for (int i = 0; i < manifolds.size(); ++i)
-    units += kWeights.looseManifold + kWeights.contact * manifolds[i].m_manifold->getNumContacts();
-  return static_cast<float>(units);
+  lod::LooseContacts contacts;
+  contacts.manifolds = manifolds.size();
+  for (int i = 0; i < manifolds.size(); ++i) contacts.points += manifolds[i].m_manifold->getNumContacts();
+  return static_cast<float>(lod::CostModel(lod::CostWeights()).units(contacts));
 }
 
 Nearness nearnessOf(const Manifolds& manifolds) {
