@@ -246,7 +246,7 @@ std::size_t PartList::bytes() const {
   const std::size_t boxArrays = 2 * 6 + 1;
   return sizeof(*this) + parts_.size() * sizeof(Part) + asking_.size() * sizeof(std::size_t) +
          sizeof(float) * (vertices_.size() + boxArrays * static_cast<std::size_t>(paddedCount()) +
-                          9 * engineAxes_[0][0].size());
+                          6 * blocks_.center[0].size() + 9 * engineAxes_[0][0].size());
 }
 
 }  // namespace scatter

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 #include "collision/geometry.h"
 #include "collision/reference_distance.h"
@@ -92,6 +95,64 @@ TEST(NeighbourSearch, ByPartBoxesFindsAllThatAreWithinTheLimit) {
   EXPECT_GT(within, test::trials(1000));
   // Boxes find more than there is, but not everything.
   EXPECT_LT(near, all * 3 / 4);
+}
+
+/// Parts around a place.
+std::vector<PartDef> partsAt(Random& random, int count, const Vec3& place) {
+  std::vector<PartDef> parts = randomParts(random, count, 1.0F, 0.0F);
+  for (PartDef& part : parts) {
+    for (Vec3& point : part.core) point += place;
+    part.boundsCenter += place;
+  }
+  return parts;
+}
+
+using Found = std::tuple<int, int, float>;
+
+/// In ascending order. `firstA`, `firstB`: added to the parts' numbers.
+void addFound(const NeighbourSearch& search, int firstA, int firstB, std::vector<Found>& all) {
+  for (const Neighbours& near : search.found())
+    all.emplace_back(near.a + firstA, near.b + firstB, near.separation);
+  std::sort(all.begin(), all.end());
+}
+
+TEST(NeighbourSearch, ByPartBoxesFindsOfManyPartsWhatItFindsOfAFewAtATime) {
+  Random random(85);
+  NeighbourSearch search;
+  constexpr int kFew = 50;
+  std::vector<PartDef> all;
+  std::vector<std::unique_ptr<PartList>> fews;
+  for (int i = 0; i < 12; ++i) {
+    const Vec3 place(random.uniform(-6.0F, 6.0F), random.uniform(-6.0F, 6.0F), random.uniform(-6.0F, 6.0F));
+    const std::vector<PartDef> parts = partsAt(random, kFew, place);
+    fews.push_back(std::make_unique<PartList>(parts));
+    ASSERT_TRUE(fews.back()->blocks().center[0].empty());
+    all.insert(all.end(), parts.begin(), parts.end());
+  }
+  const PartList many(all);
+  ASSERT_FALSE(many.blocks().center[0].empty());
+  const PartList other(randomParts(random, 20, 1.0F, 0.0F));
+  std::size_t total = 0;
+  for (int round = 0; round < test::trials(100); ++round) {
+    const Frame frame = randomFrame(random, 5.0F);
+    const float limit = random.uniform(0.0F, 0.3F);
+    std::vector<Found> expected[2];
+    std::vector<Found> found[2];
+    for (std::size_t i = 0; i < fews.size(); ++i) {
+      const int first = kFew * static_cast<int>(i);
+      search.byPartBoxes(*fews[i], other, frame, limit);
+      addFound(search, first, 0, expected[0]);
+      search.byPartBoxes(other, *fews[i], frame, limit);
+      addFound(search, 0, first, expected[1]);
+    }
+    search.byPartBoxes(many, other, frame, limit);
+    addFound(search, 0, 0, found[0]);
+    search.byPartBoxes(other, many, frame, limit);
+    addFound(search, 0, 0, found[1]);
+    for (const int side : {0, 1}) EXPECT_EQ(found[side], expected[side]) << "round " << round;
+    total += found[0].size();
+  }
+  EXPECT_GT(total, static_cast<std::size_t>(test::trials(1000)));
 }
 
 TEST(NeighbourSearch, ByPartBoxesFindsNothingFarAway) {
