@@ -10,8 +10,8 @@ class btHybridRegistration;
 /// The pair algorithm in the dispatcher of any world (btDiscreteDynamicsWorld, btMultiBodyDynamicsWorld,
 /// btSoftRigidDynamicsWorld, a bare btCollisionWorld), as long as this object lives:
 ///
-///     btHybridInstallation installation(&dispatcher);     if (installation.getMistake())
-/// puts(installation.getMistake());
+///     btHybridInstallation installation(&dispatcher);
+///     if (installation.getMistake()) puts(installation.getMistake());
 ///
 /// Collides two objects of which one has a compound shape, whose children are convex or such compounds, and the other
 /// one a compound of this kind, a convex shape, a static plane, a triangle mesh (btBvhTriangleMeshShape, scaled or

@@ -7,7 +7,8 @@ using scatter::pairs::WholeGround;
 
 std::shared_ptr<const WholeGround> btHybridWholeGrounds::acquire(const btHybridGround& ground, bool& isNew)
 {
-	std::shared_ptr<const Kept> kept = m_kept[ground.getTraits().m_shape].lock();
+	const auto known = m_kept.find(ground.getTraits().m_shape);
+	std::shared_ptr<const Kept> kept = known == m_kept.end() ? 0 : known->second.lock();
 	isNew = !kept || !(kept->m_traits == ground.getTraits());
 	if (isNew)
 	{
