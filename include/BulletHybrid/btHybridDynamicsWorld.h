@@ -196,8 +196,9 @@ public:
 	///
 	/// Levels must not change in place. Shapes of other bodies may: what Bullet counts, places, scaling, margins,
 	/// bounds and numbers of points are compared once a step; clean the pairs of a body after any other change,
-	/// as of a mesh's vertices within its bounds (of all bodies that have it), and after one of gContactBreakingThreshold. Detectors registered
-	/// for two boxes, two spheres or two hulls, and Bullet's multipoint settings, are not asked.
+	/// as of a mesh's vertices within its bounds (of all bodies that have it), and after one of
+	/// gContactBreakingThreshold. Detectors registered for two boxes, two spheres or two hulls, and Bullet's multipoint
+	/// settings, are not asked.
 	const btHybridCollisionInfo& getCollisionInfo() const;
 
 	/// Drops the contacts of all pairs with a hybrid, and with m_plainBodies those of all others. Returns 0; or, inside a step's collision detection, where listeners

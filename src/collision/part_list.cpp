@@ -61,6 +61,23 @@ void setBox(PartList::Boxes& boxes, std::size_t i, const Vec3& center, const Vec
   }
 }
 
+struct Range {
+  Vec3 low{std::numeric_limits<float>::max()};
+  Vec3 high{std::numeric_limits<float>::lowest()};
+};
+
+/// Around the boxes from `first` on, before `end`.
+Range rangeOf(const PartList::Boxes& boxes, std::size_t first, std::size_t end) {
+  Range range;
+  for (std::size_t i = first; i < end; ++i) {
+    for (int axis = 0; axis < 3; ++axis) {
+      range.low[axis] = std::min(range.low[axis], boxes.center[axis][i] - boxes.half[axis][i]);
+      range.high[axis] = std::max(range.high[axis], boxes.center[axis][i] + boxes.half[axis][i]);
+    }
+  }
+  return range;
+}
+
 }  // namespace
 
 PartList::PartList(std::span<const PartDef> parts) {
@@ -166,35 +183,18 @@ void PartList::addBlocks() {
   const std::size_t blocks = areMany ? (static_cast<std::size_t>(count()) + kBlock - 1) / kBlock : 0;
   resize(blocks_, blocks, static_cast<std::size_t>(simd::padded(static_cast<int>(blocks))));
   for (std::size_t i = 0; i < blocks; ++i) {
-    const std::size_t first = i * kBlock;
-    const std::size_t end = std::min(first + kBlock, parts_.size());
-    for (int axis = 0; axis < 3; ++axis) {
-      float low = std::numeric_limits<float>::max();
-      float high = std::numeric_limits<float>::lowest();
-      for (std::size_t k = first; k < end; ++k) {
-        low = std::min(low, boxes_.center[axis][k] - boxes_.half[axis][k]);
-        high = std::max(high, boxes_.center[axis][k] + boxes_.half[axis][k]);
-      }
-      // Rounding must not make it smaller than what is in it.
-      constexpr float kRounding = 1e-6F;
-      const float widest = std::max(std::abs(low), std::abs(high));
-      blocks_.center[axis][i] = 0.5F * (low + high);
-      blocks_.half[axis][i] = 0.5F * (high - low) + kRounding * widest;
-    }
+    const Range range = rangeOf(boxes_, i * kBlock, std::min((i + 1) * kBlock, parts_.size()));
+    // Rounding must not make it smaller than what is in it.
+    constexpr float kRounding = 1e-6F;
+    const Vec3 widest = glm::max(glm::abs(range.low), glm::abs(range.high));
+    setBox(blocks_, i, 0.5F * (range.low + range.high), 0.5F * (range.high - range.low) + kRounding * widest);
   }
 }
 
 void PartList::boundAll() {
-  Vec3 low(std::numeric_limits<float>::max());
-  Vec3 high(std::numeric_limits<float>::lowest());
-  for (std::size_t i = 0; i < parts_.size(); ++i) {
-    for (int axis = 0; axis < 3; ++axis) {
-      low[axis] = std::min(low[axis], boxes_.center[axis][i] - boxes_.half[axis][i]);
-      high[axis] = std::max(high[axis], boxes_.center[axis][i] + boxes_.half[axis][i]);
-    }
-  }
-  center_ = 0.5F * (low + high);
-  half_ = 0.5F * (high - low);
+  const Range range = rangeOf(boxes_, 0, parts_.size());
+  center_ = 0.5F * (range.low + range.high);
+  half_ = 0.5F * (range.high - range.low);
   radius_ = glm::length(half_);
 }
 

@@ -92,7 +92,7 @@ public:
 	/// See scatter::pairs::GroundEngine::reach().
 	btScalar getReach(const btVector3& direction) const;
 
-	/// Whether it is a mesh that is no wonder to know as a whole beside a body whose parts lie in a ball of this radius.
+	/// Whether it is a mesh that may as well be known as a whole, by a body whose parts lie in a ball of this radius.
 	bool isSmall(btScalar radius) const;
 
 	/// All pieces of one that is small.
