@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lod/solver_iterations.h"
+
 namespace scatter::lod {
 
 StepBudget::StepBudget()
@@ -17,6 +19,10 @@ void StepBudget::set(const UnitBudget& budget) {
 void StepBudget::begin(const StepLoad& load) {
   ownSpare_ = 0;
   shownUnits_ = 0.0;
+  iterationsLeftOut_ = 0;
+  iterationUnits_ = 0.0;
+  contactsFound_ = 0;
+  joints_ = load.joints;
   newPairs_ = std::max(load.broadphasePairs - broadphasePairs_, 0);
   broadphasePairs_ = load.broadphasePairs;
   savedUnits_ = looseSaved_;
@@ -56,6 +62,7 @@ PairUnits StepBudget::takeWork(PlannedPair& pair, const PairWorkload& work) {
   const double saved = contacts_.expected(spare);
   const double hidden = costs_.weights().hiddenContact * spare;
   ownSpare_ += spare;
+  contactsFound_ += work.contacts;
   savedUnits_ += saved;
   const double units = costs_.units(work) - saved;
   units_ += units;
@@ -73,6 +80,7 @@ void StepBudget::learn(PlannedPair& pair, bool touching, const PairUnits& units)
 void StepBudget::takeLoose(const LooseContacts& contacts) {
   const double known = looseUnits_;
   looseUnits_ = costs_.units(contacts);
+  contactsFound_ += contacts.points;
   spend(looseUnits_ - known);
 }
 
@@ -87,8 +95,19 @@ void StepBudget::settleContacts(const ContactThinning::Find& find) {
   units_ += shownUnits_;
 }
 
+// The governor plans as if all of them were made: they are left out of steps that it has not foreseen.
+void StepBudget::settleIterations(int usual) {
+  if (!isLimited()) return;
+  const CostWeights& weights = costs_.weights();
+  const double each =
+      weights.contactIteration * (contactsFound_ - hiddenContacts()) + weights.jointIteration * joints_;
+  iterationsLeftOut_ = lod::iterationsLeftOut(units_ - budgetUnits_, each, usual);
+  iterationUnits_ = each * iterationsLeftOut_;
+  units_ -= iterationUnits_;
+}
+
 void StepBudget::finish(bool isPlanned) {
-  if (isPlanned) governor_.learn(units_ - shownUnits_);
+  if (isPlanned) governor_.learn(units_ - shownUnits_ + iterationUnits_);
   budget_.take(units_);
   lastUnits_ = units_;
 }
@@ -100,7 +119,7 @@ BudgetState StepBudget::state(double floor) const {
   state.budget = budgetUnits_;
   state.taken = units_;
   state.fixed = fixedUnits_;
-  state.reachable = std::min(governor_.reachableUnits(), units_);
+  state.reachable = std::min(governor_.reachableUnits() - iterationUnits_, units_);
   state.millisecondsPerUnit = budget_.millisecondsPerUnit();
   state.verdict = BudgetVerdict::kKept;
   if (units_ <= kKept * budgetUnits_) return state;

@@ -86,6 +86,10 @@ class StepBudget {
   void settleContacts(const ContactThinning::Find& find);
   [[nodiscard]] int hiddenContacts() const { return contacts_.hidden(); }
 
+  /// Then: how many iterations the solver is to leave out, of so many.
+  void settleIterations(int usual);
+  [[nodiscard]] int iterationsLeftOut() const { return iterationsLeftOut_; }
+
   /// Ends a step; `isPlanned`: plan() was called in it.
   void finish(bool isPlanned);
 
@@ -103,9 +107,9 @@ class StepBudget {
   /// the planner's to tell.
   [[nodiscard]] BudgetState state(double floor) const;
 
-  /// As Governor has it.
+  /// As Governor has it, with as few iterations as the step had.
   [[nodiscard]] double floorUnits(std::span<const PlannedPair> pairs) const {
-    return governor_.floorUnits(pairs, costs_);
+    return governor_.floorUnits(pairs, costs_) - iterationUnits_;
   }
 
  private:
@@ -119,6 +123,10 @@ class StepBudget {
   double savedUnits_ = 0.0;  ///< What contacts that need not be shown are taken to save of units_.
   double looseSaved_ = 0.0;  ///< Of these, by contacts that belong to no pair.
   double shownUnits_ = 0.0;  ///< Of the units that these may save, those that they do not.
+  int iterationsLeftOut_ = 0;
+  double iterationUnits_ = 0.0;  ///< What these save.
+  int contactsFound_ = 0;        ///< Of pairs, and of no pair.
+  int joints_ = 0;
   int broadphasePairs_ = 0;
   int newPairs_ = 0;  ///< By how many more they are than in the step before.
   int ownSpare_ = 0;  ///< Contacts of pairs that may have some to spare.

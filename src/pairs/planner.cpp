@@ -390,6 +390,7 @@ void Planner::finish() {
   // Steps of a replayed run may have had none.
   counts_.budgetUnits = std::isfinite(budget_.budgetUnits()) ? budget_.budgetUnits() : 0.0;
   counts_.hiddenContacts = budget_.hiddenContacts();
+  counts_.iterationsLeftOut = budget_.iterationsLeftOut();
   if (budget_.isExceeded()) counts_.floorUnits = budget_.floorUnits(planned_);
   settleState();
   lastCounts_ = counts_;
@@ -405,6 +406,7 @@ void Planner::settleState() {
   budgetState_.overduePairs = counts_.overduePairs;
   budgetState_.keptPairs = counts_.reusedPairs;
   budgetState_.hiddenContacts = counts_.hiddenContacts;
+  budgetState_.iterationsLeftOut = counts_.iterationsLeftOut;
   budgetState_.withheldPairs = static_cast<int>(std::ranges::count_if(planned_, [](const PlannedPair& pair) {
     return pair.byBudget && pair.view.level < std::min(pair.wish.atMost, pair.view.finest);
   }));

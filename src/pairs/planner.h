@@ -146,6 +146,10 @@ class Planner {
   void settleContacts(const lod::ContactThinning::Find& find) { budget_.settleContacts(find); }
   [[nodiscard]] int hiddenContacts() const { return budget_.hiddenContacts(); }
 
+  /// Then: how many iterations the solver is to leave out, of so many.
+  void settleIterations(int usual) { budget_.settleIterations(usual); }
+  [[nodiscard]] int iterationsLeftOut() const { return budget_.iterationsLeftOut(); }
+
   /// Ends the step.
   void finish();
 

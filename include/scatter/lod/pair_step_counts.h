@@ -18,6 +18,7 @@ struct PairStepCounts {
   int reusedPairs = 0;  ///< In contact, kept their contacts for the step, because the budget was about to be
                         ///< exceeded.
   int hiddenContacts = 0;  ///< That others of the same two bodies stand for, for the budget.
+  int iterationsLeftOut = 0;  ///< Of the solver's, for the budget.
   int blockedTries = 0;
   int separationQueries = 0;
   int audits = 0;

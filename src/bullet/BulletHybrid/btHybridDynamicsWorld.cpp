@@ -481,7 +481,7 @@ void btHybridDynamicsWorld::performDiscreteCollisionDetection()
 	}
 	if (m_planner)
 	{
-		m_planner->finish(getDispatcher());
+		m_planner->finish(getDispatcher(), getSolverInfo().m_numIterations);
 		closeRequests();
 	}
 	if (m_verifyEvery > 0)
@@ -520,11 +520,16 @@ void btHybridDynamicsWorld::internalSingleStepSimulation(btScalar timeStep)
 
 void btHybridDynamicsWorld::solveConstraints(btContactSolverInfo& info)
 {
-	if (m_planner)
-		m_planner->hideContacts();
-	solveIslands(info);
-	if (m_planner)
-		m_planner->showContacts();
+	if (!m_planner)
+	{
+		solveIslands(info);
+		return;
+	}
+	btContactSolverInfo afforded = info;
+	afforded.m_numIterations -= m_planner->iterationsLeftOut();
+	m_planner->hideContacts();
+	solveIslands(afforded);
+	m_planner->showContacts();
 }
 
 // All at once, so that a solver of ours can share them out.

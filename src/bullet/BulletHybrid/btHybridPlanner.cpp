@@ -140,7 +140,7 @@ void btHybridPlanner::plan(const btCollisionObjectArray& objects, const btAligne
 	Planner::plan({m_bodies, {objects.size(), numAwake, numOverlappingPairs, numJoints}});
 }
 
-void btHybridPlanner::finish(btDispatcher* dispatcher)
+void btHybridPlanner::finish(btDispatcher* dispatcher, int iterations)
 {
 	const LooseContacts own = ownContacts();
 	const bool hasOthers = plans() && dispatcher->getNumManifolds() > own.manifolds;
@@ -155,6 +155,7 @@ void btHybridPlanner::finish(btDispatcher* dispatcher)
 	}
 	takeLoose({btMax(loose.manifolds - own.manifolds, 0), btMax(loose.points - own.points, 0)});
 	settleContacts(dispatcher);
+	settleIterations(iterations);
 	Planner::finish();
 }
 

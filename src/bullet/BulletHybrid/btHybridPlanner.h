@@ -47,8 +47,8 @@ public:
 	/// Between broadphase and narrowphase.
 	void plan(const btCollisionObjectArray& objects, const btAlignedObjectArray<btRigidBody*>& moving, int numOverlappingPairs, int numJoints);
 
-	/// After the narrowphase.
-	void finish(btDispatcher* dispatcher);
+	/// After the narrowphase; the solver makes so many iterations.
+	void finish(btDispatcher* dispatcher, int iterations);
 
 	/// Before contacts change.
 	void forgetContacts()

@@ -1,0 +1,14 @@
+#include "lod/solver_iterations.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scatter::lod {
+
+int iterationsLeftOut(double excess, double each, int usual) {
+  const int most = std::max(usual, 0) / 2;
+  if (!(excess > 0.0) || !(each > 0.0)) return 0;
+  return static_cast<int>(std::min(std::ceil(excess / each), static_cast<double>(most)));
+}
+
+}  // namespace scatter::lod
