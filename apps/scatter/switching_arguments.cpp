@@ -100,19 +100,40 @@ Result<void> choosePolicies(const std::vector<std::string>& pieces, SwitchingCho
   return {};
 }
 
-Result<std::vector<double>> readRecording(const std::string& file) {
-  auto units = readFrameColumn(file, "budget_units");
+Result<std::vector<double>> readUnits(const std::string& file, const std::string& column) {
+  auto units = readFrameColumn(file, column);
   if (!units) {
     return fail("--replay: " + units.error().message);
   }
   if (std::any_of(units->begin(), units->end(), [](double value) { return value < 0.0; })) {
-    return fail("--replay: " + file + " has a budget_units below 0; give the frames.csv of a run");
+    return fail("--replay: " + file + " has a " + column + " below 0; give the frames.csv of a run");
   }
-  if (std::all_of(units->begin(), units->end(), [](double value) { return value == 0.0; })) {
+  return units;
+}
+
+// What the clock had left of a budget is not in files that somebody else has made.
+Result<BudgetDef> readRecording(const std::string& file) {
+  BudgetDef budget;
+  auto units = readUnits(file, "budget_units");
+  if (!units) {
+    return tl::unexpected(units.error());
+  }
+  budget.recorded = std::move(*units);
+  if (std::all_of(budget.recorded.begin(), budget.recorded.end(),
+                  [](double value) { return value == 0.0; })) {
     return fail("--replay: the run in " + file +
                 " had no budget, so there is nothing to replay; record one with --budget-ms");
   }
-  return units;
+  const auto isSettled = hasFrameColumn(file, "settled_units");
+  if (!isSettled || !*isSettled) {
+    return budget;
+  }
+  auto settled = readUnits(file, "settled_units");
+  if (!settled) {
+    return tl::unexpected(settled.error());
+  }
+  budget.settled = std::move(*settled);
+  return budget;
 }
 
 Result<BudgetDef> chooseBudget(const SwitchingArguments& arguments) {
@@ -121,16 +142,12 @@ Result<BudgetDef> chooseBudget(const SwitchingArguments& arguments) {
   if (given > 1) {
     return fail("--budget-ms, --budget-units and --replay each say what a step may cost; give one of them");
   }
+  if (arguments.replay) {
+    return readRecording(*arguments.replay);
+  }
   BudgetDef budget;
   budget.milliseconds = arguments.budgetMs.value_or(0.0);
   budget.units = arguments.budgetUnits.value_or(0.0);
-  if (arguments.replay) {
-    auto recorded = readRecording(*arguments.replay);
-    if (!recorded) {
-      return tl::unexpected(recorded.error());
-    }
-    budget.recorded = std::move(*recorded);
-  }
   return budget;
 }
 

@@ -45,6 +45,8 @@ class btHybridDynamicsWorld : public btDiscreteDynamicsWorld
 	btHybridPairSwitchingInfo m_pairSwitching;
 	btHybridSwitchingInfo m_effective;  ///< what m_switching acts as in the step under way
 	bool m_loadIsFine;
+	double m_stepBegan;     ///< milliseconds
+	bool m_isTimed;         ///< inside a step whose budget is of milliseconds
 	bool m_detects;         ///< inside performDiscreteCollisionDetection
 	const char* m_refusal;  ///< of the last call that adds or removes an object
 	bool m_isIndexed;       ///< the neighbourhood knows which object is which hybrid
@@ -64,6 +66,7 @@ class btHybridDynamicsWorld : public btDiscreteDynamicsWorld
 	void planPairs();
 	void dispatchPairs();
 	void solveIslands(btContactSolverInfo& info);
+	double getStepMilliseconds() const;
 	void closeRequests();
 	void findAsked();
 	void updateHybridAabb(btHybridRigidBody* body);
@@ -170,8 +173,8 @@ public:
 
 	/// The units of every step, as btHybridPairStepInfo::budgetUnits had them in an earlier run, which is repeated
 	/// exactly; 0 is a step without a budget. After the last one it stays. Refuses 0 steps, and units that are negative or
-	/// not finite.
-	const char* replayBudget(const double* units, int count);
+	/// not finite. settled: as many of settledUnits; 0, of a run whose budget was of units: the same.
+	const char* replayBudget(const double* units, int count, const double* settled = 0);
 	const char* removeBudget();
 
 	/// What has become of the budget in the last step: kept, exceeded, or impossible, and what was given up for it.

@@ -128,6 +128,15 @@ Result<FrameTable> readFrameTable(const std::filesystem::path& file, const std::
   return FrameTable(std::move(columns));
 }
 
+Result<bool> hasFrameColumn(const std::filesystem::path& file, std::string_view column) {
+  const auto content = readLines(file);
+  if (!content) {
+    return tl::unexpected(content.error());
+  }
+  std::string_view text = *content;
+  return findCell(takeLine(text), column).has_value();
+}
+
 Result<std::vector<double>> readFrameColumn(const std::filesystem::path& file, std::string_view column) {
   const auto content = readLines(file);
   if (!content) {

@@ -95,6 +95,7 @@ void FrameRecorder::addChannels() {
   awake_ = data_.addChannel({"awake_bodies", "", ChannelKind::kInteger});
   measured_[kBudget] = real("budget_ms", "ms");
   measured_[kUnits] = real("budget_units", "");
+  measured_[kSettled] = real("settled_units", "");
   measured_[kEnergy] = real("kinetic_energy", "J");
   measured_[kPenetration] = real("max_penetration", "m");
   hash_ = data_.addChannel({"state_hash", "", ChannelKind::kHash});
@@ -119,6 +120,7 @@ Result<void> FrameRecorder::step() {
   recordCounters();
   data_.set(measured_[kBudget], budgetMs_);
   data_.set(measured_[kUnits], physics.switching().budgetUnits());
+  data_.set(measured_[kSettled], physics.switching().settledUnits());
   data_.set(measured_[kEnergy], physics.kineticEnergy());
   data_.set(measured_[kPenetration], physics.maxPenetration());
   data_.setHash(hash_, physics.stateHash());

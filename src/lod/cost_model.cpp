@@ -163,6 +163,7 @@ void UnitTime::learn(double units, double milliseconds) {
   constexpr double kAlmostNone = 20.0;
   if (units < kAlmostNone || !(milliseconds > 0.0)) return;
   perUnit_.add(milliseconds / units);
+  lately_.add(milliseconds / units);
 }
 
 double UnitTime::unitsIn(double milliseconds) const {
@@ -174,8 +175,8 @@ double UnitTime::millisecondsPerUnit() const {
   // Steps in which units take longer than usual should fit too, but odd ones need not.
   constexpr double kUsual = 0.5;
   constexpr double kSlow = 0.95;
-  constexpr double kSlowest = 1.12;
-  return std::min(perUnit_.at(kSlow), kSlowest * perUnit_.at(kUsual));
+  constexpr double kSlowest = 1.04;
+  return std::min(perUnit_.at(kSlow), kSlowest * std::max(perUnit_.at(kUsual), lately_.at(kUsual)));
 }
 
 }  // namespace scatter::lod

@@ -53,7 +53,7 @@ struct CostWeights {
   double manifold = 0.06;
   double contactIteration = 0.012;  ///< Of a contact that the solver is shown: what an iteration less saves.
   double jointIteration = 0.03;     ///< The same of a joint.
-  double piece = 0.2;  ///< Of a ground, looked up. The fit takes it as known.
+  double piece = 0.2;               ///< Of a ground, looked up. The fit takes it as known.
   double separationQuery = 1.5;
   double audit = 0.5;     ///< The distance between the finest shapes, from scratch.
   double switched = 0.5;  ///< Besides the queries: contacts dropped, lists made anew.
@@ -182,6 +182,7 @@ class UnitTime {
 
  private:
   RecentQuantile<31> perUnit_;
+  RecentQuantile<9> lately_;
 };
 
 }  // namespace scatter::lod

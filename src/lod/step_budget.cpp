@@ -22,13 +22,13 @@ void StepBudget::begin(const StepLoad& load) {
   iterationsLeftOut_ = 0;
   iterationUnits_ = 0.0;
   contactsFound_ = 0;
-  joints_ = load.joints;
-  newPairs_ = std::max(load.broadphasePairs - broadphasePairs_, 0);
-  broadphasePairs_ = load.broadphasePairs;
+  newPairs_ = std::max(load.broadphasePairs - load_.broadphasePairs, 0);
+  load_ = load;
   savedUnits_ = looseSaved_;
   fixedUnits_ = costs_.units(load) + looseUnits_ - looseSaved_;
   units_ = fixedUnits_;
   budgetUnits_ = budget_.next();
+  settledUnits_ = budgetUnits_;
   audits_.begin(budgetUnits_);
 }
 
@@ -84,10 +84,21 @@ void StepBudget::takeLoose(const LooseContacts& contacts) {
   spend(looseUnits_ - known);
 }
 
+void StepBudget::settle(const SolverWork& solver, const ContactThinning::Find& find) {
+  if (!isLimited()) return;
+  settledUnits_ = budget_.settle({units_ + savedUnits_, restUnits(), solver.milliseconds});
+  settleContacts(find);
+  settleIterations(solver.iterations);
+}
+
+double StepBudget::restUnits() const {
+  const CostWeights& weights = costs_.weights();
+  return weights.contact * contactsFound_ + weights.joint * load_.joints + weights.awakeBody * load_.awake;
+}
+
 // The governor plans as if none was shown that need not be: before detail is taken all of them are hidden.
 void StepBudget::settleContacts(const ContactThinning::Find& find) {
-  if (!isLimited()) return;
-  contacts_.settle(units_ + savedUnits_, budgetUnits_, find);
+  contacts_.settle(units_ + savedUnits_, settledUnits_, find);
   spend(savedUnits_ - contacts_.mostSaved());
   savedUnits_ = contacts_.mostSaved();
   looseSaved_ = std::max(savedUnits_ - contacts_.expected(ownSpare_), 0.0);
@@ -97,11 +108,10 @@ void StepBudget::settleContacts(const ContactThinning::Find& find) {
 
 // The governor plans as if all of them were made: they are left out of steps that it has not foreseen.
 void StepBudget::settleIterations(int usual) {
-  if (!isLimited()) return;
   const CostWeights& weights = costs_.weights();
   const double each =
-      weights.contactIteration * (contactsFound_ - hiddenContacts()) + weights.jointIteration * joints_;
-  iterationsLeftOut_ = lod::iterationsLeftOut(units_ - budgetUnits_, each, usual);
+      weights.contactIteration * (contactsFound_ - hiddenContacts()) + weights.jointIteration * load_.joints;
+  iterationsLeftOut_ = lod::iterationsLeftOut(units_ - settledUnits_, each, usual);
   iterationUnits_ = each * iterationsLeftOut_;
   units_ -= iterationUnits_;
 }

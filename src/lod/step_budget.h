@@ -20,8 +20,14 @@ struct PairUnits {
   double contacts = 0.0;  ///< What its contacts take in the next steps, too, if all are hidden that may be.
 };
 
+/// What the solver does in a step.
+struct SolverWork {
+  int iterations = 0;         ///< As long as it is not told to leave some out.
+  double milliseconds = 0.0;  ///< That the step has taken before it; asked for if needsTime().
+};
+
 /// What the step under way costs and may cost: the governor with what it is given to govern by. Clock-free
-/// but for takeTime().
+/// but for settle() and takeTime().
 class StepBudget {
  public:
   StepBudget();
@@ -82,25 +88,25 @@ class StepBudget {
   /// After the narrowphase: contacts that belong to no pair.
   void takeLoose(const LooseContacts& contacts);
 
-  /// Then: which contacts the solver is to be shown.
-  void settleContacts(const ContactThinning::Find& find);
+  /// Then: which contacts the solver is to be shown, and how many iterations it is to leave out.
+  void settle(const SolverWork& solver, const ContactThinning::Find& find);
   [[nodiscard]] int hiddenContacts() const { return contacts_.hidden(); }
-
-  /// Then: how many iterations the solver is to leave out, of so many.
-  void settleIterations(int usual);
   [[nodiscard]] int iterationsLeftOut() const { return iterationsLeftOut_; }
 
   /// Ends a step; `isPlanned`: plan() was called in it.
   void finish(bool isPlanned);
 
   /// After a step: of processor time.
-  void takeTime(double milliseconds) { budget_.learn(units_, milliseconds); }
+  void takeTime(double milliseconds) {
+    budget_.learn(units_, milliseconds, restUnits() - contacts_.saved() - iterationUnits_);
+  }
   [[nodiscard]] bool isExceededBy(double milliseconds) const { return budget_.isExceededBy(milliseconds); }
 
   [[nodiscard]] double units() const { return units_; }  ///< Of the step under way, or made last.
   [[nodiscard]] double lastUnits() const { return lastUnits_; }
   [[nodiscard]] double plannedUnits() const { return governor_.planned(); }
   [[nodiscard]] double budgetUnits() const { return budgetUnits_; }  ///< Infinite for none.
+  [[nodiscard]] double settledUnits() const { return settledUnits_; }
   [[nodiscard]] bool isExceeded() const { return isLimited() && units_ > budgetUnits_; }
 
   /// Of the step that has ended; `floor`: its floorUnits(), if it isExceeded(). What pairs have given up is
@@ -114,6 +120,11 @@ class StepBudget {
 
  private:
   void spend(double units);
+  void settleContacts(const ContactThinning::Find& find);
+  void settleIterations(int usual);
+
+  /// What comes after the contacts are known, if the solver has all of them and makes all of its iterations.
+  [[nodiscard]] double restUnits() const;
 
   CostModel costs_;
   Governor governor_;
@@ -126,15 +137,15 @@ class StepBudget {
   int iterationsLeftOut_ = 0;
   double iterationUnits_ = 0.0;  ///< What these save.
   int contactsFound_ = 0;        ///< Of pairs, and of no pair.
-  int joints_ = 0;
-  int broadphasePairs_ = 0;
-  int newPairs_ = 0;  ///< By how many more they are than in the step before.
+  StepLoad load_{};
+  int newPairs_ = 0;  ///< By how many more the broadphase has than in the step before.
   int ownSpare_ = 0;  ///< Contacts of pairs that may have some to spare.
   double fixedUnits_ = 0.0;
   double looseUnits_ = 0.0;  ///< Of these, as they are taken to be.
   double units_ = 0.0;
   double lastUnits_ = 0.0;
   double budgetUnits_ = 0.0;
+  double settledUnits_ = 0.0;  ///< What the budget is, once contacts are known.
 };
 
 }  // namespace scatter::lod

@@ -10,6 +10,9 @@ namespace {
 
 constexpr double kUnitsPerMillisecond = 1000.0;
 
+/// Of a budget, what a step has in any case.
+constexpr double kLeastShare = 0.1;
+
 }  // namespace
 
 UnitBudget UnitBudget::ofUnits(double units) {
@@ -26,9 +29,10 @@ UnitBudget UnitBudget::ofMilliseconds(double milliseconds) {
   return budget;
 }
 
-UnitBudget UnitBudget::replay(std::vector<double> units) {
+UnitBudget UnitBudget::replay(std::vector<double> units, std::vector<double> settled) {
   UnitBudget budget;
   budget.units_ = std::move(units);
+  budget.settledUnits_ = std::move(settled);
   return budget;
 }
 
@@ -39,14 +43,37 @@ void UnitBudget::share(int steps) {
 
 /// What those before have left, to equal parts; and something if they have left nothing.
 double UnitBudget::ofShared(double units) {
-  constexpr double kLeast = 0.1;
   if (left_ == 0) share(1);
   const double part = (units - taken_) / left_;
   --left_;
-  return std::max(part, kLeast * units / shared_);
+  return std::max(part, kLeastShare * units / shared_);
 }
 
 double UnitBudget::next() {
+  soFar_ = 0.0;
+  given_ = nextUnits();
+  return given_;
+}
+
+double UnitBudget::settle(const UnitsSoFar& step) {
+  if (milliseconds_ > 0.0) return settleTime(step);
+  if (settledUnits_.empty() || step_ == 0) return given_;
+  const double units = settledUnits_[std::min(step_, settledUnits_.size()) - 1];
+  return units > 0.0 ? units : given_;
+}
+
+// What comes after the contacts takes another time for each unit than the whole: it is learned apart.
+double UnitBudget::settleTime(const UnitsSoFar& step) {
+  soFar_ = step.milliseconds;
+  const double known = unitTime_.millisecondsPerUnit();
+  const double whole = known > 0.0 ? known : 1.0 / kUnitsPerMillisecond;
+  const double ofRest = restTime_.millisecondsPerUnit();
+  const double left = std::max(given_ * whole - step.milliseconds, 0.0);
+  const double room = step.all - step.rest + left / (ofRest > 0.0 ? ofRest : whole);
+  return std::clamp(room, kLeastShare * given_, given_);
+}
+
+double UnitBudget::nextUnits() {
   if (milliseconds_ > 0.0) {
     const double units = unitTime_.unitsIn(milliseconds_);
     return ofShared(units > 0.0 ? units : milliseconds_ * kUnitsPerMillisecond);
@@ -58,7 +85,7 @@ double UnitBudget::next() {
   return units > 0.0 ? units : std::numeric_limits<double>::infinity();
 }
 
-void UnitBudget::learn(double units, double milliseconds) {
+void UnitBudget::learn(double units, double milliseconds, double rest) {
   if (milliseconds_ <= 0.0) return;
   // In a light step most of the time goes into what no unit stands for.
   constexpr double kLight = 0.25;
@@ -67,6 +94,7 @@ void UnitBudget::learn(double units, double milliseconds) {
   const double allowed = known > 0.0 ? known : share * kUnitsPerMillisecond;
   if (units < kLight * allowed && milliseconds < kLight * share) return;
   unitTime_.learn(units, milliseconds);
+  if (soFar_ > 0.0) restTime_.learn(rest, milliseconds - soFar_);
 }
 
 }  // namespace scatter::lod

@@ -7,6 +7,13 @@
 
 namespace scatter::lod {
 
+/// Of a step whose contacts are known.
+struct UnitsSoFar {
+  double all = 0.0;           ///< That it is going to cost.
+  double rest = 0.0;          ///< Of these, of what has not begun yet.
+  double milliseconds = 0.0;  ///< That it has taken; only a budget that needsTime() asks for them.
+};
+
 /// What the next step may cost, in units, from what the user has given.
 class UnitBudget {
  public:
@@ -18,8 +25,8 @@ class UnitBudget {
   [[nodiscard]] static UnitBudget ofMilliseconds(double milliseconds);
 
   /// What next() gave in an earlier run, step by step; what is not above 0 is no budget. After the last one
-  /// it stays. Empty: no budget.
-  [[nodiscard]] static UnitBudget replay(std::vector<double> units);
+  /// it stays. Empty: no budget. `settled`: likewise of settle(); for steps without one, all that was given.
+  [[nodiscard]] static UnitBudget replay(std::vector<double> units, std::vector<double> settled = {});
 
   /// The next so many steps share one budget: those that the caller makes at once.
   void share(int steps);
@@ -27,11 +34,17 @@ class UnitBudget {
   /// Once a step: units for it; infinite for no budget.
   [[nodiscard]] double next();
 
+  /// After next(), when the contacts of the step are known: what it may cost now, at most what next() gave,
+  /// of what it would cost with all of them solved. Less of a budget of milliseconds whose step has taken
+  /// longer than its units say, so that the rest of it has less time.
+  [[nodiscard]] double settle(const UnitsSoFar& step);
+
   /// What the step did cost, for those that share its budget.
   void take(double units) { taken_ += units; }
 
-  /// After a step that cost so much and took so long; only a budget of milliseconds learns.
-  void learn(double units, double milliseconds);
+  /// After a step that cost so much and took so long; `rest`: of the units, what came after settle(). Only a
+  /// budget of milliseconds learns.
+  void learn(double units, double milliseconds, double rest = 0.0);
 
   /// A step's share of a budget of milliseconds that is less than these.
   [[nodiscard]] bool isExceededBy(double milliseconds) const {
@@ -49,6 +62,8 @@ class UnitBudget {
   [[nodiscard]] bool isLimited() const { return milliseconds_ > 0.0 || constant_ > 0.0 || !units_.empty(); }
 
  private:
+  [[nodiscard]] double nextUnits();
+  [[nodiscard]] double settleTime(const UnitsSoFar& step);
   [[nodiscard]] double ofShared(double units);
 
   double milliseconds_ = 0.0;
@@ -57,8 +72,12 @@ class UnitBudget {
   int left_ = 0;           ///< Of these, to come.
   double taken_ = 0.0;     ///< Units that those before them did cost.
   std::vector<double> units_;
+  std::vector<double> settledUnits_;
   std::size_t step_ = 0;
+  double given_ = 0.0;  ///< By next().
+  double soFar_ = 0.0;  ///< Milliseconds, at settle().
   UnitTime unitTime_;
+  UnitTime restTime_;  ///< Of what comes after settle().
 };
 
 }  // namespace scatter::lod

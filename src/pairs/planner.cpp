@@ -389,6 +389,7 @@ void Planner::finish() {
   counts_.plannedUnits = plans_ ? budget_.plannedUnits() : 0.0;
   // Steps of a replayed run may have had none.
   counts_.budgetUnits = std::isfinite(budget_.budgetUnits()) ? budget_.budgetUnits() : 0.0;
+  counts_.settledUnits = counts_.budgetUnits > 0.0 ? budget_.settledUnits() : 0.0;
   counts_.hiddenContacts = budget_.hiddenContacts();
   counts_.iterationsLeftOut = budget_.iterationsLeftOut();
   if (budget_.isExceeded()) counts_.floorUnits = budget_.floorUnits(planned_);

@@ -142,12 +142,11 @@ class Planner {
   /// Then: those that belong to no pair of the plan.
   void takeLoose(const lod::LooseContacts& contacts) { budget_.takeLoose(contacts); }
 
-  /// Then: which contacts the solver is to be shown.
-  void settleContacts(const lod::ContactThinning::Find& find) { budget_.settleContacts(find); }
+  /// Then: which contacts the solver is to be shown, and how many iterations it is to leave out.
+  void settle(const lod::SolverWork& solver, const lod::ContactThinning::Find& find) {
+    budget_.settle(solver, find);
+  }
   [[nodiscard]] int hiddenContacts() const { return budget_.hiddenContacts(); }
-
-  /// Then: how many iterations the solver is to leave out, of so many.
-  void settleIterations(int usual) { budget_.settleIterations(usual); }
   [[nodiscard]] int iterationsLeftOut() const { return budget_.iterationsLeftOut(); }
 
   /// Ends the step.

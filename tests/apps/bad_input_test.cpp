@@ -216,7 +216,9 @@ TEST_F(ProgramTest, ARecordingThatCannotBeReplayedIsRefused) {
       {"frame,budget_units\n", "has no frames"},
       {"frame,budget_units\n1,30\n2,many\n", "line 3"},
       {"frame,budget_units\n1,30\n2\n", "line 3"},
-      {"frame,budget_units\n1,-3\n", "below 0"},
+      {"frame,budget_units\n1,-3\n", "budget_units below 0"},
+      {"budget_units,settled_units\n30,-1\n", "settled_units below 0"},
+      {"budget_units,settled_units\n30,30\n30,\n", "line 3"},
       {"frame,budget_units\n1,0\n2,0\n", "had no budget"},
   };
   const fs::path file = fs::temp_directory_path() / (folder.filename().string() + ".csv");

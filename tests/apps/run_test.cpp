@@ -21,12 +21,13 @@ constexpr const char* kHeader =
     "manifolds,"
     "contacts,"
     "new_contacts,requests,switches_coarser,switches_finer,retractions,credited_pairs,finest_pairs,"
-    "touching_pairs,touching_finest_pairs,reused_pairs,hidden_contacts,blocked_tries,separation_queries,cost_"
-    "units,planned_"
+    "touching_pairs,touching_finest_pairs,reused_pairs,hidden_contacts,iterations_left_out,blocked_tries,"
+    "separation_queries,cost_units,planned_"
     "units,floor_units,reachable_units,budget_verdict,withheld_pairs,overdue_pairs,"
     "pairs_skipped,list_rebuilds,child_pairs,child_pairs_asleep,recycled,bounds_rejected,axis_rejected,gjk_"
     "runs,"
-    "gjk_iterations,detector_runs,half_space_runs,ground_pieces,awake_bodies,budget_ms,budget_units,"
+    "gjk_iterations,detector_runs,half_space_runs,ground_pieces,awake_bodies,budget_ms,budget_units,settled_"
+    "units,"
     "kinetic_energy,max_penetration,state_hash";
 
 class RunTest : public ProgramTest {
@@ -162,6 +163,8 @@ TEST_F(RunTest, ARecordedBudgetIsReplayedToTheSameStates) {
   EXPECT_EQ(hashes(replayed, "replayed"), states);
   EXPECT_EQ(columnOf(folder / "replayed/frames.csv", "budget_units"),
             columnOf(folder / "recorded/frames.csv", "budget_units"));
+  EXPECT_EQ(columnOf(folder / "replayed/frames.csv", "settled_units"),
+            columnOf(folder / "recorded/frames.csv", "settled_units"));
   const auto options = nlohmann::json::parse(readText(folder / "replayed/summary.json"))["options"];
   EXPECT_EQ(options["switching"]["budget"]["replayed_steps"], 450);
 }

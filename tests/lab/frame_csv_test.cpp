@@ -146,6 +146,9 @@ TEST_F(FrameCsvTest, AFileFromAnotherSystemIsReadToo) {
   std::ofstream(file) << "budget_units,frame\r\n4.5,1\r\n5,2\r\n";
   EXPECT_EQ(*readFrameColumn(file, "budget_units"), (std::vector<double>{4.5, 5.0}));
   EXPECT_EQ(*readFrameColumn(file, "frame"), (std::vector<double>{1.0, 2.0}));
+  EXPECT_TRUE(*hasFrameColumn(file, "frame"));
+  EXPECT_FALSE(*hasFrameColumn(file, "settled_units"));
+  EXPECT_FALSE(hasFrameColumn(folder.path(), "frame"));
 }
 
 TEST_F(FrameCsvTest, AWholeTableGivesTheSameFile) {

@@ -31,8 +31,7 @@ TEST(FrameRecorder, HasExactlyTheAgreedColumnsInOrder) {
       "plan_ms,cpu_load,objects,hybrids,joints,overlapping_pairs,narrowphase_pairs,pairs_with_hybrid,"
       "pairs_without_hybrid,manifolds,contacts,new_contacts,requests,switches_coarser,switches_finer,"
       "retractions,credited_pairs,finest_pairs,touching_pairs,touching_finest_pairs,reused_pairs,hidden_"
-      "contacts,blocked_"
-      "tries,"
+      "contacts,iterations_left_out,blocked_tries,"
       "separation_queries,cost_units,planned_units,floor_units,reachable_units,budget_verdict,withheld_pairs,"
       "overdue_pairs,"
       "pairs_skipped,list_rebuilds,child_pairs,child_"
@@ -42,7 +41,7 @@ TEST(FrameRecorder, HasExactlyTheAgreedColumnsInOrder) {
       "awake_"
       "bodies,budget_"
       "ms,budget_"
-      "units,kinetic_"
+      "units,settled_units,kinetic_"
       "energy,max_"
       "penetration,state_hash");
 }
@@ -66,6 +65,7 @@ TEST(FrameRecorder, FillsAFrameFromOneStep) {
   EXPECT_EQ(value("narrowphase_pairs"), 4.0);
   EXPECT_EQ(value("budget_ms"), 5.0);
   EXPECT_EQ(value("budget_units"), 2.0 / 7.0);
+  EXPECT_EQ(value("settled_units"), 2.0 / 9.0);
   EXPECT_EQ(value("kinetic_energy"), 2.0 / 3.0);
   EXPECT_EQ(value("max_penetration"), 0.25);
   EXPECT_EQ(data.hash(*data.find("state_hash")), world->physics().stateHash());

@@ -86,14 +86,14 @@ TEST(StepBudget, CountsContactsOfNoPairOfItsOwn) {
 }
 
 /// A step of one pair with so many contacts, of which the solver is shown a quarter where a rung says so.
-double stepUnits(StepBudget& budget, PlannedPair& pair, int contacts) {
+double stepUnits(StepBudget& budget, PlannedPair& pair, int contacts, const SolverWork& solver = {}) {
   budget.begin({});
   budget.plan({&pair, 1}, 1);
   PairWorkload load;
   load.contacts = contacts;
   budget.takeWork(pair, load);
   budget.takeLoose({});
-  budget.settleContacts([contacts](const ThinningRule&) {
+  budget.settle(solver, [contacts](const ThinningRule&) {
     return SpareContacts{contacts, contacts - contacts / 4};
   });
   budget.finish(true);
@@ -142,6 +142,49 @@ TEST_F(StepBudgetOfContacts, AreLeftToOthersNoMoreThanItNeeds) {
     EXPECT_NEAR(full - units, tight.hiddenContacts() * CostWeights().hiddenContact, 1e-9);
     EXPECT_EQ(pair.target, 2) << "no detail is taken while contacts can be spared";
   }
+}
+
+TEST_F(StepBudgetOfContacts, AreSolvedWithFewerIterationsIfNothingElseIsLeft) {
+  constexpr SolverWork kTen{.iterations = 10};
+  const double each = CostWeights().contactIteration * kContacts / 4;
+  const double least = full - 750 * CostWeights().hiddenContact;
+  StepBudget tight;
+  tight.set(UnitBudget::ofUnits(least - 2.5 * each));
+  EXPECT_NEAR(stepUnits(tight, pair, kContacts, kTen), least - 3 * each, 1e-9);
+  EXPECT_EQ(tight.iterationsLeftOut(), 3);
+  EXPECT_EQ(tight.state(0.0).verdict, BudgetVerdict::kKept);
+  tight.set(UnitBudget::ofUnits(least / 2));
+  EXPECT_NEAR(stepUnits(tight, pair, kContacts, kTen), least - 6 * each, 1e-9);
+  EXPECT_LE(tight.state(tight.floorUnits({&pair, 1})).reachable, tight.units());
+  tight.set(UnitBudget::ofUnits(least));
+  EXPECT_NEAR(stepUnits(tight, pair, kContacts, kTen), least, 1e-9);
+  EXPECT_EQ(tight.iterationsLeftOut(), 0) << "they are the last that is given up";
+}
+
+TEST_F(StepBudgetOfContacts, JointsHaveIterationsToo) {
+  StepBudget tight;
+  tight.set(UnitBudget::ofUnits(1.0));
+  tight.begin({.joints = 100});
+  tight.plan({}, 1);
+  const double before = tight.units();
+  tight.settle({.iterations = 10}, [](const ThinningRule&) { return SpareContacts{}; });
+  EXPECT_EQ(tight.iterationsLeftOut(), 6);
+  EXPECT_NEAR(before - tight.units(), 600 * CostWeights().jointIteration, 1e-9);
+}
+
+// Of milliseconds, at a microsecond for a unit.
+TEST_F(StepBudgetOfContacts, HaveWhatTheClockHasLeft) {
+  StepBudget late;
+  late.set(UnitBudget::ofMilliseconds(full / 500.0));
+  const double found = full - kContacts * CostWeights().contact;
+  SolverWork solver{.iterations = 10, .milliseconds = found / 1000.0};
+  EXPECT_NEAR(stepUnits(late, pair, kContacts, solver), full, 1e-9);
+  EXPECT_EQ(late.settledUnits(), late.budgetUnits());
+  solver.milliseconds = full / 500.0;
+  stepUnits(late, pair, kContacts, solver);
+  EXPECT_LT(late.settledUnits(), late.budgetUnits());
+  EXPECT_EQ(late.hiddenContacts(), 750);
+  EXPECT_EQ(late.iterationsLeftOut(), 6);
 }
 
 TEST(StepBudget, OfMillisecondsNeedsTheClock) {

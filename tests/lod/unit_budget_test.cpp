@@ -114,6 +114,70 @@ TEST(UnitBudget, ARecordingRepeatsARunThatDependedOnTheClock) {
   for (const double units : recorded) EXPECT_EQ(second.next(), units);
 }
 
+/// Of milliseconds, on a machine that takes two microseconds for a unit: 2500 of them in 5 ms.
+UnitBudget onASlowMachine() {
+  UnitBudget budget = UnitBudget::ofMilliseconds(5.0);
+  for (int i = 0; i < 20; ++i) budget.learn(2000.0, 4.0);
+  EXPECT_DOUBLE_EQ(budget.next(), 2500.0);
+  return budget;
+}
+
+TEST(UnitBudget, SettlesForWhatTheClockHasLeft) {
+  UnitBudget budget = onASlowMachine();
+  EXPECT_DOUBLE_EQ(budget.settle({.all = 2500.0, .rest = 500.0, .milliseconds = 4.0}), 2500.0);
+  EXPECT_DOUBLE_EQ(budget.settle({.all = 2500.0, .rest = 500.0, .milliseconds = 4.5}), 2250.0);
+  EXPECT_DOUBLE_EQ(budget.settle({.all = 2500.0, .rest = 500.0, .milliseconds = 6.0}), 2000.0);
+  // A step that has been quick does not get more.
+  EXPECT_DOUBLE_EQ(budget.settle({.all = 2400.0, .rest = 500.0, .milliseconds = 3.0}), 2500.0);
+  EXPECT_DOUBLE_EQ(budget.settle({.all = 900.0, .rest = 900.0, .milliseconds = 9.0}), 250.0);
+}
+
+TEST(UnitBudget, LearnsApartWhatTheRestOfAStepTakes) {
+  UnitBudget budget = onASlowMachine();
+  for (int i = 0; i < 20; ++i) {
+    static_cast<void>(budget.next());
+    static_cast<void>(budget.settle({.all = 2000.0, .rest = 1000.0, .milliseconds = 1.0}));
+    budget.learn(2000.0, 4.0, 1000.0);
+  }
+  EXPECT_DOUBLE_EQ(budget.next(), 2500.0);
+  EXPECT_DOUBLE_EQ(budget.settle({.all = 2500.0, .rest = 1000.0, .milliseconds = 2.0}), 2500.0);
+  EXPECT_DOUBLE_EQ(budget.settle({.all = 2500.0, .rest = 1000.0, .milliseconds = 3.5}), 2000.0);
+}
+
+TEST(UnitBudget, OfUnitsHasNoClockToSettleFor) {
+  UnitBudget budget = UnitBudget::ofUnits(100.0);
+  EXPECT_EQ(budget.next(), 100.0);
+  EXPECT_EQ(budget.settle({.all = 90.0, .rest = 50.0, .milliseconds = 1e6}), 100.0);
+}
+
+TEST(UnitBudget, ReplaysWhatTheClockHadLeft) {
+  UnitBudget budget = UnitBudget::replay({100.0, 0.0, 200.0}, {80.0, 0.0, 200.0});
+  constexpr UnitsSoFar kLate{.all = 90.0, .rest = 50.0, .milliseconds = 1e6};
+  EXPECT_EQ(budget.next(), 100.0);
+  EXPECT_EQ(budget.settle(kLate), 80.0);
+  EXPECT_TRUE(std::isinf(budget.next()));
+  EXPECT_TRUE(std::isinf(budget.settle(kLate)));
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(budget.next(), 200.0);
+    EXPECT_EQ(budget.settle(kLate), 200.0);
+  }
+  UnitBudget ofUnits = UnitBudget::replay({100.0});
+  EXPECT_EQ(ofUnits.next(), 100.0);
+  EXPECT_EQ(ofUnits.settle(kLate), 100.0);
+}
+
+TEST(UnitBudget, FollowsAMachineThatBecomesSlower) {
+  UnitBudget budget = onASlowMachine();
+  for (int i = 0; i < 40; ++i) budget.learn(2000.0, 4.0);
+  int steps = 0;
+  for (; budget.next() > 1300.0 && steps < 40; ++steps) budget.learn(2000.0, 8.0);
+  EXPECT_LE(steps, 6);
+  // A slow step now and then is none.
+  budget = onASlowMachine();
+  for (int i = 0; i < 40; ++i) budget.learn(2000.0, i % 10 == 0 ? 8.0 : 4.0);
+  EXPECT_GT(budget.next(), 2300.0);
+}
+
 TEST(UnitBudget, AnEmptyRecordingIsNoBudget) {
   UnitBudget budget = UnitBudget::replay({});
   EXPECT_FALSE(budget.isLimited());

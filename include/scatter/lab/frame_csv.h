@@ -50,6 +50,9 @@ class FrameCsv {
 [[nodiscard]] Result<std::vector<double>> readFrameColumn(const std::filesystem::path& file,
                                                           std::string_view column);
 
+/// Whether such a file has a column of that name. Fails if it cannot be read.
+[[nodiscard]] Result<bool> hasFrameColumn(const std::filesystem::path& file, std::string_view column);
+
 /// A whole file. Its columns must be `channels`, in that order; fails on anything that FrameCsv does not
 /// write.
 [[nodiscard]] Result<FrameTable> readFrameTable(const std::filesystem::path& file,

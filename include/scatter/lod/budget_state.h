@@ -34,7 +34,7 @@ struct BudgetState {
   int overduePairs = 0;   ///< Of these, whose finest shapes were due to be looked at, which the budget had no
                           ///< room for: they may overlap.
   int keptPairs = 0;      ///< Pairs that kept their contacts of the step before.
-  int hiddenContacts = 0;  ///< Contacts that the solver was not shown, as others stand for them.
+  int hiddenContacts = 0;     ///< Contacts that the solver was not shown, as others stand for them.
   int iterationsLeftOut = 0;  ///< Of the solver's: the last that is given up.
 };
 

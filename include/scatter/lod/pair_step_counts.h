@@ -17,7 +17,7 @@ struct PairStepCounts {
   int retractions = 0;
   int reusedPairs = 0;  ///< In contact, kept their contacts for the step, because the budget was about to be
                         ///< exceeded.
-  int hiddenContacts = 0;  ///< That others of the same two bodies stand for, for the budget.
+  int hiddenContacts = 0;     ///< That others of the same two bodies stand for, for the budget.
   int iterationsLeftOut = 0;  ///< Of the solver's, for the budget.
   int blockedTries = 0;
   int separationQueries = 0;
@@ -31,6 +31,8 @@ struct PairStepCounts {
   double units = 0.0;  ///< What the step cost.
   double plannedUnits = 0.0;
   double budgetUnits = 0.0;  ///< 0 without a budget.
+  double settledUnits =
+      0.0;  ///< What of it the clock had left when contacts were known; all of it without one.
 
   /// Of a step that took more than its budget, about: what it would have cost if every pair had been as
   /// coarse as it may be where the bodies were. 0 of other steps.

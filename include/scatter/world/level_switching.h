@@ -36,6 +36,9 @@ struct BudgetDef {
   /// Units a step, as LevelSwitching::budgetUnits() gave them in an earlier run, which is repeated exactly;
   /// after the last one it stays. Empty: none.
   std::vector<double> recorded{};
+
+  /// Of the same steps, LevelSwitching::settledUnits(); empty, of a run whose budget was of units: the same.
+  std::vector<double> settled{};
 };
 
 struct SwitchingDef {
@@ -109,6 +112,10 @@ class LevelSwitching {
   /// What the last step was allowed to cost, in units; 0 without a budget. Repeats the run exactly when given
   /// as BudgetDef::recorded.
   [[nodiscard]] virtual double budgetUnits() const { return 0.0; }
+
+  /// What of these the clock had left when the contacts of the step were known; with budgets of units all of
+  /// them. Goes with BudgetDef::recorded as BudgetDef::settled.
+  [[nodiscard]] virtual double settledUnits() const { return 0.0; }
 
   /// What has become of the budget in the last step; without one, and in engines that take none, so it says.
   [[nodiscard]] virtual BudgetState budgetState() const { return {}; }

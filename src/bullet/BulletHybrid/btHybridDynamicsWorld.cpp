@@ -46,6 +46,8 @@ public:
 btHybridDynamicsWorld::btHybridDynamicsWorld(btDispatcher* dispatcher, btBroadphaseInterface* pairCache, btConstraintSolver* constraintSolver, btCollisionConfiguration* collisionConfiguration, btHybridSwitchingMode mode)
     : btDiscreteDynamicsWorld(dispatcher, pairCache, constraintSolver, collisionConfiguration),
       m_loadIsFine(false),
+      m_stepBegan(0),
+      m_isTimed(false),
       m_detects(false),
       m_refusal(0),
       m_isIndexed(false),
@@ -481,7 +483,7 @@ void btHybridDynamicsWorld::performDiscreteCollisionDetection()
 	}
 	if (m_planner)
 	{
-		m_planner->finish(getDispatcher(), getSolverInfo().m_numIterations);
+		m_planner->finish(getDispatcher(), {getSolverInfo().m_numIterations, getStepMilliseconds()});
 		closeRequests();
 	}
 	if (m_verifyEvery > 0)
@@ -513,9 +515,16 @@ void btHybridDynamicsWorld::internalSingleStepSimulation(btScalar timeStep)
 		btDiscreteDynamicsWorld::internalSingleStepSimulation(timeStep);
 		return;
 	}
-	const double before = btHybridStepClock::getThreadMilliseconds();
+	m_stepBegan = btHybridStepClock::getThreadMilliseconds();
+	m_isTimed = true;
 	btDiscreteDynamicsWorld::internalSingleStepSimulation(timeStep);
-	m_planner->takeTime(btHybridStepClock::getThreadMilliseconds() - before);
+	m_planner->takeTime(getStepMilliseconds());
+	m_isTimed = false;
+}
+
+double btHybridDynamicsWorld::getStepMilliseconds() const
+{
+	return m_isTimed ? btHybridStepClock::getThreadMilliseconds() - m_stepBegan : 0;
 }
 
 void btHybridDynamicsWorld::solveConstraints(btContactSolverInfo& info)
@@ -526,7 +535,7 @@ void btHybridDynamicsWorld::solveConstraints(btContactSolverInfo& info)
 		return;
 	}
 	btContactSolverInfo afforded = info;
-	afforded.m_numIterations -= m_planner->iterationsLeftOut();
+	afforded.m_numIterations = m_planner->getIterations(info.m_numIterations);
 	m_planner->hideContacts();
 	solveIslands(afforded);
 	m_planner->showContacts();
@@ -645,13 +654,17 @@ const char* btHybridDynamicsWorld::setBudgetUnits(double units)
 	return mistake;
 }
 
-const char* btHybridDynamicsWorld::replayBudget(const double* units, int count)
+const char* btHybridDynamicsWorld::replayBudget(const double* units, int count, const double* settled)
 {
 	const char* mistake = checkPairCall();
 	if (!mistake)
 		mistake = btHybridCheckReplay(units, count);
-	if (!mistake)
-		m_planner->setBudget(scatter::lod::UnitBudget::replay(std::vector<double>(units, units + count)));
+	if (!mistake && settled)
+		mistake = btHybridCheckReplay(settled, count);
+	if (mistake)
+		return mistake;
+	const std::vector<double> left = settled ? std::vector<double>(settled, settled + count) : std::vector<double>();
+	m_planner->setBudget(scatter::lod::UnitBudget::replay(std::vector<double>(units, units + count), left));
 	return mistake;
 }
 

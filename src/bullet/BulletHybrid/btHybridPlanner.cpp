@@ -57,7 +57,7 @@ const btCollisionObject* objectOf(const scatter::pairs::PlannedBody& body)
 }  // namespace
 
 btHybridPlanner::btHybridPlanner()
-    : m_listener(0)
+    : m_listener(0), m_leftOut(0)
 {
 }
 
@@ -140,7 +140,7 @@ void btHybridPlanner::plan(const btCollisionObjectArray& objects, const btAligne
 	Planner::plan({m_bodies, {objects.size(), numAwake, numOverlappingPairs, numJoints}});
 }
 
-void btHybridPlanner::finish(btDispatcher* dispatcher, int iterations)
+void btHybridPlanner::finish(btDispatcher* dispatcher, const scatter::lod::SolverWork& solver)
 {
 	const LooseContacts own = ownContacts();
 	const bool hasOthers = plans() && dispatcher->getNumManifolds() > own.manifolds;
@@ -154,15 +154,14 @@ void btHybridPlanner::finish(btDispatcher* dispatcher, int iterations)
 		loose.points += manifold->getNumContacts();
 	}
 	takeLoose({btMax(loose.manifolds - own.manifolds, 0), btMax(loose.points - own.points, 0)});
-	settleContacts(dispatcher);
-	settleIterations(iterations);
+	settleSolver(dispatcher, solver);
 	Planner::finish();
 }
 
-void btHybridPlanner::settleContacts(btDispatcher* dispatcher)
+void btHybridPlanner::settleSolver(btDispatcher* dispatcher, const scatter::lod::SolverWork& solver)
 {
-	Planner::settleContacts([&](const scatter::lod::ThinningRule& rule)
-	                        {
+	Planner::settle(solver, [&](const scatter::lod::ThinningRule& rule)
+	                {
 		findSolved(dispatcher);
 		btHybridContactReductionInfo info;
 		info.m_mostAlike = rule.mostAlike;
@@ -171,6 +170,7 @@ void btHybridPlanner::settleContacts(btDispatcher* dispatcher)
 		const btHybridContactReductionCount& count = m_reduced.getCount();
 		return scatter::lod::SpareContacts{count.m_contacts, count.m_contacts - count.m_left}; });
 	m_reduced.keepFirst(hiddenContacts());
+	m_leftOut = iterationsLeftOut();
 }
 
 void btHybridPlanner::findSolved(btDispatcher* dispatcher)

@@ -22,8 +22,9 @@ class btHybridPlanner : public scatter::pairs::Planner, private scatter::pairs::
 	std::string m_mistake;
 	std::vector<btPersistentManifold*> m_solved;  ///< those of bodies that are awake
 	btHybridReducedContacts m_reduced;
+	int m_leftOut;  ///< of the solver's iterations
 
-	void settleContacts(btDispatcher* dispatcher);
+	void settleSolver(btDispatcher* dispatcher, const scatter::lod::SolverWork& solver);
 	void findSolved(btDispatcher* dispatcher);
 	virtual void hear(const scatter::pairs::PairEvent& event);
 	const char* remember(const scatter::Result<void>& result);
@@ -47,13 +48,20 @@ public:
 	/// Between broadphase and narrowphase.
 	void plan(const btCollisionObjectArray& objects, const btAlignedObjectArray<btRigidBody*>& moving, int numOverlappingPairs, int numJoints);
 
-	/// After the narrowphase; the solver makes so many iterations.
-	void finish(btDispatcher* dispatcher, int iterations);
+	/// After the narrowphase.
+	void finish(btDispatcher* dispatcher, const scatter::lod::SolverWork& solver);
 
 	/// Before contacts change.
 	void forgetContacts()
 	{
 		m_reduced.forget();
+		m_leftOut = 0;
+	}
+
+	/// Of so many that the solver makes, those that the budget has room for.
+	int getIterations(int usual) const
+	{
+		return btMax(usual - m_leftOut, btMin(usual, 1));
 	}
 
 	/// Contacts that the budget has no room for are hidden from here on to showContacts(), where they are solved.

@@ -46,6 +46,7 @@ void BulletSwitching::endStep(StepCounters& counters) {
     const btHybridPairStepInfo info = hybrid->getPairStepInfo();
     addPairCounts(info, counters);
     budgetUnits_ = info.budgetUnits;
+    settledUnits_ = info.settledUnits;
     const BudgetState state = hybrid->getBudgetState();
     counters.budgetVerdict = static_cast<std::uint32_t>(state.verdict);
     counters.reachableUnits = static_cast<std::uint32_t>(std::lround(state.reachable));
@@ -139,6 +140,7 @@ Result<void> BulletSwitching::setSwitching(Switching switching) {
   if (auto set = engine_.setSwitching(changed); !set) return set;
   def_ = std::move(changed);
   budgetUnits_ = 0.0;
+  settledUnits_ = 0.0;
   if (switchesByPair()) {
     applyFocus();
   } else {

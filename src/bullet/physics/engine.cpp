@@ -42,7 +42,11 @@ bool isLimited(const BudgetDef& budget) {
 
 bool applyBudget(btHybridDynamicsWorld& world, const BudgetDef& budget) {
   if (!budget.recorded.empty()) {
-    return isDone(world.replayBudget(budget.recorded.data(), static_cast<int>(budget.recorded.size())));
+    const std::vector<double>& units = budget.recorded;
+    const bool isSettled = budget.settled.size() == units.size();
+    assert(isSettled || budget.settled.empty());
+    return isDone(world.replayBudget(units.data(), static_cast<int>(units.size()),
+                                     isSettled ? budget.settled.data() : nullptr));
   }
   if (budget.units != 0.0) return isDone(world.setBudgetUnits(budget.units));
   if (budget.milliseconds != 0.0) return isDone(world.setBudgetMilliseconds(budget.milliseconds));

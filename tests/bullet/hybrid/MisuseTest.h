@@ -73,7 +73,7 @@ inline std::vector<PairCall> soundPairCalls() {
       [](btHybridDynamicsWorld& w) { return w.setBudgetUnits(4); },
       [](btHybridDynamicsWorld& w) {
         const double units[] = {3, 0, 5};
-        return w.replayBudget(units, 3);
+        return w.replayBudget(units, 3, units);
       },
       [](btHybridDynamicsWorld& w) { return w.removeBudget(); },
       [](btHybridDynamicsWorld& w) { return w.addPolicy("speed"); },

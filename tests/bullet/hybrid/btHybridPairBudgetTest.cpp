@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -38,7 +39,8 @@ class Gathering : public PairTestWorld {
 
 struct Recording {
   std::vector<std::vector<std::uint32_t>> bits;
-  std::vector<double> units;  ///< That each step was allowed.
+  std::vector<double> units;    ///< That each step was allowed,
+  std::vector<double> settled;  ///< and once its contacts were known.
   std::vector<int> switches;
   int onCredit = 0;
 };
@@ -50,6 +52,7 @@ Recording record(Gathering& w) {
     const btHybridPairStepInfo info = w.pairInfo();
     run.bits.push_back(w.bits());
     run.units.push_back(info.budgetUnits);
+    run.settled.push_back(info.settledUnits);
     run.switches.push_back(info.switchesCoarser + info.switchesFiner);
     run.onCredit += info.creditSwitches;
   }
@@ -83,10 +86,12 @@ TEST(Budget, InMillisecondsIsReplayedFromItsUnits) {
   timed.world.setBudgetMilliseconds(0.05);
   const Recording recorded = record(timed);
   Gathering replayed;
-  replayed.world.replayBudget(recorded.units.data(), static_cast<int>(recorded.units.size()));
+  replayed.world.replayBudget(recorded.units.data(), static_cast<int>(recorded.units.size()),
+                              recorded.settled.data());
   const Recording replay = record(replayed);
   expectSame(recorded, replay);
   EXPECT_EQ(recorded.units, replay.units);
+  EXPECT_EQ(recorded.settled, replay.settled);
   int switches = 0;
   for (const int count : recorded.switches) switches += count;
   EXPECT_GT(switches, 20);
@@ -236,6 +241,79 @@ TEST(Budget, LeavesContactsToOthersBeforeItTakesDetail) {
   w.step();
   EXPECT_EQ(w.pairInfo().hiddenContacts, 0);
   EXPECT_GT(w.countContacts().first, pressing / 2);
+}
+
+/// Remembers how many iterations it is asked for.
+class CountingSolver : public btSequentialImpulseConstraintSolver {
+ public:
+  std::set<int> iterations;
+
+  btScalar solveGroup(btCollisionObject** objects, int numObjects, btPersistentManifold** manifolds,
+                      int numManifolds, btTypedConstraint** joints, int numJoints,
+                      const btContactSolverInfo& info, btIDebugDraw* drawer,
+                      btDispatcher* dispatcher) override {
+    iterations.insert(info.m_numIterations);
+    return btSequentialImpulseConstraintSolver::solveGroup(objects, numObjects, manifolds, numManifolds,
+                                                           joints, numJoints, info, drawer, dispatcher);
+  }
+};
+
+class CountedSlabs : public Slabs {
+ public:
+  CountedSlabs() : before_(world.getConstraintSolver()) { world.setConstraintSolver(&counting_); }
+  ~CountedSlabs() { world.setConstraintSolver(before_); }
+
+  /// What the solver is asked for in the next step.
+  std::set<int> iterations() {
+    counting_.iterations.clear();
+    step();
+    return counting_.iterations;
+  }
+
+ private:
+  CountingSolver counting_;
+  btConstraintSolver* before_;
+};
+
+TEST(Budget, LeavesOutIterationsOfTheSolverLast) {
+  CountedSlabs w;
+  w.world.setBudgetUnits(1e6);
+  EXPECT_EQ(w.iterations(), std::set<int>{10});
+  w.world.setBudgetUnits(1);
+  EXPECT_EQ(w.iterations(), std::set<int>{4});
+  EXPECT_EQ(w.pairInfo().iterationsLeftOut, 6);
+  EXPECT_EQ(w.world.getBudgetState().iterationsLeftOut, 6);
+  EXPECT_EQ(w.world.getSolverInfo().m_numIterations, 10) << "it is the program's";
+  w.world.removeBudget();
+  EXPECT_EQ(w.iterations(), std::set<int>{10});
+}
+
+TEST(Budget, ReplaysWhatTheClockHadLeftOfIt) {
+  CountedSlabs w;
+  const std::vector<double> units{1e6, 1e6, 1e6};
+  const std::vector<double> settled{1e6, 1, 1e6};
+  w.world.replayBudget(units.data(), 3, settled.data());
+  for (const double left : settled) {
+    EXPECT_EQ(w.iterations(), std::set<int>{left < units[0] ? 4 : 10});
+    EXPECT_EQ(w.pairInfo().budgetUnits, units[0]);
+    EXPECT_EQ(w.pairInfo().settledUnits, left);
+  }
+  const std::vector<double> negative{1e6, -1, 1e6};
+  EXPECT_NE(w.world.replayBudget(units.data(), 3, negative.data()), nullptr);
+}
+
+// What was decided for a step's contacts does not outlive them.
+TEST(Budget, LeavesNothingOutOfAStepWithoutBodiesThatSwitch) {
+  CountedSlabs w;
+  w.world.setBudgetUnits(1);
+  ASSERT_EQ(w.iterations(), std::set<int>{4});
+  btBoxShape cube(btVector3(1, 1, 1));
+  btRigidBody plain(1, nullptr, &cube, btVector3(1, 1, 1));
+  plain.setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(9, 0.99F, 0)));
+  while (w.world.getNumHybrids() > 0) w.world.removeRigidBody(w.world.getHybrid(0));
+  w.world.addRigidBody(&plain);
+  EXPECT_EQ(w.iterations(), std::set<int>{10});
+  w.world.removeRigidBody(&plain);
 }
 
 // Those of the others are all shown, so that what rests does not tremble.
