@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 namespace scatter {
 
@@ -16,10 +18,6 @@ using simd::stdx::max;
 constexpr auto kLaneCount = Lanes::size();
 constexpr float kNoBox = 1e18F;  // as a negative extent: no box is near
 constexpr float kAxisRounding = 1e-6F;
-
-Vec3 at(const std::vector<float> (&arrays)[3], std::size_t i) {
-  return {arrays[0][i], arrays[1][i], arrays[2][i]};
-}
 
 Vec3 columnOf(const Frame& frame, int i) {
   return {frame.row[0][i], frame.row[1][i], frame.row[2][i]};
@@ -80,6 +78,12 @@ NeighbourSearch::Faces::Faces(const Frame& frameB) {
   for (int i = 0; i < 6; ++i) axis[1][i] = -axis[0][i];
 }
 
+NeighbourSearch::Plane::Plane(const PartList::Part& triangle, const Frame& frameB)
+    : normal{triangle.normal, -triangle.normal},
+      offset(triangle.offset),
+      margin(triangle.margin),
+      spread(glm::abs(frameB.rotateBack(triangle.normal)) + kAxisRounding) {}
+
 void NeighbourSearch::Candidates::clear(std::size_t most) {
   part.clear();
   room = most + kLaneCount;
@@ -103,31 +107,11 @@ void NeighbourSearch::byPartBoxes(const PartList& a, const PartList& b, const Fr
   if (nearB_.part.empty()) return;
   const Faces faces(frameB);
   for (std::size_t i = 0; i < nearA_.part.size(); ++i) {
-    const std::size_t first = found_.size();
-    pairUp(i, faces, limit);
     const PartList::Part& part = a.part(nearA_.part[i]);
-    if (part.kind == PartKind::kTriangle) cutByPlane(first, part, b, frameB, limit);
+    const bool hasPlane = part.kind == PartKind::kTriangle && part.normal != Vec3(0.0F);
+    const auto plane = hasPlane ? std::optional<Plane>(std::in_place, part, frameB) : std::nullopt;
+    pairUp(i, faces, plane ? &*plane : nullptr, limit);
   }
-}
-
-// The box around a triangle that leans is full of nothing: its plane tells more.
-void NeighbourSearch::cutByPlane(std::size_t first, const PartList::Part& triangle, const PartList& b,
-                                 const Frame& frameB, float limit) {
-  if (triangle.normal == Vec3(0.0F)) return;
-  const Vec3 spread = glm::abs(frameB.rotateBack(triangle.normal)) + kAxisRounding;
-  std::size_t kept = first;
-  for (std::size_t i = first; i < found_.size(); ++i) {
-    Neighbours near = found_[i];
-    const float height = glm::dot(triangle.normal, frameB(at(b.boxes().center, near.b))) - triangle.offset;
-    const float apart = std::abs(height) - glm::dot(spread, at(b.boxes().half, near.b)) - triangle.margin;
-    if (apart > limit) continue;
-    if (apart > near.separation) {
-      near.separation = apart;
-      near.axis = height < 0.0F ? -triangle.normal : triangle.normal;
-    }
-    found_[kept++] = near;
-  }
-  found_.resize(kept);
 }
 
 template <class Use>
@@ -187,36 +171,90 @@ void NeighbourSearch::collect(const PartList& list, const PartList& other, const
   near.pad();
 }
 
-void NeighbourSearch::pairUp(std::size_t ofA, const Faces& faces, float limit) {
-  const Candidates& others = nearB_;
-  const Box box[2]{{nearA_.at(Candidates::kCenterInA, ofA), nearA_.at(Candidates::kHalfInA, ofA)},
-                   {nearA_.at(Candidates::kCenterInB, ofA), nearA_.at(Candidates::kHalfInB, ofA)}};
-  const auto along = [&](int axis, std::size_t i) {
-    const int frame = axis / 3;
-    const int array = 6 * frame + axis % 3;
-    return gap(others.of(array) + i, others.of(array + 3) + i, box[frame].center[axis % 3],
-               box[frame].half[axis % 3]);
+/// How far boxes of B lie apart from one of A, along the six axes of their faces and the normal of a plane.
+class NeighbourSearch::Axes {
+ public:
+  /// Of lanes of boxes.
+  struct Apart {
+    Lanes most;
+    Lanes axis;    ///< The number of the one along which it is most.
+    Lanes height;  ///< Over the plane.
   };
-  for (std::size_t i = 0; i < others.part.size(); i += kLaneCount) {
+
+  Axes(const Candidates& nearA, std::size_t ofA, const Candidates& others, const Faces& faces,
+       const Plane* plane)
+      : box_{{nearA.at(Candidates::kCenterInA, ofA), nearA.at(Candidates::kHalfInA, ofA)},
+             {nearA.at(Candidates::kCenterInB, ofA), nearA.at(Candidates::kHalfInB, ofA)}},
+        others_(others),
+        faces_(faces),
+        plane_(plane) {}
+
+  /// From box `i` on; false if none is nearer than `limit`.
+  [[nodiscard]] bool findNear(std::size_t i, float limit, Apart& apart) const {
     Lanes gaps[6];
     for (int axis = 0; axis < 3; ++axis) gaps[axis] = along(axis, i);
-    Lanes apart = max(gaps[0], max(gaps[1], gaps[2]));
-    if (simd::stdx::none_of(apart <= Lanes(limit))) continue;
+    apart.most = max(gaps[0], max(gaps[1], gaps[2]));
+    if (simd::stdx::none_of(apart.most <= Lanes(limit))) return false;
     for (int axis = 3; axis < 6; ++axis) gaps[axis] = along(axis, i);
-    apart = max(apart, max(gaps[3], max(gaps[4], gaps[5])));
-    const auto isNear = apart <= Lanes(limit);
-    if (simd::stdx::none_of(isNear)) continue;
-    Lanes best(5.0F);
+    apart.most = max(apart.most, max(gaps[3], max(gaps[4], gaps[5])));
+    if (simd::stdx::none_of(apart.most <= Lanes(limit))) return false;
+    apart.axis = Lanes(5.0F);
     for (int axis = 4; axis >= 0; --axis) {
-      simd::stdx::where(gaps[axis] == apart, best) = Lanes(static_cast<float>(axis));
+      simd::stdx::where(gaps[axis] == apart.most, apart.axis) = Lanes(static_cast<float>(axis));
     }
-    simd::forEachSet(isNear, [&](int laneIndex) {
+    apart.height = Lanes(0.0F);
+    if (plane_ != nullptr) addPlane(i, apart);
+    return true;
+  }
+
+  /// From the part of A to one of B.
+  [[nodiscard]] const Vec3& from(const Apart& apart, std::size_t i, std::size_t lane) const {
+    const auto number = static_cast<int>(apart.axis[lane]);
+    if (number == kPlane) return plane_->normal[apart.height[lane] < 0.0F ? 1 : 0];
+    const int frame = number / 3;
+    const bool isBelow = others_.of(number + 3 * frame)[i + lane] < box_[frame].center[number % 3];
+    return faces_.axis[isBelow ? 1 : 0][number];
+  }
+
+ private:
+  static constexpr int kPlane = 6;
+
+  [[nodiscard]] Lanes along(int axis, std::size_t i) const {
+    const int frame = axis / 3;
+    const int array = 6 * frame + axis % 3;
+    return gap(others_.of(array) + i, others_.of(array + 3) + i, box_[frame].center[axis % 3],
+               box_[frame].half[axis % 3]);
+  }
+
+  [[nodiscard]] Lanes alongAll(const Vec3& direction, int array, std::size_t i) const {
+    const Lanes v[3]{load<Lanes>(others_.of(array) + i), load<Lanes>(others_.of(array + 1) + i),
+                     load<Lanes>(others_.of(array + 2) + i)};
+    return dot(direction, v);
+  }
+
+  void addPlane(std::size_t i, Apart& apart) const {
+    apart.height = alongAll(plane_->normal[0], Candidates::kCenterInA, i) - Lanes(plane_->offset);
+    const Lanes reach = alongAll(plane_->spread, Candidates::kHalfInB, i);
+    const Lanes above = abs(apart.height) - reach - Lanes(plane_->margin);
+    simd::stdx::where(above > apart.most, apart.axis) = Lanes(static_cast<float>(kPlane));
+    apart.most = max(apart.most, above);
+  }
+
+  Box box_[2];
+  const Candidates& others_;
+  const Faces& faces_;
+  const Plane* plane_;
+};
+
+void NeighbourSearch::pairUp(std::size_t ofA, const Faces& faces, const Plane* plane, float limit) {
+  const Axes axes(nearA_, ofA, nearB_, faces, plane);
+  for (std::size_t i = 0; i < nearB_.part.size(); i += kLaneCount) {
+    Axes::Apart apart;
+    if (!axes.findNear(i, limit, apart)) continue;
+    simd::forEachSet(apart.most <= Lanes(limit), [&](int laneIndex) {
       const auto lane = static_cast<std::size_t>(laneIndex);
-      const auto face = static_cast<int>(best[lane]);
-      const int frame = face / 3;
-      const bool isBelow = others.of(face + 3 * frame)[i + lane] < box[frame].center[face % 3];
-      const Vec3& axis = faces.axis[isBelow ? 1 : 0][face];
-      found_.push_back({nearA_.part[ofA], others.part[i + lane], apart[lane], axis});
+      found_.push_back(
+          {nearA_.part[ofA], nearB_.part[i + lane], apart.most[lane], axes.from(apart, i, lane)});
     });
   }
 }

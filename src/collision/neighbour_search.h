@@ -54,6 +54,17 @@ class NeighbourSearch {
     explicit Faces(const Frame& frameB);
   };
 
+  /// Of a triangle of A, in A's frame: the box around one that leans is full of nothing, its plane tells
+  /// more.
+  struct Plane {
+    Vec3 normal[2];  ///< And its opposite.
+    float offset;
+    float margin;
+    Vec3 spread;  ///< What of the half extents of boxes of B reaches along it.
+
+    Plane(const PartList::Part& triangle, const Frame& frameB);
+  };
+
   /// Parts of one body that are near all of the other's, as boxes in both frames: one array a number in one
   /// block, padded with boxes that are nowhere near.
   struct Candidates {
@@ -75,6 +86,8 @@ class NeighbourSearch {
     }
   };
 
+  class Axes;
+
   /// Calls `use` with where lanes of parts begin that may be near a box in their frame, in ascending order.
   template <class Use>
   static void forEachNear(const PartList& list, const Vec3& center, const Vec3& reach, Use&& use);
@@ -82,9 +95,8 @@ class NeighbourSearch {
   template <Candidates::Array kCenterHere, Candidates::Array kCenterThere>
   static void collect(const PartList& list, const PartList& other, const Passage& there, const Passage& back,
                       float limit, Candidates& near);
-  void cutByPlane(std::size_t first, const PartList::Part& triangle, const PartList& b, const Frame& frameB,
-                  float limit);
-  void pairUp(std::size_t ofA, const Faces& faces, float limit);
+  /// `plane`: of the part, or null.
+  void pairUp(std::size_t ofA, const Faces& faces, const Plane* plane, float limit);
 
   Candidates nearA_;
   Candidates nearB_;

@@ -51,7 +51,7 @@ struct CostWeights {
   double contact = 0.2;
   double hiddenContact = 0.185;  ///< Of it: what is saved by a contact that the solver is not shown.
   double manifold = 0.06;
-  double contactIteration = 0.012;  ///< Of a contact that the solver is shown: what an iteration less saves.
+  double contactIteration = 0.013;  ///< Of a contact that the solver is shown: what an iteration less saves.
   double jointIteration = 0.03;     ///< The same of a joint.
   double piece = 0.2;               ///< Of a ground, looked up. The fit takes it as known.
   double separationQuery = 1.5;
