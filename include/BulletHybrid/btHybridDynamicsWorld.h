@@ -289,6 +289,7 @@ public:
 protected:
 	virtual void internalSingleStepSimulation(btScalar timeStep);
 	virtual void solveConstraints(btContactSolverInfo& info);
+	virtual void updateActivationState(btScalar timeStep);
 };
 
 #endif  // BT_HYBRID_DYNAMICS_WORLD_H

@@ -249,7 +249,7 @@ class NeighbourSearch::Axes {
 void NeighbourSearch::pairUp(std::size_t ofA, const Faces& faces, const Plane* plane, float limit) {
   const Axes axes(nearA_, ofA, nearB_, faces, plane);
   for (std::size_t i = 0; i < nearB_.part.size(); i += kLaneCount) {
-    Axes::Apart apart;
+    Axes::Apart apart{};
     if (!axes.findNear(i, limit, apart)) continue;
     simd::forEachSet(apart.most <= Lanes(limit), [&](int laneIndex) {
       const auto lane = static_cast<std::size_t>(laneIndex);

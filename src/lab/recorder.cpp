@@ -35,6 +35,7 @@ constexpr std::array kCounters{
     CounterColumn{"touching_finest_pairs", &StepCounters::touchingFinestPairs},
     CounterColumn{"reused_pairs", &StepCounters::reusedPairs},
     CounterColumn{"hidden_contacts", &StepCounters::hiddenContacts},
+    CounterColumn{"resting_bodies", &StepCounters::restingBodies},
     CounterColumn{"iterations_left_out", &StepCounters::iterationsLeftOut},
     CounterColumn{"blocked_tries", &StepCounters::blockedTries},
     CounterColumn{"separation_queries", &StepCounters::separationQueries},

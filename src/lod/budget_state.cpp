@@ -47,6 +47,7 @@ std::string describe(const BudgetState& state) {
                             count(state.creditedPairs, " on credit") +
                             count(state.overduePairs, " of these not looked at, which may overlap") +
                             count(state.keptPairs, " keep their contacts for a step") +
+                            count(state.restingBodies, " bodies fall asleep sooner") +
                             count(state.iterationsLeftOut, " iterations of the solver less");
   const std::string vain = state.isVain ? ", detail is hardly anything of it and stays" : "";
   return verdictOf(state) + vain + (given.empty() ? ", nothing is given up" : given);

@@ -29,6 +29,7 @@ class PlannedBody {
   static constexpr int kNowhere = -1;
 
   int coarser_ = kNowhere;  ///< Inside Planner::findCoarser(): its place in what is found.
+  int wakefulStep_ = -1;    ///< The last step in which a pair of its was not to fall asleep for a budget.
 };
 
 }  // namespace scatter::pairs

@@ -416,6 +416,11 @@ void Planner::settleState() {
 void Planner::finishPair(std::size_t pair) {
   PlannedPair& planned = planned_[pair];
   numBelowFinest_ += planned.view.level < planned.view.finest ? 1 : 0;
+  // Gaps would stay as long as the bodies sleep.
+  const bool isCoarse = planned.view.touching && planned.view.level < planned.view.finest;
+  if (isCoarse || planned.wish.importance > 1.0F) {
+    for (PlannedBody* body : known_[pair].bodies) body->wakefulStep_ = step_;
+  }
   counts_.requests += known_[pair].request.stands ? 1 : 0;
   // Asleep, or filtered out.
   if (known_[pair].step != step_ && planned.view.level > 0) budget_.learn(planned, planned.view.touching, {});

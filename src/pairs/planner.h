@@ -100,6 +100,18 @@ class Planner {
   /// The next so many steps share one budget.
   void shareBudget(int steps) { budget_.share(steps); }
 
+  /// Whether a body may come to rest sooner than usual after this step, for the budget.
+  [[nodiscard]] bool mayRestEarly(const PlannedBody& body) const { return body.wakefulStep_ != step_; }
+
+  /// Whether any may: detail or contacts are given up.
+  [[nodiscard]] bool restsEarly() const {
+    return budgetState_.hiddenContacts > 0 || budgetState_.iterationsLeftOut > 0 ||
+           budgetState_.withheldPairs > 0;
+  }
+
+  /// So many bodies have been brought nearer to rest, after the step.
+  void takeResting(int bodies) { lastCounts_.restingBodies = budgetState_.restingBodies = bodies; }
+
   /// What has become of the budget in the last step.
   [[nodiscard]] const BudgetState& budgetState() const { return budgetState_; }
 

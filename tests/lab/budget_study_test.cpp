@@ -70,16 +70,17 @@ TEST(BudgetStudy, CountsFramesThatTookMoreAndThoseThatHadTo) {
 }
 
 TEST(BudgetStudy, TellsHowMuchIsUsedOfTheBudgetWhereThereIsNotEnough) {
-  RunOptions governed = costing({{90, 0}}, 4);
+  RunOptions governed = costing({{90, 0}}, 5);
   governed.engine = [](const PhysicsDef& def) -> Result<std::unique_ptr<Physics>> {
-    const Costs limited{{30, 0}, {80, 0}, {90, 0}, {99, 0}};
-    const Costs unlimited{{30, 0}, {101, 0}, {500, 0}, {200, 0}};
+    // In the last step nothing is kept back: what it would have taken sleeps.
+    const Costs limited{{30, 0}, {80, 0}, {90, 0}, {99, 0}, {100, 0}};
+    const Costs unlimited{{30, 0}, {101, 0}, {500, 0}, {200, 0}, {200, 0}};
     const bool isLimited = def.switching.budget.units > 0.0;
     return std::make_unique<test::FakePhysics>(def,
                                                test::FakeBehaviour{.costs = isLimited ? limited : unlimited});
   };
   const auto study = studyBudgets(
-      {.scenes = {{.name = "a", .governed = governed, .coarsest = costing({{100, 0}}, 4)}}, .floors = {1.0}});
+      {.scenes = {{.name = "a", .governed = governed, .coarsest = costing({{100, 0}}, 5)}}, .floors = {1.0}});
   ASSERT_TRUE(study);
   EXPECT_EQ(study->trials.front().overloaded, 3);
   EXPECT_DOUBLE_EQ(study->trials.front().use, 0.9);

@@ -202,7 +202,8 @@ class FakePhysics final : public Physics {
     if (behaviour_.costs.empty()) return;
     const auto at = std::min<std::uint64_t>(steps_, behaviour_.costs.size()) - 1;
     std::tie(counters_.costUnits, counters_.floorUnits) = behaviour_.costs[static_cast<std::size_t>(at)];
-    if (counters_.costUnits < 100) --counters_.finestPairs;
+    counters_.withheldPairs = counters_.costUnits < 100 ? 1 : 0;
+    counters_.finestPairs -= counters_.withheldPairs;
   }
 
   void verify() {

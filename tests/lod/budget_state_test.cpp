@@ -83,12 +83,14 @@ TEST(BudgetState, SaysWhatWasGivenUp) {
   state.overduePairs = 2;
   state.keptPairs = 3;
   state.hiddenContacts = 40;
+  state.restingBodies = 7;
   state.iterationsLeftOut = 5;
   EXPECT_EQ(
       describe(state),
       "the budget of 4.00 ms cannot be kept as the bodies lie: what cannot be given up takes 5.00 ms, 40 "
       "contacts are left to others of theirs, 12 pairs coarser for it, 8 on credit, 2 of these not looked "
-      "at, which may overlap, 3 keep their contacts for a step, 5 iterations of the solver less");
+      "at, which may overlap, 3 keep their contacts for a step, 7 bodies fall asleep sooner, 5 iterations of "
+      "the solver less");
 }
 
 }  // namespace

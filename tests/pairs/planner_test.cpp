@@ -214,6 +214,54 @@ TEST(Planner, KeepsAStepWithinItsUnits) {
   EXPECT_TRUE(isGovernors);
 }
 
+TEST(Planner, LetsBodiesRestEarlyOnlyWhileSomethingIsGivenUp) {
+  PlannedRow row(4);
+  row.touching = true;
+  row.step();
+  EXPECT_FALSE(row.planner.restsEarly());
+  row.planner.setBudget(lod::UnitBudget::ofUnits(1e6));
+  row.step();
+  EXPECT_FALSE(row.planner.restsEarly());
+  row.planner.setBudget(lod::UnitBudget::ofUnits(1.0));
+  for (int i = 0; i < 30 && !row.planner.restsEarly(); ++i) row.step(SwitchKind::kOnCredit);
+  EXPECT_TRUE(row.planner.restsEarly());
+  row.planner.takeResting(3);
+  EXPECT_EQ(row.planner.counts().restingBodies, 3);
+  EXPECT_EQ(row.planner.budgetState().restingBodies, 3);
+  row.planner.setBudget(lod::UnitBudget());
+  row.step();
+  EXPECT_FALSE(row.planner.restsEarly());
+  EXPECT_EQ(row.planner.counts().restingBodies, 0);
+}
+
+// A gap would stay as long as they sleep.
+TEST(Planner, LetsNoBodyRestEarlyThatTouchesAnotherCoarsely) {
+  PlannedRow row(4);
+  row.step();
+  row.bodies[0]->asked = 1;
+  row.planner.setAsks(true);
+  row.step();
+  ASSERT_EQ(row.level(0), 1);
+  ASSERT_EQ(row.level(1), kLevels);
+  for (const auto& body : row.bodies) EXPECT_TRUE(row.planner.mayRestEarly(*body)) << "nothing touches";
+  row.touching = true;
+  row.step();
+  EXPECT_FALSE(row.planner.mayRestEarly(*row.bodies[0]));
+  EXPECT_FALSE(row.planner.mayRestEarly(*row.bodies[1]));
+  EXPECT_TRUE(row.planner.mayRestEarly(*row.bodies[2]));
+  EXPECT_TRUE(row.planner.mayRestEarly(*row.bodies[3]));
+}
+
+TEST(Planner, LetsNoBodyRestEarlyThatIsImportant) {
+  PlannedRow row(3);
+  row.touching = true;
+  ASSERT_TRUE(row.planner.addPolicy("contact-time"));
+  row.step();
+  EXPECT_TRUE(row.planner.mayRestEarly(*row.bodies[0]));
+  for (int i = 0; i < 60; ++i) row.step();
+  EXPECT_FALSE(row.planner.mayRestEarly(*row.bodies[0]));
+}
+
 /// Of its only pair, in contact, in a step that is out of units.
 int keepsFrom(SwitchKind kind, int level, bool credited) {
   PlannedRow row(2);

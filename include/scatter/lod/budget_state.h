@@ -35,6 +35,7 @@ struct BudgetState {
                           ///< room for: they may overlap.
   int keptPairs = 0;      ///< Pairs that kept their contacts of the step before.
   int hiddenContacts = 0;     ///< Contacts that the solver was not shown, as others stand for them.
+  int restingBodies = 0;      ///< Bodies that lie still, and fall asleep sooner.
   int iterationsLeftOut = 0;  ///< Of the solver's: the last that is given up.
 };
 

@@ -19,6 +19,7 @@ struct PairStepCounts {
                         ///< exceeded.
   int hiddenContacts = 0;     ///< That others of the same two bodies stand for, for the budget.
   int iterationsLeftOut = 0;  ///< Of the solver's, for the budget.
+  int restingBodies = 0;      ///< That come to rest sooner, for the budget.
   int blockedTries = 0;
   int separationQueries = 0;
   int audits = 0;

@@ -13,6 +13,7 @@
 #include "btHybridCoarsestBounds.h"
 #include "btHybridContactGroups.h"
 #include "btHybridContactVerifier.h"
+#include "btHybridEarlyRest.h"
 #include "btHybridNarrowphase.h"
 #include "btHybridNeighbourhood.h"
 #include "btHybridPlanner.h"
@@ -539,6 +540,13 @@ void btHybridDynamicsWorld::solveConstraints(btContactSolverInfo& info)
 	m_planner->hideContacts();
 	solveIslands(afforded);
 	m_planner->showContacts();
+}
+
+void btHybridDynamicsWorld::updateActivationState(btScalar timeStep)
+{
+	if (m_planner && m_hybrids.size() > 0)
+		m_planner->takeResting(btHybridEarlyRest::hasten(m_nonStaticRigidBodies, m_narrowphase->getObjects(), *m_planner, timeStep));
+	btDiscreteDynamicsWorld::updateActivationState(timeStep);
 }
 
 // All at once, so that a solver of ours can share them out.

@@ -48,6 +48,13 @@ public:
 	btHybridLevelBodies* acquire(const btCollisionObject* object, bool hasLevels);
 	void release(btHybridLevelBodies* object);
 
+	/// 0 if it is in no pair.
+	const btHybridLevelBodies* find(const btCollisionObject* object) const
+	{
+		btHybridLevelBodies* const* known = m_objects.find(btHashPtr(object));
+		return known ? *known : 0;
+	}
+
 	/// The object with the shape of one of its levels.
 	btHybridPartBody* getBody(btHybridLevelBodies* object, int level);
 

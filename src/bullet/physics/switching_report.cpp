@@ -39,6 +39,7 @@ void addPairCounts(const btHybridPairStepInfo& info, StepCounters& counters) {
   counters.touchingFinestPairs = count(info.touchingFinest);
   counters.reusedPairs = count(info.reusedPairs);
   counters.hiddenContacts = count(info.hiddenContacts);
+  counters.restingBodies = count(info.restingBodies);
   counters.iterationsLeftOut = count(info.iterationsLeftOut);
   counters.costUnits = whole(info.units);
   counters.plannedUnits = whole(info.plannedUnits);
