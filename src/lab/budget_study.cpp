@@ -116,7 +116,9 @@ void judge(const Run& run, const std::vector<double>& unlimited, const BudgetStu
   const auto& costs = costsOf(run, options.byClock);
   const auto& units = run.table.values("cost_units");
   const auto& floors = run.table.values("floor_units");
-  const auto& withheld = run.table.values("withheld_pairs");
+  const auto& touching = run.table.values("touching_pairs");
+  const auto& finest = run.table.values("touching_finest_pairs");
+  const auto& hidden = run.table.values("hidden_contacts");
   std::vector<double> overloaded;
   trial.frames = static_cast<int>(costs.size());
   const Cut cut(options, costs.size());
@@ -127,8 +129,8 @@ void judge(const Run& run, const std::vector<double>& unlimited, const BudgetStu
     trial.worst = std::max(trial.worst, taken);
     trial.impossible += taken > kOver2 && units[i] > 0.0 && floors[i] / units[i] * taken > 1.0 ? 1 : 0;
     // Bodies that have fallen asleep sooner take nothing, and lack nothing either.
-    const bool isMissed = withheld[i] > 0.0 || taken > 1.0;
-    if (unlimited[i] > trial.budget && isMissed) overloaded.push_back(taken);
+    const bool isShort = touching[i] > finest[i] || hidden[i] > 0.0 || taken > 1.0;
+    if (unlimited[i] > trial.budget && isShort) overloaded.push_back(taken);
   }
   trial.over2 = static_cast<int>(trial.overruns.size());
   trial.overloaded = static_cast<int>(overloaded.size());
@@ -256,7 +258,8 @@ std::string formatBudgets(const BudgetStudy& study) {
   return lab::textTable(lines) +
          lab::fitTerminal(
              "Floors: the budget in what the dearest frame takes with everything at level 1. Use: the median "
-             "of the frames that take more than the budget without one and keep back detail with it, in "
+             "of the frames that take more than the budget without one and lack detail or contacts with it, "
+             "in "
              "budgets. Finest: of touching pairs. Impossible: frames over the budget in which what could not "
              "be given up was over it as well." +
              (study.cutEnds

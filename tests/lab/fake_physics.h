@@ -27,7 +27,7 @@ struct FakeBehaviour {
   std::uint64_t jumpStep =
       0;  ///< In this step the first body is moved 0.5 m up, whatever its velocity; 0: never.
   /// Of the steps in order, the last one ever after: what they cost, and what of it could not be given up. A
-  /// step below 100 units has withheld some detail.
+  /// step below 100 units has given up some detail, and a contact.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> costs{};
   bool countsTouching =
       false;  ///< Counts touching pairs in every step: 10, of which one is coarse in step 7,
@@ -202,8 +202,9 @@ class FakePhysics final : public Physics {
     if (behaviour_.costs.empty()) return;
     const auto at = std::min<std::uint64_t>(steps_, behaviour_.costs.size()) - 1;
     std::tie(counters_.costUnits, counters_.floorUnits) = behaviour_.costs[static_cast<std::size_t>(at)];
-    counters_.withheldPairs = counters_.costUnits < 100 ? 1 : 0;
-    counters_.finestPairs -= counters_.withheldPairs;
+    const bool isLimited = counters_.costUnits < 100;
+    counters_.finestPairs -= isLimited ? 1 : 0;
+    counters_.hiddenContacts = isLimited ? 1 : 0;
   }
 
   void verify() {

@@ -49,8 +49,9 @@ struct BudgetTrial {
                        ///< kBudgetWayDown frames after it.
   int over5 = 0;       ///< More than 1.05.
   double worst = 0.0;  ///< The dearest frame, in budgets; with a cut, of the same frames.
-  int overloaded = 0;  ///< Of the same frames, those that took more than the budget in the run without one,
-                       ///< and with it kept back detail, or took more all the same.
+  /// Of the same frames, those that took more than the budget in the run without one, and that lacked detail
+  /// or contacts with it, or took more all the same.
+  int overloaded = 0;
   double use = 0.0;  ///< What the median of them took, in budgets; 0 if there were none.
   double finest =
       0.0;  ///< Of touching pairs with a hybrid, over all frames, at their finest level; 1 for none.
