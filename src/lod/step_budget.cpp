@@ -88,7 +88,7 @@ void StepBudget::settle(const SolverWork& solver, const ContactThinning::Find& f
   if (!isLimited()) return;
   settledUnits_ = budget_.settle({units_ + savedUnits_, restUnits(), solver.milliseconds});
   settleContacts(find);
-  settleIterations(solver.iterations);
+  settleIterations(solver);
 }
 
 double StepBudget::restUnits() const {
@@ -106,12 +106,15 @@ void StepBudget::settleContacts(const ContactThinning::Find& find) {
   units_ += shownUnits_;
 }
 
-// The governor plans as if all of them were made: they are left out of steps that it has not foreseen.
-void StepBudget::settleIterations(int usual) {
+// The governor plans as if all of them were made: they are left out of steps that it has not foreseen. What
+// lies still would tremble.
+void StepBudget::settleIterations(const SolverWork& solver) {
   const CostWeights& weights = costs_.weights();
   const double each =
       weights.contactIteration * (contactsFound_ - hiddenContacts()) + weights.jointIteration * load_.joints;
-  iterationsLeftOut_ = lod::iterationsLeftOut(units_ - settledUnits_, each, usual);
+  const int leftOut = lod::iterationsLeftOut(units_, settledUnits_, each, solver.iterations);
+  if (leftOut == 0 || (solver.isCalm && solver.isCalm())) return;
+  iterationsLeftOut_ = leftOut;
   iterationUnits_ = each * iterationsLeftOut_;
   units_ -= iterationUnits_;
 }

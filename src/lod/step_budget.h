@@ -2,6 +2,7 @@
 
 #include <scatter/lod/budget_state.h>
 
+#include <functional>
 #include <span>
 
 #include "lod/audit_room.h"
@@ -24,6 +25,9 @@ struct PairUnits {
 struct SolverWork {
   int iterations = 0;         ///< As long as it is not told to leave some out.
   double milliseconds = 0.0;  ///< That the step has taken before it; asked for if needsTime().
+
+  /// Whether most of what it is to solve lies still; asked before iterations are left out. Null: not so.
+  std::function<bool()> isCalm{};
 };
 
 /// What the step under way costs and may cost: the governor with what it is given to govern by. Clock-free
@@ -121,7 +125,7 @@ class StepBudget {
  private:
   void spend(double units);
   void settleContacts(const ContactThinning::Find& find);
-  void settleIterations(int usual);
+  void settleIterations(const SolverWork& solver);
 
   /// What comes after the contacts are known, if the solver has all of them and makes all of its iterations.
   [[nodiscard]] double restUnits() const;

@@ -103,9 +103,9 @@ class Planner {
   /// Whether a body may come to rest sooner than usual after this step, for the budget.
   [[nodiscard]] bool mayRestEarly(const PlannedBody& body) const { return body.wakefulStep_ != step_; }
 
-  /// Whether any may: detail or contacts are given up.
+  /// Whether any may: detail or contacts are given up, or the budget is exceeded.
   [[nodiscard]] bool restsEarly() const {
-    return budgetState_.hiddenContacts > 0 || budgetState_.iterationsLeftOut > 0 ||
+    return budgetState_.verdict > BudgetVerdict::kKept || budgetState_.hiddenContacts > 0 ||
            budgetState_.withheldPairs > 0;
   }
 

@@ -484,7 +484,8 @@ void btHybridDynamicsWorld::performDiscreteCollisionDetection()
 	}
 	if (m_planner)
 	{
-		m_planner->finish(getDispatcher(), {getSolverInfo().m_numIterations, getStepMilliseconds()});
+		m_planner->finish(getDispatcher(), {getSolverInfo().m_numIterations, getStepMilliseconds(), [this]
+		                                    { return btHybridEarlyRest::areStill(m_nonStaticRigidBodies); }});
 		closeRequests();
 	}
 	if (m_verifyEvery > 0)

@@ -19,6 +19,15 @@ bool isStill(const btRigidBody* body)
 }
 }  // namespace
 
+bool btHybridEarlyRest::areStill(const btAlignedObjectArray<btRigidBody*>& bodies)
+{
+	int more = 0;
+	for (int i = 0; i < bodies.size(); i++)
+		if (bodies[i]->isActive() && !bodies[i]->isStaticOrKinematicObject())
+			more += isStill(bodies[i]) ? 1 : -1;
+	return more >= 0;
+}
+
 int btHybridEarlyRest::hasten(const btAlignedObjectArray<btRigidBody*>& bodies, const btHybridObjects& objects, const btHybridPlanner& planner, btScalar timeStep)
 {
 	int hastened = 0;

@@ -12,6 +12,9 @@ class btHybridPlanner;
 class btHybridEarlyRest
 {
 public:
+	/// Whether at least half of those that are awake lie still.
+	static bool areStill(const btAlignedObjectArray<btRigidBody*>& bodies);
+
 	/// After a step, before Bullet looks at how long bodies have been at rest. How many are going to be asleep sooner.
 	static int hasten(const btAlignedObjectArray<btRigidBody*>& bodies, const btHybridObjects& objects, const btHybridPlanner& planner, btScalar timeStep);
 };
