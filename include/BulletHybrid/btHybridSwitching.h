@@ -81,10 +81,15 @@ struct btHybridPairSwitchingInfo
 	/// bodies may move less: one and a half times the distance at which Bullet ends their contacts.
 	btScalar m_auditDistance;
 
+	/// While a budget gives something up, bodies that lie still (a sixteenth of their sleeping thresholds), touch nothing
+	/// below its finest level and are of no importance to policies fall asleep in a quarter of the usual time. Off: as in
+	/// any Bullet world.
+	bool m_earlyRest;
+
 	bool m_safetyConditions;  ///< off only to show what they prevent
 
 	btHybridPairSwitchingInfo()
-	    : m_credit(true), m_creditLevel(2), m_retryInterval(10), m_auditDistance(btScalar(0.03)), m_safetyConditions(true)
+	    : m_credit(true), m_creditLevel(2), m_retryInterval(10), m_auditDistance(btScalar(0.03)), m_earlyRest(true), m_safetyConditions(true)
 	{
 	}
 };

@@ -172,10 +172,11 @@ double UnitTime::unitsIn(double milliseconds) const {
 }
 
 double UnitTime::millisecondsPerUnit() const {
-  // Steps in which units take longer than usual should fit too, but odd ones need not.
+  // Steps in which units take longer than usual should fit too, but odd ones need not. A machine that has
+  // become slower is believed after five steps, one that has become faster after sixteen.
   constexpr double kUsual = 0.5;
   constexpr double kSlow = 0.95;
-  constexpr double kSlowest = 1.04;
+  constexpr double kSlowest = 1.08;
   return std::min(perUnit_.at(kSlow), kSlowest * std::max(perUnit_.at(kUsual), lately_.at(kUsual)));
 }
 

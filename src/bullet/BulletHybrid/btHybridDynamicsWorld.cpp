@@ -545,7 +545,7 @@ void btHybridDynamicsWorld::solveConstraints(btContactSolverInfo& info)
 
 void btHybridDynamicsWorld::updateActivationState(btScalar timeStep)
 {
-	if (m_planner && m_hybrids.size() > 0)
+	if (m_planner && m_pairSwitching.m_earlyRest && m_hybrids.size() > 0)
 		m_planner->takeResting(btHybridEarlyRest::hasten(m_nonStaticRigidBodies, m_narrowphase->getObjects(), *m_planner, timeStep));
 	btDiscreteDynamicsWorld::updateActivationState(timeStep);
 }

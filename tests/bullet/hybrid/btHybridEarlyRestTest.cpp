@@ -63,6 +63,14 @@ TEST(EarlyRest, DoesNotComeWhileThereIsRoom) {
   EXPECT_EQ(w.resting, 0);
 }
 
+TEST(EarlyRest, DoesNotComeWhereTheProgramDoesNotWantIt) {
+  Resting w;
+  w.world.getPairSwitchingInfo().m_earlyRest = false;
+  w.world.setBudgetUnits(1);
+  EXPECT_NEAR(w.stepsUntilAsleep(), kTwoSeconds, 3);
+  EXPECT_EQ(w.resting, 0);
+}
+
 TEST(EarlyRest, DoesNotComeToWhatCanBeSeenToMove) {
   Resting w;
   w.world.setBudgetUnits(1);
