@@ -14,8 +14,7 @@ struct btHybridContactReductionInfo
 	/// Two bodies that have fewer contacts keep them all. Less than 1 is 1.
 	int m_leastContacts;
 
-	btHybridContactReductionInfo()
-	    : m_mostAlike(8), m_leastContacts(32)
+	btHybridContactReductionInfo() : m_mostAlike(8), m_leastContacts(32)
 	{
 	}
 };
@@ -27,8 +26,7 @@ struct btHybridContactReductionCount
 	int m_contacts;  ///< of them
 	int m_left;      ///< those that the solver was shown
 
-	btHybridContactReductionCount()
-	    : m_pairs(0), m_contacts(0), m_left(0)
+	btHybridContactReductionCount() : m_pairs(0), m_contacts(0), m_left(0)
 	{
 	}
 };
@@ -59,8 +57,7 @@ public:
 	virtual void prepareSolve(int numBodies, int numManifolds);
 	virtual btScalar solveGroup(btCollisionObject** bodies, int numBodies, btPersistentManifold** manifolds,
 	                            int numManifolds, btTypedConstraint** constraints, int numConstraints,
-	                            const btContactSolverInfo& info, btIDebugDraw* debugDrawer,
-	                            btDispatcher* dispatcher);
+	                            const btContactSolverInfo& info, btIDebugDraw* debugDrawer, btDispatcher* dispatcher);
 	virtual void allSolved(const btContactSolverInfo& info, btIDebugDraw* debugDrawer);
 	virtual void reset();
 	virtual btConstraintSolverType getSolverType() const;

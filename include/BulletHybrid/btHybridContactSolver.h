@@ -11,16 +11,16 @@ class btITaskScheduler;
 /// What the last call of solveGroup was about.
 struct btHybridContactSolverInfo
 {
-	int m_pairs;            ///< of bodies, whose contacts are solved four pairs at a time
-	int m_points;           ///< their contacts
-	int m_colours;          ///< sets of pairs without a moving body in common, which are solved one after another; of the group that has the most
-	int m_rows;             ///< the places of four that the contacts take; some have fewer in them
-	int m_groups;           ///< of islands, which are solved beside each other
+	int m_pairs;    ///< of bodies, whose contacts are solved four pairs at a time
+	int m_points;   ///< their contacts
+	int m_colours;  ///< sets of pairs without a moving body in common, which are solved one after another; of the group
+	                ///< that has the most
+	int m_rows;     ///< the places of four that the contacts take; some have fewer in them
+	int m_groups;   ///< of islands, which are solved beside each other
 	int m_bulletManifolds;  ///< whose contacts are Bullet's own business, see btHybridContactSolver
 	btHybridContactReductionCount m_reduced;
 
-	btHybridContactSolverInfo()
-	    : m_pairs(0), m_points(0), m_colours(0), m_rows(0), m_groups(0), m_bulletManifolds(0)
+	btHybridContactSolverInfo() : m_pairs(0), m_points(0), m_colours(0), m_rows(0), m_groups(0), m_bulletManifolds(0)
 	{
 	}
 };
@@ -59,8 +59,7 @@ btHybridContactSolver : public btSequentialImpulseConstraintSolver
 
 protected:
 	virtual void convertJoints(btTypedConstraint * *constraints, int numConstraints, const btContactSolverInfo& info);
-	virtual void convertContacts(btPersistentManifold * *manifolds, int numManifolds,
-	                             const btContactSolverInfo& info);
+	virtual void convertContacts(btPersistentManifold * *manifolds, int numManifolds, const btContactSolverInfo& info);
 	virtual void solveGroupCacheFriendlySplitImpulseIterations(
 	    btCollisionObject * *bodies, int numBodies, btPersistentManifold** manifolds, int numManifolds,
 	    btTypedConstraint** constraints, int numConstraints, const btContactSolverInfo& info,
@@ -109,13 +108,15 @@ public:
 		m_reduces = false;
 	}
 
-	/// How many threads, the caller's among them, solve islands that do not touch each other: 1 to 64, 1 unless set otherwise. In a
-	/// btHybridDynamicsWorld they are the world's, whatever is set here, and all islands of a step are shared out at once; in other worlds,
-	/// those that Bullet hands over in one piece: see btContactSolverInfo::m_minimumSolverBatchSize. Returns 0, or for other numbers what is wrong.
+	/// How many threads, the caller's among them, solve islands that do not touch each other: 1 to 64, 1 unless set
+	/// otherwise. In a btHybridDynamicsWorld they are the world's, whatever is set here, and all islands of a step are
+	/// shared out at once; in other worlds, those that Bullet hands over in one piece: see
+	/// btContactSolverInfo::m_minimumSolverBatchSize. Returns 0, or for other numbers what is wrong.
 	const char* setNumThreads(int threads);
 	int getNumThreads() const;
 
-	/// The threads of a program's own scheduler, which must outlive its use, in the place of the solver's; 0: the solver's again.
+	/// The threads of a program's own scheduler, which must outlive its use, in the place of the solver's; 0: the
+	/// solver's again.
 	void setTaskScheduler(btITaskScheduler * scheduler);
 
 	btHybridContactSolverInfo getContactSolverInfo() const;

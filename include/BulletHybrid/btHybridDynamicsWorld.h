@@ -85,13 +85,16 @@ class btHybridDynamicsWorld : public btDiscreteDynamicsWorld
 public:
 	BT_DECLARE_ALIGNED_ALLOCATOR();
 
-	btHybridDynamicsWorld(btDispatcher* dispatcher, btBroadphaseInterface* pairCache, btConstraintSolver* constraintSolver, btCollisionConfiguration* collisionConfiguration, btHybridSwitchingMode mode = BT_HYBRID_PAIR_SWITCHING);
+	btHybridDynamicsWorld(btDispatcher* dispatcher, btBroadphaseInterface* pairCache,
+	                      btConstraintSolver* constraintSolver, btCollisionConfiguration* collisionConfiguration,
+	                      btHybridSwitchingMode mode = BT_HYBRID_PAIR_SWITCHING);
 
-	/// Bodies may outlive the world: hybrids are in no world then, their requests are gone, and they can be added to another
-	/// one. The listener is not called any more.
+	/// Bodies may outlive the world: hybrids are in no world then, their requests are gone, and they can be added to
+	/// another one. The listener is not called any more.
 	virtual ~btHybridDynamicsWorld();
 
-	virtual int stepSimulation(btScalar timeStep, int maxSubSteps = 1, btScalar fixedTimeStep = btScalar(1) / btScalar(60));
+	virtual int stepSimulation(btScalar timeStep, int maxSubSteps = 1,
+	                           btScalar fixedTimeStep = btScalar(1) / btScalar(60));
 
 	btHybridSwitchingMode getSwitchingMode() const
 	{
@@ -149,31 +152,31 @@ public:
 	/// Pair switching: of the last step; all zero while bodies switch.
 	btHybridPairStepInfo getPairStepInfo() const;
 
-	// The calls from here to removeFocus() are about pair switching. They return 0, or what is wrong and how to mend it,
-	// and then nothing has changed: that bodies switch in this world, that its pairs cannot (getNarrowphaseMistake()),
-	// that it is in a step's collision detection, where listeners are called, or that a value makes no sense. The message
-	// is valid until the next call.
+	// The calls from here to removeFocus() are about pair switching. They return 0, or what is wrong and how to mend
+	// it, and then nothing has changed: that bodies switch in this world, that its pairs cannot
+	// (getNarrowphaseMistake()), that it is in a step's collision detection, where listeners are called, or that a
+	// value makes no sense. The message is valid until the next call.
 
-	/// Adds one of the policies that come with the library, such as "speed" or "speed:from=5,to=20". Refuses 0, and names
-	/// and parameters that are not known.
+	/// Adds one of the policies that come with the library, such as "speed" or "speed:from=5,to=20". Refuses 0, and
+	/// names and parameters that are not known.
 	const char* addPolicy(const char* specification);
 
 	/// What addPolicy would return; nothing is added.
 	const char* checkPolicy(const char* specification);
 	const char* removePolicies();
 
-	/// What stepSimulation may cost: its steps share it. Detail is taken away where it is worth least, and given back when
-	/// there is room. A new budget replaces the one before it, and starts to learn.
-	/// Milliseconds of processor time of the stepping thread: depends on the clock. Refuses what is not finite and above 0.
+	/// What stepSimulation may cost: its steps share it. Detail is taken away where it is worth least, and given back
+	/// when there is room. A new budget replaces the one before it, and starts to learn. Milliseconds of processor time
+	/// of the stepping thread: depends on the clock. Refuses what is not finite and above 0.
 	const char* setBudgetMilliseconds(double milliseconds);
 
-	/// Units of predicted cost, about microseconds on a machine of 2020: the same run after run. Refuses what is not finite
-	/// and above 0.
+	/// Units of predicted cost, about microseconds on a machine of 2020: the same run after run. Refuses what is not
+	/// finite and above 0.
 	const char* setBudgetUnits(double units);
 
 	/// The units of every step, as btHybridPairStepInfo::budgetUnits had them in an earlier run, which is repeated
-	/// exactly; 0 is a step without a budget. After the last one it stays. Refuses 0 steps, and units that are negative or
-	/// not finite. settled: as many of settledUnits; 0, of a run whose budget was of units: the same.
+	/// exactly; 0 is a step without a budget. After the last one it stays. Refuses 0 steps, and units that are negative
+	/// or not finite. settled: as many of settledUnits; 0, of a run whose budget was of units: the same.
 	const char* replayBudget(const double* units, int count, const double* settled = 0);
 	const char* removeBudget();
 
@@ -181,20 +184,20 @@ public:
 	/// scatter::describe says it in words.
 	btHybridBudgetState getBudgetState() const;
 
-	/// Where the viewer looks, for the policy "focus". fieldOfView: vertical, radians. Refuses places that are not finite,
-	/// and angles that are not between 0 and pi.
+	/// Where the viewer looks, for the policy "focus". fieldOfView: vertical, radians. Refuses places that are not
+	/// finite, and angles that are not between 0 and pi.
 	const char* setFocus(const btVector3& eye, const btVector3& target, btScalar fieldOfView);
 	const char* removeFocus();
 
 	/// What the user holds is to be finest: pairs whatever policies, budget and requests ask for; bodies, in body
-	/// switching, as soon as that is safe. A hybrid is also told for the policy "held". False, and nothing happens, if the
-	/// object is 0 or not in this world; what leaves the world is not held any more.
+	/// switching, as soon as that is safe. A hybrid is also told for the policy "held". False, and nothing happens, if
+	/// the object is 0 or not in this world; what leaves the world is not held any more.
 	bool setHeld(btCollisionObject* object, bool held);
 
 	/// The pair algorithm of hybrid bodies. The constructor registers it with the dispatcher for pairs of a
 	/// compound with a compound or convex shape, in the place of create functions that were registered before;
-	/// pairs without a hybrid of this world go on to those of the dispatcher's configuration. At most one hybrid world a
-	/// dispatcher: a second one has Bullet's own algorithms as long as it lives. So does one with a
+	/// pairs without a hybrid of this world go on to those of the dispatcher's configuration. At most one hybrid world
+	/// a dispatcher: a second one has Bullet's own algorithms as long as it lives. So does one with a
 	/// btCollisionDispatcherMt or a dispatcher of another kind. getNarrowphaseMistake() tells.
 	///
 	/// Levels must not change in place. Shapes of other bodies may: what Bullet counts, places, scaling, margins,
@@ -204,37 +207,39 @@ public:
 	/// settings, are not asked.
 	const btHybridCollisionInfo& getCollisionInfo() const;
 
-	/// Drops the contacts of all pairs with a hybrid, and with m_plainBodies those of all others. Returns 0; or, inside a step's collision detection, where listeners
-	/// are called, what is wrong, and then nothing has changed.
+	/// Drops the contacts of all pairs with a hybrid, and with m_plainBodies those of all others. Returns 0; or, inside
+	/// a step's collision detection, where listeners are called, what is wrong, and then nothing has changed.
 	const char* setCollisionInfo(const btHybridCollisionInfo& info);
 
-	/// 0, or why hybrid pairs run in Bullet's own algorithms in this world, so that pairs do not switch, and how to mend
-	/// it: another hybrid world has the dispatcher, or it is of a kind that takes no pair algorithm. Never changes.
+	/// 0, or why hybrid pairs run in Bullet's own algorithms in this world, so that pairs do not switch, and how to
+	/// mend it: another hybrid world has the dispatcher, or it is of a kind that takes no pair algorithm. Never
+	/// changes.
 	const char* getNarrowphaseMistake() const;
 
 	/// Of the last step.
 	const btHybridCollisionCounts& getCollisionCounts() const;
 	btHybridCollisionMemory getCollisionMemory() const;
 
-	/// A debug option: every n-th step, after the narrowphase, compares the contacts of all pairs with a hybrid, in pair
-	/// switching of those at their finest level, with those of a plain Bullet world beside this one; see
-	/// btHybridContactReport. That world makes every step, so all are slow. Does not change the simulation; asks filters
-	/// (broadphase, dispatcher, children of compounds) once more, but no contact callback. Does not know create functions
-	/// registered with the dispatcher, nor its near callback. 0 or less: never. Clears the report.
+	/// A debug option: every n-th step, after the narrowphase, compares the contacts of all pairs with a hybrid, in
+	/// pair switching of those at their finest level, with those of a plain Bullet world beside this one; see
+	/// btHybridContactReport. That world makes every step, so all are slow. Does not change the simulation; asks
+	/// filters (broadphase, dispatcher, children of compounds) once more, but no contact callback. Does not know create
+	/// functions registered with the dispatcher, nor its near callback. 0 or less: never. Clears the report.
 	void verifyContacts(int everyNSteps);
 	const btHybridContactReport& getContactReport() const;
 
 	/// The level in use between two objects whose broadphase bounds overlap, 1 the coarsest; the pair has as many
-	/// levels as the body that has more. 0 if they do not overlap, neither is a hybrid, or one is 0 or not in this world.
+	/// levels as the body that has more. 0 if they do not overlap, neither is a hybrid, or one is 0 or not in this
+	/// world.
 	int getPairLevel(const btCollisionObject* objectA, const btCollisionObject* objectB) const;
 
-	/// What a debugger shows of a pair of this world, and of the request for a body. For pairs without a hybrid, and for a
-	/// body that is 0 or not in this world, all zero. Changes nothing.
+	/// What a debugger shows of a pair of this world, and of the request for a body. For pairs without a hybrid, and
+	/// for a body that is 0 or not in this world, all zero. Changes nothing.
 	btHybridPairView viewPair(const btBroadphasePair& pair) const;
 	btHybridRequestView viewRequest(const btHybridRigidBody* body) const;
 
-	/// Adds all objects of pairs that are coarser than they could be, each once, partners without levels too; none without pair
-	/// switching. Much cheaper than viewing each pair.
+	/// Adds all objects of pairs that are coarser than they could be, each once, partners without levels too; none
+	/// without pair switching. Much cheaper than viewing each pair.
 	void viewCoarserObjects(btAlignedObjectArray<btHybridCoarserObject>& objects) const;
 
 	int getNumHybrids() const
@@ -247,38 +252,42 @@ public:
 		return index >= 0 && index < m_hybrids.size() ? m_hybrids[index] : 0;
 	}
 
-	/// Nothing happens, and getRefusal() tells why, if an object that is to be added is 0 or already in a world, this one or
-	/// another, or if one that is to be removed is 0 or not in this world. Hybrids come and go as rigid bodies: one that is
-	/// added as a collision object is an ordinary one.
+	/// Nothing happens, and getRefusal() tells why, if an object that is to be added is 0 or already in a world, this
+	/// one or another, or if one that is to be removed is 0 or not in this world. Hybrids come and go as rigid bodies:
+	/// one that is added as a collision object is an ordinary one.
 	virtual void addRigidBody(btRigidBody* body);
 	virtual void addRigidBody(btRigidBody* body, int group, int mask);
 	virtual void removeRigidBody(btRigidBody* body);
-	virtual void addCollisionObject(btCollisionObject* collisionObject, int group = btBroadphaseProxy::StaticFilter, int mask = btBroadphaseProxy::AllFilter ^ btBroadphaseProxy::StaticFilter);
+	virtual void addCollisionObject(btCollisionObject* collisionObject, int group = btBroadphaseProxy::StaticFilter,
+	                                int mask = btBroadphaseProxy::AllFilter ^ btBroadphaseProxy::StaticFilter);
 	virtual void removeCollisionObject(btCollisionObject* collisionObject);
 
-	/// Why the last call that adds or removes an object did nothing; 0 if it did what it should. The debug drawer, if there
-	/// is one, is told as well.
+	/// Why the last call that adds or removes an object did nothing; 0 if it did what it should. The debug drawer, if
+	/// there is one, is told as well.
 	const char* getRefusal() const
 	{
 		return m_refusal;
 	}
 
-	/// How many threads, the caller's among them, look for the contacts of hybrids, and solve islands if the world's solver is a
-	/// btHybridContactSolver: 1 to 64, 1 unless set otherwise. Results are the same bits for any number. Callbacks, listeners and the
-	/// dispatcher's memory stay on the caller's thread; other threads read objects and shapes, the meshes of grounds one at a time,
-	/// and write contacts while no callback that hears of contacts is set (gContactProcessedCallback and the like); otherwise they find out which
-	/// parts are near each other, and how near. With a near callback of the program's own, which may leave pairs out, there is one thread unless the
-	/// program promises otherwise; so there is in steps with few pairs, and on one core. Returns 0; or, for other
-	/// numbers and inside a step, what is wrong, and then nothing has changed.
+	/// How many threads, the caller's among them, look for the contacts of hybrids, and solve islands if the world's
+	/// solver is a btHybridContactSolver: 1 to 64, 1 unless set otherwise. Results are the same bits for any number.
+	/// Callbacks, listeners and the dispatcher's memory stay on the caller's thread; other threads read objects and
+	/// shapes, the meshes of grounds one at a time, and write contacts while no callback that hears of contacts is set
+	/// (gContactProcessedCallback and the like); otherwise they find out which parts are near each other, and how near.
+	/// With a near callback of the program's own, which may leave pairs out, there is one thread unless the program
+	/// promises otherwise; so there is in steps with few pairs, and on one core. Returns 0; or, for other numbers and
+	/// inside a step, what is wrong, and then nothing has changed.
 	const char* setNumThreads(int threads);
 	int getNumThreads() const;
 
-	/// What a program promises of its callbacks, any of btHybridPromises; none unless said otherwise. It makes a difference to threads alone.
+	/// What a program promises of its callbacks, any of btHybridPromises; none unless said otherwise. It makes a
+	/// difference to threads alone.
 	void setPromises(int promises);
 	int getPromises() const;
 
-	/// The threads of a program's own scheduler, which must outlive its use, in the place of the world's; 0: the world's again. It is called directly, so
-	/// that it works in a Bullet that was built without threads. Returns 0; or, inside a step, what is wrong.
+	/// The threads of a program's own scheduler, which must outlive its use, in the place of the world's; 0: the
+	/// world's again. It is called directly, so that it works in a Bullet that was built without threads. Returns 0;
+	/// or, inside a step, what is wrong.
 	const char* setTaskScheduler(btITaskScheduler* scheduler);
 
 	/// Hybrids get the bounds of their coarsest level.

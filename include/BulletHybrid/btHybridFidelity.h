@@ -17,8 +17,7 @@ struct btHybridFidelitySample
 	/// Of each pair that touches at a coarser level: the distance of its finest levels, 0 if they overlap.
 	btAlignedObjectArray<btScalar> m_contactGaps;
 
-	btHybridFidelitySample()
-	    : m_touchingPairs(0), m_visibleOverlapPairs(0)
+	btHybridFidelitySample() : m_touchingPairs(0), m_visibleOverlapPairs(0)
 	{
 	}
 };

@@ -44,13 +44,14 @@ public:
 	/// Before the dispatcher's end. Pairs that use the algorithm keep it as long as their bounds overlap.
 	~btHybridInstallation();
 
-	/// 0, or why pairs run in Bullet's own algorithms, and how to mend it: the dispatcher has one already, or it is of a kind that
-	/// takes none. Never changes.
+	/// 0, or why pairs run in Bullet's own algorithms, and how to mend it: the dispatcher has one already, or it is of
+	/// a kind that takes none. Never changes.
 	const char* getMistake() const;
 
 	const btHybridCollisionInfo& getCollisionInfo() const;
 
-	/// Between two steps. Whether pairs use the algorithm (m_pairAlgorithm) is decided when they come up. m_plainBodies acts as true.
+	/// Between two steps. Whether pairs use the algorithm (m_pairAlgorithm) is decided when they come up. m_plainBodies
+	/// acts as true.
 	void setCollisionInfo(const btHybridCollisionInfo& info);
 
 	/// Work since the last call, or since the beginning.

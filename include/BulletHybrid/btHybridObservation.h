@@ -20,7 +20,13 @@ struct btHybridRequestView
 	const btCollisionObject* m_blockedBy;  ///< the object that the last try found in the way; 0 if not known
 
 	btHybridRequestView()
-	    : m_targetLevel(0), m_scope(BT_HYBRID_LOCAL), m_policy(""), m_waitingSteps(0), m_tried(false), m_retrySteps(0), m_blockedBy(0)
+	    : m_targetLevel(0),
+	      m_scope(BT_HYBRID_LOCAL),
+	      m_policy(""),
+	      m_waitingSteps(0),
+	      m_tried(false),
+	      m_retrySteps(0),
+	      m_blockedBy(0)
 	{
 	}
 };
@@ -34,8 +40,7 @@ struct btHybridPairView
 	btHybridRequestView m_request;  ///< pair switching
 	btScalar m_units;               ///< pair switching: what it took of the last step, as budgets count; -1: not known
 
-	btHybridPairView()
-	    : m_level(0), m_finestLevel(0), m_credited(false), m_units(-1)
+	btHybridPairView() : m_level(0), m_finestLevel(0), m_credited(false), m_units(-1)
 	{
 	}
 };

@@ -37,7 +37,14 @@ struct btHybridRequest
 	const btCollisionObject* m_blockedBy;
 
 	btHybridRequest()
-	    : m_targetLevel(0), m_scope(BT_HYBRID_LOCAL), m_byProximity(false), m_acknowledged(false), m_tries(0), m_stepMade(0), m_nextTry(0), m_blockedBy(0)
+	    : m_targetLevel(0),
+	      m_scope(BT_HYBRID_LOCAL),
+	      m_byProximity(false),
+	      m_acknowledged(false),
+	      m_tries(0),
+	      m_stepMade(0),
+	      m_nextTry(0),
+	      m_blockedBy(0)
 	{
 	}
 
@@ -49,11 +56,15 @@ struct btHybridRequest
 
 /// What happened to the level of a pair.
 typedef scatter::LevelEventKind btHybridPairEventKind;
-const btHybridPairEventKind BT_HYBRID_PAIR_REQUESTED = scatter::LevelEventKind::kRequested;        ///< a policy wants another level than the pair has, or now wants another one
-const btHybridPairEventKind BT_HYBRID_PAIR_ACKNOWLEDGED = scatter::LevelEventKind::kAcknowledged;  ///< the pair tries for the first time
-const btHybridPairEventKind BT_HYBRID_PAIR_BLOCKED = scatter::LevelEventKind::kBlocked;            ///< it is not safe; it will try again
+const btHybridPairEventKind BT_HYBRID_PAIR_REQUESTED =
+    scatter::LevelEventKind::kRequested;  ///< a policy wants another level than the pair has, or now wants another one
+const btHybridPairEventKind BT_HYBRID_PAIR_ACKNOWLEDGED =
+    scatter::LevelEventKind::kAcknowledged;  ///< the pair tries for the first time
+const btHybridPairEventKind BT_HYBRID_PAIR_BLOCKED =
+    scatter::LevelEventKind::kBlocked;  ///< it is not safe; it will try again
 const btHybridPairEventKind BT_HYBRID_PAIR_SWITCHED = scatter::LevelEventKind::kSwitched;
-const btHybridPairEventKind BT_HYBRID_PAIR_RETRACTED = scatter::LevelEventKind::kRetracted;  ///< not wanted any more, or one of the bodies is gone
+const btHybridPairEventKind BT_HYBRID_PAIR_RETRACTED =
+    scatter::LevelEventKind::kRetracted;  ///< not wanted any more, or one of the bodies is gone
 
 struct btHybridPairEvent
 {
@@ -89,10 +100,12 @@ public:
 	}
 
 	/// The body has switched. If request.m_targetLevel differs from toLevel, the request still stands.
-	virtual void switched(btHybridRigidBody* /*body*/, int /*fromLevel*/, int /*toLevel*/, const btHybridRequest& /*request*/)
+	virtual void switched(btHybridRigidBody* /*body*/, int /*fromLevel*/, int /*toLevel*/,
+	                      const btHybridRequest& /*request*/)
 	{
 	}
-	virtual void retracted(btHybridRigidBody* /*body*/, const btHybridRequest& /*request*/, btHybridRetraction /*reason*/)
+	virtual void retracted(btHybridRigidBody* /*body*/, const btHybridRequest& /*request*/,
+	                       btHybridRetraction /*reason*/)
 	{
 	}
 

@@ -32,16 +32,17 @@ class btHybridRigidBody : public btRigidBody
 public:
 	BT_DECLARE_ALIGNED_ALLOCATOR();
 
-	/// The body starts at startLevel; 0, the default, is the finest. Below 0 it acts as 1, above the finest as the finest.
-	/// levels must outlive the body, which has those that are there now.
+	/// The body starts at startLevel; 0, the default, is the finest. Below 0 it acts as 1, above the finest as the
+	/// finest. levels must outlive the body, which has those that are there now.
 	///
 	/// If levels is 0 or empty, this is an ordinary rigid body, in every world, that has no levels: its shape is
-	/// constructionInfo.m_collisionShape, or a btEmptyShape if that is 0. With levels constructionInfo.m_collisionShape is
-	/// ignored.
-	btHybridRigidBody(const btRigidBodyConstructionInfo& constructionInfo, const btHybridLevelSet* levels, int startLevel = 0);
+	/// constructionInfo.m_collisionShape, or a btEmptyShape if that is 0. With levels constructionInfo.m_collisionShape
+	/// is ignored.
+	btHybridRigidBody(const btRigidBodyConstructionInfo& constructionInfo, const btHybridLevelSet* levels,
+	                  int startLevel = 0);
 
-	/// Leaves its btHybridDynamicsWorld first, if it is still in one. Its constraints must have left before, and it must
-	/// not end inside a step.
+	/// Leaves its btHybridDynamicsWorld first, if it is still in one. Its constraints must have left before, and it
+	/// must not end inside a step.
 	virtual ~btHybridRigidBody();
 
 	/// The btHybridDynamicsWorld that it is in; 0 if it is in none, or in a world of another kind.

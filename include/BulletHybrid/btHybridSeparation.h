@@ -9,7 +9,7 @@
 /// for every pair of convex pieces; touching, overlapping, unknown shape types, no shape, places and gaps that are not
 /// finite, and doubt all give false.
 /// A closed triangle mesh is its surface, as everywhere in Bullet.
-bool btHybridIsSeparated(const btCollisionShape* shapeA, const btTransform& transformA,
-                         const btCollisionShape* shapeB, const btTransform& transformB, btScalar gap);
+bool btHybridIsSeparated(const btCollisionShape* shapeA, const btTransform& transformA, const btCollisionShape* shapeB,
+                         const btTransform& transformB, btScalar gap);
 
 #endif  // BT_HYBRID_SEPARATION_H

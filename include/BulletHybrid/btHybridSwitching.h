@@ -27,13 +27,18 @@ struct btHybridStepInfo
 	int m_separationQueries;
 
 	btHybridStepInfo()
-	    : m_standingRequests(0), m_switchesCoarser(0), m_switchesFiner(0), m_retractions(0), m_blockedTries(0), m_separationQueries(0)
+	    : m_standingRequests(0),
+	      m_switchesCoarser(0),
+	      m_switchesFiner(0),
+	      m_retractions(0),
+	      m_blockedTries(0),
+	      m_separationQueries(0)
 	{
 	}
 };
 
-/// When and how bodies switch, in body switching. Read in every step, so that values may be changed at any time. Each has
-/// a meaning whatever it is set to.
+/// When and how bodies switch, in body switching. Read in every step, so that values may be changed at any time. Each
+/// has a meaning whatever it is set to.
 struct btHybridSwitchingInfo
 {
 	/// The world asks for level 1 when another moving body is near, and for the finest level when none is.
@@ -41,8 +46,8 @@ struct btHybridSwitchingInfo
 	bool m_proximity;
 
 	/// A request comes at least this many steps before the level-1 bounds of two bodies can touch at their present
-	/// velocities; 1 or less comes too late to be sure of that, and 0 once they overlap (report, section 5.1.2.1). Below 0
-	/// and what is not a number act as 0, above 1000 acts as 1000.
+	/// velocities; 1 or less comes too late to be sure of that, and 0 once they overlap (report, section 5.1.2.1).
+	/// Below 0 and what is not a number act as 0, above 1000 acts as 1000.
 	btScalar m_proximitySteps;
 
 	int m_retryInterval;  ///< steps between tries of a blocked request; below 1 it acts as 1, above a million as that
@@ -55,13 +60,18 @@ struct btHybridSwitchingInfo
 	bool m_safetyConditions;  ///< off only to show what they prevent
 
 	btHybridSwitchingInfo()
-	    : m_proximity(true), m_proximitySteps(3), m_retryInterval(10), m_quietSteps(30), m_safetyGap(btScalar(0.01)), m_safetyConditions(true)
+	    : m_proximity(true),
+	      m_proximitySteps(3),
+	      m_retryInterval(10),
+	      m_quietSteps(30),
+	      m_safetyGap(btScalar(0.01)),
+	      m_safetyConditions(true)
 	{
 	}
 };
 
-/// When and how pairs switch. Read in every step, so that values may be changed at any time. Each has a meaning whatever
-/// it is set to.
+/// When and how pairs switch. Read in every step, so that values may be changed at any time. Each has a meaning
+/// whatever it is set to.
 struct btHybridPairSwitchingInfo
 {
 	/// Pairs in contact can go coarser: the overlap of the coarser shapes becomes penetration credit, and nothing is
@@ -69,27 +79,32 @@ struct btHybridPairSwitchingInfo
 	bool m_credit;
 
 	/// The coarsest level that a pair in contact takes on credit, unless the budget cannot be kept without. Of four to
-	/// ten parts: at a single box contacts lose their direction, and stacks sag. Below 1 it acts as 1; for a pair that has
-	/// no more levels than this, it is the one before its finest.
+	/// ten parts: at a single box contacts lose their direction, and stacks sag. Below 1 it acts as 1; for a pair that
+	/// has no more levels than this, it is the one before its finest.
 	int m_creditLevel;
 
 	/// Steps between tries of a switch to a finer level that was not safe. Below 1 it acts as 1, above 255 as 255.
 	int m_retryInterval;
 
 	/// How far the bodies of a pair on credit may move against each other before the credit is compared with their
-	/// finest shapes again, metres. 0, what is negative, and what is not a number: never. Above 1000 it acts as 1000. Small
-	/// bodies may move less: one and a half times the distance at which Bullet ends their contacts.
+	/// finest shapes again, metres. 0, what is negative, and what is not a number: never. Above 1000 it acts as 1000.
+	/// Small bodies may move less: one and a half times the distance at which Bullet ends their contacts.
 	btScalar m_auditDistance;
 
-	/// While a budget gives something up, bodies that lie still (a sixteenth of their sleeping thresholds), touch nothing
-	/// below its finest level and are of no importance to policies fall asleep in a quarter of the usual time. Off: as in
-	/// any Bullet world.
+	/// While a budget gives something up, bodies that lie still (a sixteenth of their sleeping thresholds), touch
+	/// nothing below its finest level and are of no importance to policies fall asleep in a quarter of the usual time.
+	/// Off: as in any Bullet world.
 	bool m_earlyRest;
 
 	bool m_safetyConditions;  ///< off only to show what they prevent
 
 	btHybridPairSwitchingInfo()
-	    : m_credit(true), m_creditLevel(2), m_retryInterval(10), m_auditDistance(btScalar(0.03)), m_earlyRest(true), m_safetyConditions(true)
+	    : m_credit(true),
+	      m_creditLevel(2),
+	      m_retryInterval(10),
+	      m_auditDistance(btScalar(0.03)),
+	      m_earlyRest(true),
+	      m_safetyConditions(true)
 	{
 	}
 };

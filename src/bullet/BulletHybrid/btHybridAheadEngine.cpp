@@ -9,7 +9,8 @@
 using scatter::pairs::ManifoldNote;
 
 // What a program keeps with a point has one owner.
-static btPersistentManifold* adopt(btDispatcher* dispatcher, const btCollisionObject* a, const btCollisionObject* b, btPersistentManifold* standIn)
+static btPersistentManifold* adopt(btDispatcher* dispatcher, const btCollisionObject* a, const btCollisionObject* b,
+                                   btPersistentManifold* standIn)
 {
 	btPersistentManifold* manifold = dispatcher->getNewManifold(a, b);
 	for (int i = 0; i < standIn->getNumContacts(); i++)
@@ -20,7 +21,8 @@ static btPersistentManifold* adopt(btDispatcher* dispatcher, const btCollisionOb
 	return manifold;
 }
 
-btHybridAdoption::btHybridAdoption(btDispatcher* dispatcher, const btCollisionObject* a, const btCollisionObject* b, const std::vector<ManifoldNote>& notes)
+btHybridAdoption::btHybridAdoption(btDispatcher* dispatcher, const btCollisionObject* a, const btCollisionObject* b,
+                                   const std::vector<ManifoldNote>& notes)
 {
 	for (const ManifoldNote& note : notes)
 	{
@@ -46,7 +48,8 @@ namespace
 {
 bool areContactsUnheard()
 {
-	return !gContactDestroyedCallback && !gContactProcessedCallback && !gContactStartedCallback && !gContactEndedCallback && !gCompoundChildShapePairCallback && !gCompoundCompoundChildShapePairCallback;
+	return !gContactDestroyedCallback && !gContactProcessedCallback && !gContactStartedCallback &&
+	       !gContactEndedCallback && !gCompoundChildShapePairCallback && !gCompoundCompoundChildShapePairCallback;
 }
 
 bool isMixedByBullet()
@@ -60,9 +63,11 @@ bool isMixedByBullet()
 }
 }  // namespace
 
-bool btHybridAheadRules::isDispatchSure(const btCollisionDispatcher* dispatcher, const btDispatcherInfo& info, int promises)
+bool btHybridAheadRules::isDispatchSure(const btCollisionDispatcher* dispatcher, const btDispatcherInfo& info,
+                                        int promises)
 {
-	const bool forwards = (promises & BT_HYBRID_NEAR_CALLBACK_FORWARDS) || dispatcher->getNearCallback() == btCollisionDispatcher::defaultNearCallback;
+	const bool forwards = (promises & BT_HYBRID_NEAR_CALLBACK_FORWARDS) ||
+	                      dispatcher->getNearCallback() == btCollisionDispatcher::defaultNearCallback;
 	return forwards && info.m_dispatchFunc == btDispatcherInfo::DISPATCH_DISCRETE;
 }
 
@@ -78,5 +83,6 @@ bool btHybridAheadRules::mayAdd(int promises)
 
 bool btHybridAheadRules::mayStep(const btHybridAhead& ahead, const btCollisionObject* a, const btCollisionObject* b)
 {
-	return ahead.m_mayStep && (ahead.m_mayAdd || !((a->getCollisionFlags() | b->getCollisionFlags()) & btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK));
+	return ahead.m_mayStep && (ahead.m_mayAdd || !((a->getCollisionFlags() | b->getCollisionFlags()) &
+	                                               btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK));
 }

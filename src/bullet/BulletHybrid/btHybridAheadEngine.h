@@ -11,8 +11,8 @@
 class btCollisionDispatcher;
 class btDispatcher;
 
-/// Bullet, as a pair sees it whose step is made ahead, on any thread: the dispatcher is told later of manifolds that are new and
-/// of those that are released. `Engine` is what the pair sees otherwise.
+/// Bullet, as a pair sees it whose step is made ahead, on any thread: the dispatcher is told later of manifolds that
+/// are new and of those that are released. `Engine` is what the pair sees otherwise.
 template <class Engine>
 class btHybridAheadEngine : public Engine
 {
@@ -29,7 +29,8 @@ public:
 
 	virtual void* newManifold()
 	{
-		const btCollisionObject* objects[2] = {this->m_wraps[0]->getCollisionObject(), this->m_wraps[1]->getCollisionObject()};
+		const btCollisionObject* objects[2] = {this->m_wraps[0]->getCollisionObject(),
+		                                       this->m_wraps[1]->getCollisionObject()};
 		const scatter::pairs::ManifoldNote note = {m_memory.standIn(objects[0], objects[1], this->threshold()), true};
 		m_notes.push_back(note);
 		return note.manifold;
@@ -53,7 +54,8 @@ class btHybridAdoption
 
 public:
 	/// Of two objects, in the order of their manifolds.
-	btHybridAdoption(btDispatcher* dispatcher, const btCollisionObject* a, const btCollisionObject* b, const std::vector<scatter::pairs::ManifoldNote>& notes);
+	btHybridAdoption(btDispatcher* dispatcher, const btCollisionObject* a, const btCollisionObject* b,
+	                 const std::vector<scatter::pairs::ManifoldNote>& notes);
 
 	bool empty() const
 	{
@@ -64,14 +66,14 @@ public:
 	btPersistentManifold* find(void* manifold) const;
 };
 
-/// Tells the dispatcher of the manifolds of a pair's step that was made ahead, and gives the pair those for which others stood in.
+/// Tells the dispatcher of the manifolds of a pair's step that was made ahead, and gives the pair those for which
+/// others stood in.
 template <class Pair>
 void btHybridAdopt(Pair& pair, btDispatcher* dispatcher, const btCollisionObject* a, const btCollisionObject* b)
 {
 	const btHybridAdoption adoption(dispatcher, a, b, pair.ahead->notes);
 	if (!adoption.empty())
-		pair.forEachContact([&adoption](void*& manifold)
-		                    { manifold = adoption.find(manifold); });
+		pair.forEachContact([&adoption](void*& manifold) { manifold = adoption.find(manifold); });
 }
 
 /// When steps may be made ahead.
@@ -80,8 +82,8 @@ struct btHybridAheadRules
 	/// Whether every pair's turn is going to come; `promises` of btHybridPromises.
 	static bool isDispatchSure(const btCollisionDispatcher* dispatcher, const btDispatcherInfo& info, int promises);
 
-	/// Whether nothing that a program has set would be called on the wrong thread, or at the wrong time, by steps that are made ahead. With
-	/// mayAdd(), of all objects; else of those that let no callback hear of new contacts.
+	/// Whether nothing that a program has set would be called on the wrong thread, or at the wrong time, by steps that
+	/// are made ahead. With mayAdd(), of all objects; else of those that let no callback hear of new contacts.
 	static bool mayStep();
 	static bool mayAdd(int promises);
 	static bool mayStep(const btHybridAhead& ahead, const btCollisionObject* a, const btCollisionObject* b);

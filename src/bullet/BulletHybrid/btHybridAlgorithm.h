@@ -8,7 +8,8 @@
 #include "btHybridLookahead.h"
 #include "btHybridStepMemory.h"
 
-/// The narrowphase of a pair of objects of which at least one is a list of convex parts, owned by their broadphase pair.
+/// The narrowphase of a pair of objects of which at least one is a list of convex parts, owned by their broadphase
+/// pair.
 class btHybridAlgorithm : public btCollisionAlgorithm
 {
 protected:
@@ -27,8 +28,7 @@ protected:
 	}
 
 public:
-	explicit btHybridAlgorithm(const btCollisionAlgorithmConstructionInfo& info)
-	    : btCollisionAlgorithm(info)
+	explicit btHybridAlgorithm(const btCollisionAlgorithmConstructionInfo& info) : btCollisionAlgorithm(info)
 	{
 	}
 
@@ -50,8 +50,8 @@ public:
 	/// In the planner; -1 if the pair does not switch.
 	virtual int getPlanIndex() const = 0;
 
-	/// Whether its contacts are others than a look finds: it kept those of the step before, was given some that were held, or holds
-	/// a body that has passed through its ground.
+	/// Whether its contacts are others than a look finds: it kept those of the step before, was given some that were
+	/// held, or holds a body that has passed through its ground.
 	virtual bool hasOthers() const = 0;
 
 	/// Whether it began anew when it was last at work, because it was new, its level was, or a shape had changed.
@@ -61,7 +61,8 @@ public:
 	virtual void getManifolds(btAlignedObjectArray<btHybridManifoldView>& manifolds) const = 0;
 
 	/// Not used by dynamics worlds, which sweep bodies themselves.
-	virtual btScalar calculateTimeOfImpact(btCollisionObject*, btCollisionObject*, const btDispatcherInfo&, btManifoldResult*)
+	virtual btScalar calculateTimeOfImpact(btCollisionObject*, btCollisionObject*, const btDispatcherInfo&,
+	                                       btManifoldResult*)
 	{
 		return 1;
 	}

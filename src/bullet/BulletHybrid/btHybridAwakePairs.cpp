@@ -58,7 +58,8 @@ void btHybridAwakePairs::processAllOverlappingPairs(btOverlapCallback* callback,
 	m_pairs->processAllOverlappingPairs(&awake, dispatcher);
 }
 
-void btHybridAwakePairs::processAllOverlappingPairs(btOverlapCallback* callback, btDispatcher* dispatcher, const btDispatcherInfo& info)
+void btHybridAwakePairs::processAllOverlappingPairs(btOverlapCallback* callback, btDispatcher* dispatcher,
+                                                    const btDispatcherInfo& info)
 {
 	AwakeOverlaps awake(callback, m_pairs);
 	m_pairs->processAllOverlappingPairs(&awake, dispatcher, info);

@@ -3,9 +3,10 @@
 
 #include <BulletCollision/BroadphaseCollision/btOverlappingPairCache.h>
 
-/// The overlapping pairs of a world as its dispatcher sees them, without those that need nothing of it: whose bodies the pair algorithm
-/// proves to be apart, in a pile three quarters, and those whose step has been made already. Bullet takes longer to get to them than they take. For
-/// dispatchers whose near callback is Bullet's: no other could tell. All else is the pair cache's own.
+/// The overlapping pairs of a world as its dispatcher sees them, without those that need nothing of it: whose bodies
+/// the pair algorithm proves to be apart, in a pile three quarters, and those whose step has been made already. Bullet
+/// takes longer to get to them than they take. For dispatchers whose near callback is Bullet's: no other could tell.
+/// All else is the pair cache's own.
 class btHybridAwakePairs : public btOverlappingPairCache
 {
 	btOverlappingPairCache* m_pairs;
@@ -15,13 +16,13 @@ class btHybridAwakePairs : public btOverlappingPairCache
 
 public:
 	/// The pair cache must outlive it.
-	explicit btHybridAwakePairs(btOverlappingPairCache* pairs)
-	    : m_pairs(pairs)
+	explicit btHybridAwakePairs(btOverlappingPairCache* pairs) : m_pairs(pairs)
 	{
 	}
 
 	virtual void processAllOverlappingPairs(btOverlapCallback* callback, btDispatcher* dispatcher);
-	virtual void processAllOverlappingPairs(btOverlapCallback* callback, btDispatcher* dispatcher, const btDispatcherInfo& info);
+	virtual void processAllOverlappingPairs(btOverlapCallback* callback, btDispatcher* dispatcher,
+	                                        const btDispatcherInfo& info);
 
 	virtual btBroadphasePair* getOverlappingPairArrayPtr()
 	{

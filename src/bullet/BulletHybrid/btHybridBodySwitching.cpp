@@ -9,7 +9,8 @@ void btHybridBodySwitching::plan(const Step& step)
 {
 	if (!step.m_info.m_proximity && m_requests.getNumStanding() == 0 && step.m_held.size() == 0)
 		return;
-	m_neighbourhood.collectPairs(step.m_broadphase->getOverlappingPairCache()->getOverlappingPairArray(), step.m_hybrids.size());
+	m_neighbourhood.collectPairs(step.m_broadphase->getOverlappingPairCache()->getOverlappingPairArray(),
+	                             step.m_hybrids.size());
 	if (step.m_info.m_proximity)
 		m_neighbourhood.measureSpeeds(step.m_nonStaticBodies);
 	for (int i = 0; i < step.m_hybrids.size(); i++)
@@ -34,7 +35,8 @@ static btCollisionObject* partnerIn(const btBroadphasePair* pair, const btCollis
 
 static bool canPush(const btCollisionObject* body, const btCollisionObject* partner)
 {
-	return body->hasContactResponse() && partner->hasContactResponse() && body->checkCollideWith(partner) && partner->checkCollideWith(body);
+	return body->hasContactResponse() && partner->hasContactResponse() && body->checkCollideWith(partner) &&
+	       partner->checkCollideWith(body);
 }
 
 void btHybridBodySwitching::followProximity(btHybridRigidBody* body, const Step& step)
@@ -126,7 +128,8 @@ const btCollisionObject* btHybridBodySwitching::findObstacle(const btHybridRigid
 		if (!canPush(body, partner))
 			continue;
 		m_requests.countQuery();
-		if (!btHybridIsSeparated(shape, body->getWorldTransform(), partner->getCollisionShape(), partner->getWorldTransform(), gap))
+		if (!btHybridIsSeparated(shape, body->getWorldTransform(), partner->getCollisionShape(),
+		                         partner->getWorldTransform(), gap))
 			return partner;
 	}
 	return 0;
@@ -137,6 +140,7 @@ void btHybridBodySwitching::switchLevel(btHybridRigidBody* body, int level, cons
 	body->setCollisionShape(body->m_levels->getLevelShape(level));
 	// A cached algorithm was made for the old shape's type.
 	for (int i = 0; i < m_neighbourhood.getNumPairs(body->m_hybridIndex); i++)
-		step.m_broadphase->getOverlappingPairCache()->cleanOverlappingPair(*m_neighbourhood.getPair(body->m_hybridIndex, i), step.m_dispatcher);
+		step.m_broadphase->getOverlappingPairCache()->cleanOverlappingPair(
+		    *m_neighbourhood.getPair(body->m_hybridIndex, i), step.m_dispatcher);
 	m_requests.fulfil(body, level);
 }

@@ -4,8 +4,8 @@
 #include "btHybridNeighbourhood.h"
 #include "btHybridRequests.h"
 
-/// The report's technique: a body has one level in use, which is its collision shape. Between broadphase and narrowphase the
-/// proximity policy makes and retracts requests, and those that stand are tried.
+/// The report's technique: a body has one level in use, which is its collision shape. Between broadphase and
+/// narrowphase the proximity policy makes and retracts requests, and those that stand are tried.
 class btHybridBodySwitching
 {
 public:

@@ -2,8 +2,9 @@
 
 namespace
 {
-// A point moves by less than this share of its distance from the origin along any axis, until bounds are found anew. Those of bodies that
-// rest or drift last for seconds, and are wider by less than contacts begin apart for bodies of a metre.
+// A point moves by less than this share of its distance from the origin along any axis, until bounds are found anew.
+// Those of bodies that rest or drift last for seconds, and are wider by less than contacts begin apart for bodies of a
+// metre.
 const btScalar c_turn = btScalar(0.01);
 
 bool hasHardlyTurned(const btMatrix3x3& before, const btMatrix3x3& now)
@@ -47,7 +48,8 @@ void btHybridCoarsestBounds::find(const btHybridLevelSet& levels, const btMatrix
 	turned.m_max += btVector3(slack, slack, slack);
 }
 
-void btHybridCoarsestBounds::getAabb(int body, const btHybridLevelSet& levels, const btTransform& transform, btVector3& aabbMin, btVector3& aabbMax)
+void btHybridCoarsestBounds::getAabb(int body, const btHybridLevelSet& levels, const btTransform& transform,
+                                     btVector3& aabbMin, btVector3& aabbMax)
 {
 	if (!m_fits || levels.m_balls.size() == 0)
 		return levels.getLevelShape(1)->getAabb(transform, aabbMin, aabbMax);

@@ -5,9 +5,9 @@
 
 #include "BulletHybrid/btHybridLevelSet.h"
 
-/// World bounds of the coarsest levels of bodies, which have numbers. Where bodies are near each other they fit them, so that fewer pairs
-/// overlap; those of a body that has hardly turned since they were found are the same but for its place, and a little wider. Elsewhere they
-/// are Bullet's, which are found sooner.
+/// World bounds of the coarsest levels of bodies, which have numbers. Where bodies are near each other they fit them,
+/// so that fewer pairs overlap; those of a body that has hardly turned since they were found are the same but for its
+/// place, and a little wider. Elsewhere they are Bullet's, which are found sooner.
 class btHybridCoarsestBounds
 {
 	/// Around the body's origin.
@@ -23,8 +23,7 @@ class btHybridCoarsestBounds
 	static void find(const btHybridLevelSet& levels, const btMatrix3x3& basis, Turned& turned);
 
 public:
-	btHybridCoarsestBounds()
-	    : m_fits(false)
+	btHybridCoarsestBounds() : m_fits(false)
 	{
 	}
 
@@ -38,7 +37,8 @@ public:
 	void remove(int body);
 
 	/// `body` must have had these levels since it was added.
-	void getAabb(int body, const btHybridLevelSet& levels, const btTransform& transform, btVector3& aabbMin, btVector3& aabbMax);
+	void getAabb(int body, const btHybridLevelSet& levels, const btTransform& transform, btVector3& aabbMin,
+	             btVector3& aabbMax);
 };
 
 #endif  // BT_HYBRID_COARSEST_BOUNDS_H

@@ -7,8 +7,9 @@ using scatter::solver::PairBatch;
 
 namespace
 {
-// Contacts of a group, unless one island alone has more: fewer do not fill four lanes, more leave threads without work. Of groups of about
-// 200, 400, 800 and all contacts, those of 200 and 400 take two threads least time and one thread a tenth more than all in one
+// Contacts of a group, unless one island alone has more: fewer do not fill four lanes, more leave threads without work.
+// Of groups of about 200, 400, 800 and all contacts, those of 200 and 400 take two threads least time and one thread a
+// tenth more than all in one
 // (`scatter run` of ships_mesh-12 in `lean`, contact_constraints_ms).
 const int c_shareOfGroup = 256;
 
@@ -16,8 +17,7 @@ const int c_shareOfGroup = 256;
 const size_t c_fewestContacts = 256;
 }  // namespace
 
-btHybridContactGroups::btHybridContactGroups()
-    : m_threads(new btHybridThreads), m_bulletManifolds(0)
+btHybridContactGroups::btHybridContactGroups() : m_threads(new btHybridThreads), m_bulletManifolds(0)
 {
 	m_problems.push_back(std::make_unique<btHybridContactProblem>());
 	clear();
@@ -52,7 +52,8 @@ bool btHybridContactGroups::add(btPersistentManifold* manifold, Side side0, Side
 void btHybridContactGroups::add(const Member& member)
 {
 	const int count = member.m_range.m_count;
-	if (!m_members.empty() && m_members.back().m_a.m_id == member.m_a.m_id && m_members.back().m_b.m_id == member.m_b.m_id)
+	if (!m_members.empty() && m_members.back().m_a.m_id == member.m_a.m_id &&
+	    m_members.back().m_b.m_id == member.m_b.m_id)
 	{
 		m_members.back().m_range.m_count += count;
 		m_links.back().count += count;
@@ -76,14 +77,16 @@ void btHybridContactGroups::take(int group)
 		m_problems[group]->add(m_members[i].m_range, m_members[i].m_a, m_members[i].m_b, m_places);
 }
 
-void btHybridContactGroups::beginJoined(const btAlignedObjectArray<btSolverBody>& bodies, const btContactSolverInfo& info, const Settings& settings)
+void btHybridContactGroups::beginJoined(const btAlignedObjectArray<btSolverBody>& bodies,
+                                        const btContactSolverInfo& info, const Settings& settings)
 {
 	take(0);
 	if (!joined().empty())
 		joined().begin(m_points, bodies, info, settings.m_clampsFriction, settings.m_reduction);
 }
 
-void btHybridContactGroups::solveOne(int group, btAlignedObjectArray<btSolverBody>& bodies, const btContactSolverInfo& info, const Settings& settings)
+void btHybridContactGroups::solveOne(int group, btAlignedObjectArray<btSolverBody>& bodies,
+                                     const btContactSolverInfo& info, const Settings& settings)
 {
 	btHybridContactProblem& problem = *m_problems[group];
 	take(group);
@@ -109,11 +112,11 @@ void btHybridContactGroups::sortGroups()
 	std::sort(m_order.begin(), m_order.end());
 }
 
-void btHybridContactGroups::solve(btAlignedObjectArray<btSolverBody>& bodies, const btContactSolverInfo& info, const Settings& settings)
+void btHybridContactGroups::solve(btAlignedObjectArray<btSolverBody>& bodies, const btContactSolverInfo& info,
+                                  const Settings& settings)
 {
 	sortGroups();
-	const auto solve = [&](int i)
-	{ solveOne(m_order[i].second, bodies, info, settings); };
+	const auto solve = [&](int i) { solveOne(m_order[i].second, bodies, info, settings); };
 	if (m_points.sources().size() >= c_fewestContacts)
 		m_threads->run(int(m_order.size()), solve);
 	else

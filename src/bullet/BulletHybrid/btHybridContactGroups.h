@@ -10,8 +10,9 @@
 #include "btHybridThreads.h"
 #include "solver/island_groups.h"
 
-/// The contacts of a step, as problems that can be solved beside each other: groups of islands, which do not depend on the number of
-/// threads. One, the joined, is of bodies that joints or rows of Bullet's move as well, and is solved in turns with these.
+/// The contacts of a step, as problems that can be solved beside each other: groups of islands, which do not depend on
+/// the number of threads. One, the joined, is of bodies that joints or rows of Bullet's move as well, and is solved in
+/// turns with these.
 class btHybridContactGroups
 {
 public:
@@ -27,7 +28,8 @@ public:
 
 	void clear();
 
-	/// Takes the contacts of a manifold of bodies of which one moves. False, and nothing taken, if one of them needs rows of Bullet's.
+	/// Takes the contacts of a manifold of bodies of which one moves. False, and nothing taken, if one of them needs
+	/// rows of Bullet's.
 	bool add(btPersistentManifold* manifold, Side side0, Side side1, const btContactSolverInfo& info);
 
 	/// A solver body that something else than contacts of ours moves, too.
@@ -43,7 +45,8 @@ public:
 	void solve(btAlignedObjectArray<btSolverBody>& bodies, const btContactSolverInfo& info, const Settings& settings);
 
 	/// Takes the contacts of the joined one, and begins to solve it.
-	void beginJoined(const btAlignedObjectArray<btSolverBody>& bodies, const btContactSolverInfo& info, const Settings& settings);
+	void beginJoined(const btAlignedObjectArray<btSolverBody>& bodies, const btContactSolverInfo& info,
+	                 const Settings& settings);
 	btHybridContactProblem& joined()
 	{
 		return *m_problems[0];
@@ -68,7 +71,8 @@ private:
 	int countContacts(int group) const;
 	void sortGroups();
 	void take(int group);
-	void solveOne(int group, btAlignedObjectArray<btSolverBody>& bodies, const btContactSolverInfo& info, const Settings& settings);
+	void solveOne(int group, btAlignedObjectArray<btSolverBody>& bodies, const btContactSolverInfo& info,
+	              const Settings& settings);
 
 	btHybridContactPoints m_points;
 	std::vector<Member> m_members;
@@ -76,7 +80,7 @@ private:
 	std::vector<int> m_joined;
 	std::vector<int> m_places;  ///< of solver bodies that move, in their problems
 	scatter::solver::IslandGroups m_groups;
-	std::vector<std::pair<int, int>> m_order;                         ///< less its contacts, and its number, of each group but the joined one
+	std::vector<std::pair<int, int>> m_order;  ///< less its contacts, and its number, of each group but the joined one
 	std::vector<std::unique_ptr<btHybridContactProblem>> m_problems;  ///< as many as there have been groups
 };
 

@@ -50,8 +50,8 @@ ProblemPoint contactOf(const btManifoldPoint& point, bool swaps, const btContact
 	contact.onB = btHybridQuad(swaps ? placeA : placeB, point.m_combinedFriction);
 	contact.normal =
 	    btHybridQuad(swaps ? -point.m_normalWorldOnB : point.m_normalWorldOnB, point.m_combinedRestitution);
-	contact.law = btHybridQuad(
-	    btVector3(warm ? point.m_appliedImpulse * info.m_warmstartingFactor : btScalar(0), cfm, erp), 1);
+	contact.law =
+	    btHybridQuad(btVector3(warm ? point.m_appliedImpulse * info.m_warmstartingFactor : btScalar(0), cfm, erp), 1);
 	return contact;
 }
 }  // namespace
@@ -62,7 +62,8 @@ void btHybridContactPoints::clear()
 	m_sources.clear();
 }
 
-bool btHybridContactPoints::add(btPersistentManifold* manifold, bool swaps, const btContactSolverInfo& info, Range& range)
+bool btHybridContactPoints::add(btPersistentManifold* manifold, bool swaps, const btContactSolverInfo& info,
+                                Range& range)
 {
 	range.m_first = int(m_points.size());
 	for (int i = 0; i < manifold->getNumContacts(); ++i)

@@ -188,7 +188,8 @@ void btHybridContactProblem::begin(btHybridContactPoints& points, const btAligne
 	m_solver.begin(m_problem, settingsOf(info, clampsFriction));
 }
 
-// As Bullet's solver does it, islands of at least 128 contacts at a time: these stop when nothing in them changes any more.
+// As Bullet's solver does it, islands of at least 128 contacts at a time: these stop when nothing in them changes any
+// more.
 void btHybridContactProblem::solve(const btContactSolverInfo& info)
 {
 	const btScalar enough = info.m_leastSquaresResidualThreshold;

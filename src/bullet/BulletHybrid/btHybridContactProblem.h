@@ -15,13 +15,12 @@
 #include "solver/contact_reduction.h"
 #include "solver/contact_solver.h"
 
-/// Contacts of Bullet's manifolds, with the solver bodies that they are between, as a scatter::solver::ContactSolver solves them, and
-/// back. Problems whose moving bodies are others may be at work on several threads at once.
+/// Contacts of Bullet's manifolds, with the solver bodies that they are between, as a scatter::solver::ContactSolver
+/// solves them, and back. Problems whose moving bodies are others may be at work on several threads at once.
 class btHybridContactProblem
 {
 public:
-	btHybridContactProblem()
-	    : m_points(0)
+	btHybridContactProblem() : m_points(0)
 	{
 	}
 
@@ -37,17 +36,20 @@ public:
 	/// Takes contacts of two bodies, of which a moves. `places`: of each solver body, room for its number here.
 	void add(const btHybridContactPoints::Range& range, Side a, Side b, std::vector<int>& places);
 
-	/// After all contacts, of these points: takes the bodies, and begins to solve. `reduction`: what is left out; 0: nothing.
+	/// After all contacts, of these points: takes the bodies, and begins to solve. `reduction`: what is left out; 0:
+	/// nothing.
 	void begin(btHybridContactPoints& points, const btAlignedObjectArray<btSolverBody>& bodies,
 	           const btContactSolverInfo& info, bool clampsFriction, const btHybridContactReductionInfo* reduction);
 
 	/// All iterations, where nothing but these contacts moves the bodies.
 	void solve(const btContactSolverInfo& info);
 
-	/// Gives the bodies all that they have been moved by, and writes impulses and friction directions into the manifolds' points.
+	/// Gives the bodies all that they have been moved by, and writes impulses and friction directions into the
+	/// manifolds' points.
 	void finish(btAlignedObjectArray<btSolverBody>& bodies, const btContactSolverInfo& info);
 
-	/// What has been added to the velocities of the solver bodies; give() to them, take() from them, with what others have added.
+	/// What has been added to the velocities of the solver bodies; give() to them, take() from them, with what others
+	/// have added.
 	void giveVelocities(btAlignedObjectArray<btSolverBody>& bodies);
 	void takeVelocities(const btAlignedObjectArray<btSolverBody>& bodies);
 	void givePushes(btAlignedObjectArray<btSolverBody>& bodies);

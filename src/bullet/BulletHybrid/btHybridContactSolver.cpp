@@ -75,7 +75,8 @@ void btHybridContactSolver::convertContacts(btPersistentManifold** manifolds, in
 		m_groups->joined().addVelocities(m_tmpSolverBodyPool);
 }
 
-void btHybridContactSolver::convertManifold(btPersistentManifold* manifold, bool leavesAll, const btContactSolverInfo& info)
+void btHybridContactSolver::convertManifold(btPersistentManifold* manifold, bool leavesAll,
+                                            const btContactSolverInfo& info)
 {
 	btCollisionObject& object0 = *const_cast<btCollisionObject*>(manifold->getBody0());
 	btCollisionObject& object1 = *const_cast<btCollisionObject*>(manifold->getBody1());
@@ -143,14 +144,13 @@ void btHybridContactSolver::solveGroupCacheFriendlySplitImpulseIterations(btColl
 btScalar btHybridContactSolver::solveBulletRows(int iteration, btTypedConstraint** constraints, int numConstraints,
                                                 const btContactSolverInfo& info)
 {
-	return btSequentialImpulseConstraintSolver::solveSingleIteration(iteration, 0, 0, 0, 0, constraints,
-	                                                                 numConstraints, info, 0);
+	return btSequentialImpulseConstraintSolver::solveSingleIteration(iteration, 0, 0, 0, 0, constraints, numConstraints,
+	                                                                 info, 0);
 }
 
-btScalar btHybridContactSolver::solveSingleIteration(int iteration, btCollisionObject**, int,
-                                                     btPersistentManifold**, int, btTypedConstraint** constraints,
-                                                     int numConstraints, const btContactSolverInfo& info,
-                                                     btIDebugDraw*)
+btScalar btHybridContactSolver::solveSingleIteration(int iteration, btCollisionObject**, int, btPersistentManifold**,
+                                                     int, btTypedConstraint** constraints, int numConstraints,
+                                                     const btContactSolverInfo& info, btIDebugDraw*)
 {
 	btHybridContactProblem& joined = m_groups->joined();
 	if (!joined.empty())
@@ -172,7 +172,8 @@ btScalar btHybridContactSolver::solveGroupCacheFriendlyIterations(btCollisionObj
 	m_groups->solve(m_tmpSolverBodyPool, info, {m_clampsFriction, m_reduces ? &m_reduction : 0});
 	if (numConstraints == 0 && !hasBulletRows())
 		return 0;
-	return btSequentialImpulseConstraintSolver::solveGroupCacheFriendlyIterations(bodies, numBodies, manifolds, numManifolds, constraints, numConstraints, info, drawer);
+	return btSequentialImpulseConstraintSolver::solveGroupCacheFriendlyIterations(
+	    bodies, numBodies, manifolds, numManifolds, constraints, numConstraints, info, drawer);
 }
 
 btScalar btHybridContactSolver::solveGroupCacheFriendlyFinish(btCollisionObject** bodies, int numBodies,

@@ -70,7 +70,8 @@ struct ComparedChild
 		m_shape = static_cast<const btConvexShape*>(shape);
 		shape->getAabb(m_transform, m_min, m_max);
 		const btVector3& origin = object->getWorldTransform().getOrigin();
-		const btScalar reach = largestComponent(m_min) + largestComponent(m_max) + largestComponent(origin) + largestComponent(m_transform.getOrigin() - origin);
+		const btScalar reach = largestComponent(m_min) + largestComponent(m_max) + largestComponent(origin) +
+		                       largestComponent(m_transform.getOrigin() - origin);
 		m_rounding = btScalar(4) * SIMD_EPSILON * reach;
 	}
 };
@@ -88,7 +89,8 @@ const btCollisionShape* childShape(const btCollisionObject* object, int index)
 
 bool areSpheres(const btHybridChildKey& key)
 {
-	return childShape(key.m_bodies[0], key.m_children[0])->getShapeType() == SPHERE_SHAPE_PROXYTYPE && childShape(key.m_bodies[1], key.m_children[1])->getShapeType() == SPHERE_SHAPE_PROXYTYPE;
+	return childShape(key.m_bodies[0], key.m_children[0])->getShapeType() == SPHERE_SHAPE_PROXYTYPE &&
+	       childShape(key.m_bodies[1], key.m_children[1])->getShapeType() == SPHERE_SHAPE_PROXYTYPE;
 }
 
 // The test of the leaves in Bullet's compound algorithms.
@@ -124,10 +126,12 @@ bool isMidphaseDoubtful(const ComparedChild& a, const ComparedChild& b)
 	return leavesOverlap(a, b, slack) != leavesOverlap(a, b, -slack);
 }
 
-Verdict judgeDistance(const ComparedChild& a, const ComparedChild& b, btScalar threshold, bool isMissed, const btPersistentManifold* bullets)
+Verdict judgeDistance(const ComparedChild& a, const ComparedChild& b, btScalar threshold, bool isMissed,
+                      const btPersistentManifold* bullets)
 {
 	const btHybridProvenDistance distance(a.m_shape, a.m_transform, b.m_shape, b.m_transform);
-	const double slack = c_ofThreshold * double(threshold) + c_ofCores * distance.m_cores + double(a.m_rounding) + double(b.m_rounding);
+	const double slack =
+	    c_ofThreshold * double(threshold) + c_ofCores * distance.m_cores + double(a.m_rounding) + double(b.m_rounding);
 	if (distance.m_atMost - distance.m_atLeast > slack)
 		return DIFFERENT;
 	const bool isNear = distance.m_atMost < double(threshold) - slack;
@@ -173,7 +177,8 @@ struct NearTriangles : public btTriangleCallback
 };
 
 // Bullet's contacts of a sphere and a triangle leave out the mesh's margin, so that distances say nothing of them.
-Verdict judgeOnMesh(const ComparedChild& part, const btCollisionObject* ground, btScalar threshold, bool isMissed, const btPersistentManifold* bullets)
+Verdict judgeOnMesh(const ComparedChild& part, const btCollisionObject* ground, btScalar threshold, bool isMissed,
+                    const btPersistentManifold* bullets)
 {
 	if (part.m_shape->getShapeType() == SPHERE_SHAPE_PROXYTYPE)
 		return DIFFERENT;
@@ -193,7 +198,8 @@ Verdict judgeOnPlane(const ComparedChild& part, const btCollisionObject* ground,
 {
 	const btStaticPlaneShape* plane = static_cast<const btStaticPlaneShape*>(ground->getCollisionShape());
 	const btTransform inPlane = ground->getWorldTransform().inverse() * part.m_transform;
-	const btVector3 lowest = inPlane(part.m_shape->localGetSupportingVertex(-plane->getPlaneNormal() * inPlane.getBasis()));
+	const btVector3 lowest =
+	    inPlane(part.m_shape->localGetSupportingVertex(-plane->getPlaneNormal() * inPlane.getBasis()));
 	const btScalar distance = plane->getPlaneNormal().dot(lowest) - plane->getPlaneConstant();
 	const btScalar slack = btScalar(c_ofThreshold) * threshold + 2 * part.m_rounding;
 	return btFabs(distance - threshold) <= slack ? DOUBTFUL : DIFFERENT;
@@ -228,7 +234,8 @@ Verdict judge(const btHybridChildKey& key, const btPersistentManifold* ours, con
 	if (areBoth(SPHERE_SHAPE_PROXYTYPE, a.m_shape, b.m_shape))
 	{
 		const btScalar radii = a.m_shape->getMargin() + b.m_shape->getMargin();
-		return btFabs(a.m_transform.getOrigin().distance(b.m_transform.getOrigin()) - radii) <= slack ? DOUBTFUL : DIFFERENT;
+		return btFabs(a.m_transform.getOrigin().distance(b.m_transform.getOrigin()) - radii) <= slack ? DOUBTFUL
+		                                                                                              : DIFFERENT;
 	}
 	if (areBoth(BOX_SHAPE_PROXYTYPE, a.m_shape, b.m_shape))
 		return DIFFERENT;
@@ -307,8 +314,7 @@ void givePoints(const btHybridChildManifold& from, const btHybridChildManifold& 
 }
 }  // namespace
 
-btHybridContactVerifier::btHybridContactVerifier()
-    : m_parallel(0)
+btHybridContactVerifier::btHybridContactVerifier() : m_parallel(0)
 {
 }
 
@@ -347,7 +353,8 @@ void btHybridContactVerifier::collectOurs(btCollisionWorld* world)
 			const btManifoldPoint& point = manifolds[k]->getContactPoint(0);
 			const btCollisionObject* body0 = manifolds[k]->getBody0();
 			const btCollisionObject* body1 = manifolds[k]->getBody1();
-			m_ours.push_back(btHybridChildManifold(manifolds[k], body0, body1, childOf(body0, point.m_index0), childOf(body1, point.m_index1)));
+			m_ours.push_back(btHybridChildManifold(manifolds[k], body0, body1, childOf(body0, point.m_index0),
+			                                       childOf(body1, point.m_index1)));
 		}
 	}
 	if (m_ours.size() > 1)
@@ -452,7 +459,8 @@ void btHybridContactVerifier::compare(btHybridContactReport& report)
 	}
 }
 
-void btHybridContactVerifier::takeDifference(const btHybridChildKey& key, const btPersistentManifold* ours, const btPersistentManifold* bullets, btHybridContactReport& report)
+void btHybridContactVerifier::takeDifference(const btHybridChildKey& key, const btPersistentManifold* ours,
+                                             const btPersistentManifold* bullets, btHybridContactReport& report)
 {
 	const Verdict verdict = judge(key, ours, bullets);
 	if (verdict != DIFFERENT)

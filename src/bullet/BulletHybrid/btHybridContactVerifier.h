@@ -23,7 +23,8 @@ class btHybridContactVerifier
 	void collectBullets();
 	void sharePoints();
 	void compare(btHybridContactReport& report);
-	void takeDifference(const btHybridChildKey& key, const btPersistentManifold* ours, const btPersistentManifold* bullets, btHybridContactReport& report);
+	void takeDifference(const btHybridChildKey& key, const btPersistentManifold* ours,
+	                    const btPersistentManifold* bullets, btHybridContactReport& report);
 	bool isCompared(const btHybridChildKey& key) const;
 
 public:

@@ -53,7 +53,8 @@ std::vector<Point> ballDirections(int segments)
 	{
 		const double around = std::sin(ring * step);
 		for (int side = 0; side < segments; side++)
-			directions.push_back(Point(around * std::cos(side * step), std::cos(ring * step), around * std::sin(side * step)));
+			directions.push_back(
+			    Point(around * std::cos(side * step), std::cos(ring * step), around * std::sin(side * step)));
 	}
 	return directions;
 }
@@ -130,7 +131,8 @@ struct btHybridPartMaker
 	Point turned(const Point& local) const
 	{
 		const btMatrix3x3& basis = m_place.getBasis();
-		return point(basis.getColumn(0)) * local.x + point(basis.getColumn(1)) * local.y + point(basis.getColumn(2)) * local.z;
+		return point(basis.getColumn(0)) * local.x + point(basis.getColumn(1)) * local.y +
+		       point(basis.getColumn(2)) * local.z;
 	}
 
 	void addBall(const Point& local, double radius)
@@ -197,7 +199,8 @@ struct btHybridPartMaker
 		for (int i = 0; i < (corner.x > 0 ? c_roundSegments : 1); i++)
 		{
 			m_part.m_within.push_back(at(onRing(axis, corner.x, corner.y, i, c_roundSegments)));
-			m_part.m_around.push_back(at(onRing(axis, corner.x / std::cos(c_pi / c_roundSegments), corner.y, i, c_roundSegments)));
+			m_part.m_around.push_back(
+			    at(onRing(axis, corner.x / std::cos(c_pi / c_roundSegments), corner.y, i, c_roundSegments)));
 		}
 	}
 
@@ -226,7 +229,8 @@ struct btHybridPartMaker
 	void makeCone(const btConeShape* shape)
 	{
 		const double half = 0.5 * double(shape->getHeight());
-		makeRevolved(shape->getConeUpIndex(), {{0, -half}, {double(shape->getRadius()), -half}, {0, half}}, double(shape->getMargin()));
+		makeRevolved(shape->getConeUpIndex(), {{0, -half}, {double(shape->getRadius()), -half}, {0, half}},
+		             double(shape->getMargin()));
 	}
 
 	// Its spheres may have any radius; what it holds is found by looking in all directions.
@@ -245,7 +249,8 @@ struct btHybridPartMaker
 		for (size_t i = 0; i < directions.size(); i++)
 		{
 			const Point& d = directions[i];
-			m_part.m_within.push_back(at(point(shape->localGetSupportingVertex(btVector3(btScalar(d.x), btScalar(d.y), btScalar(d.z))))));
+			m_part.m_within.push_back(
+			    at(point(shape->localGetSupportingVertex(btVector3(btScalar(d.x), btScalar(d.y), btScalar(d.z))))));
 		}
 	}
 
@@ -372,7 +377,8 @@ bool btHybridConvexPart::holds(const btHybridConvexPart& part, double tolerance)
 	if (isSame(part))
 		return true;
 	for (int axis = 0; axis < 3; axis++)
-		if (part.m_bounds.min[axis] < m_bounds.min[axis] - tolerance || part.m_bounds.max[axis] > m_bounds.max[axis] + tolerance)
+		if (part.m_bounds.min[axis] < m_bounds.min[axis] - tolerance ||
+		    part.m_bounds.max[axis] > m_bounds.max[axis] + tolerance)
 			return false;
 	if (!isSolid())
 		return false;
@@ -422,5 +428,6 @@ Polytope btHybridConvexPart::getInner(double inset, double epsilon) const
 	}
 	if (getCore().isEmpty() || inset == m_margin)
 		return getCore();
-	return inset > m_margin ? movedIn(getCore(), inset - m_margin, epsilon) : withFlatMargin(getCore(), m_margin - inset);
+	return inset > m_margin ? movedIn(getCore(), inset - m_margin, epsilon)
+	                        : withFlatMargin(getCore(), m_margin - inset);
 }

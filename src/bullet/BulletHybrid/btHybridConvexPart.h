@@ -17,8 +17,8 @@ struct btHybridBall
 	double m_radius;
 };
 
-/// What a profile sweeps around an axis: the core of a sphere, capsule, cylinder or cone. The profile goes from the axis
-/// outwards, up, and back to the axis, as pairs of radius and height.
+/// What a profile sweeps around an axis: the core of a sphere, capsule, cylinder or cone. The profile goes from the
+/// axis outwards, up, and back to the axis, as pairs of radius and height.
 struct btHybridRevolved
 {
 	btHybridPoint m_origin;
@@ -29,8 +29,8 @@ struct btHybridRevolved
 	double getSignedDistance(const btHybridPoint& point) const;
 };
 
-/// A convex part of a level as a proof of nesting sees it, in the level's frame and in two roles. As what must be held it
-/// is the convex hull of balls. As what holds others it is a core with a margin around it.
+/// A convex part of a level as a proof of nesting sees it, in the level's frame and in two roles. As what must be held
+/// it is the convex hull of balls. As what holds others it is a core with a margin around it.
 class btHybridConvexPart
 {
 	const btConvexShape* m_shape;
@@ -83,8 +83,8 @@ public:
 	/// The same shape at the same place.
 	bool isSame(const btHybridConvexPart& other) const;
 
-	/// How far a part sticks out of this one at least, and where; 0 or less if it is held. It must not be a hull without
-	/// volume.
+	/// How far a part sticks out of this one at least, and where; 0 or less if it is held. It must not be a hull
+	/// without volume.
 	double getProtrusion(const btHybridConvexPart& part, btHybridPoint& furthest) const;
 	bool holds(const btHybridConvexPart& part, double tolerance) const;
 

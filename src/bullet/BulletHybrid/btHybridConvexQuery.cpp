@@ -20,7 +20,8 @@ btVector3 between(const btTransform& a, const btTransform& b)
 btScalar reach(const btConvexShape* shape, const btTransform& transform, const btVector3& direction, bool sharp)
 {
 	const btVector3 local = direction * transform.getBasis();
-	const btVector3 corner = sharp ? shape->localGetSupportVertexNonVirtual(local) : shape->localGetSupportVertexWithoutMarginNonVirtual(local);
+	const btVector3 corner = sharp ? shape->localGetSupportVertexNonVirtual(local)
+	                               : shape->localGetSupportVertexWithoutMarginNonVirtual(local);
 	return direction.dot(transform(corner)) + (sharp ? btScalar(0) : shape->getMarginNonVirtual());
 }
 
@@ -76,13 +77,15 @@ private:
 	// B is moved along the direction.
 	void tryTowards(const btVector3& direction)
 	{
-		const btScalar overlap = reach(m_shapes[0], m_a, direction, m_sharp) + reach(m_shapes[1], m_b, -direction, m_sharp);
+		const btScalar overlap =
+		    reach(m_shapes[0], m_a, direction, m_sharp) + reach(m_shapes[1], m_b, -direction, m_sharp);
 		m_least = btMin(m_least, overlap);
 	}
 };
 }  // namespace
 
-btScalar btHybridConvexDistance(const btConvexShape* shapeA, const btTransform& a, const btConvexShape* shapeB, const btTransform& b)
+btScalar btHybridConvexDistance(const btConvexShape* shapeA, const btTransform& a, const btConvexShape* shapeB,
+                                const btTransform& b)
 {
 	const btScalar tolerance = btScalar(1e-3);
 	const btVector3 first = between(a, b);
@@ -104,7 +107,8 @@ btScalar btHybridConvexDistance(const btConvexShape* shapeA, const btTransform& 
 	return proven;
 }
 
-btScalar btHybridConvexDepth(const btConvexShape* shapeA, const btTransform& a, const btConvexShape* shapeB, const btTransform& b)
+btScalar btHybridConvexDepth(const btConvexShape* shapeA, const btTransform& a, const btConvexShape* shapeB,
+                             const btTransform& b)
 {
 	const btVector3 guess = between(a, b);
 	Parting parting(shapeA, a, shapeB, b);
@@ -114,14 +118,17 @@ btScalar btHybridConvexDepth(const btConvexShape* shapeA, const btTransform& a, 
 	if (parting.tryEpa(guess) || parting.tryEpa(-guess))
 		return parting.getLeast();
 	btGjkEpaSolver2::sResults results;
-	if (btGjkEpaSolver2::Distance(shapeA, a, shapeB, b, guess * a.getBasis(), results) && results.distance > SIMD_EPSILON)
+	if (btGjkEpaSolver2::Distance(shapeA, a, shapeB, b, guess * a.getBasis(), results) &&
+	    results.distance > SIMD_EPSILON)
 		parting.tryAlong(a.getBasis() * results.normal);
 	return parting.getLeast();
 }
 
-btScalar btHybridPlaneDepth(const btCollisionShape* plane, const btTransform& planeTransform, const btConvexShape* shape, const btTransform& transform)
+btScalar btHybridPlaneDepth(const btCollisionShape* plane, const btTransform& planeTransform,
+                            const btConvexShape* shape, const btTransform& transform)
 {
 	const btStaticPlaneShape* halfSpace = static_cast<const btStaticPlaneShape*>(plane);
 	const btVector3 normal = planeTransform.getBasis() * halfSpace->getPlaneNormal();
-	return halfSpace->getPlaneConstant() + normal.dot(planeTransform.getOrigin()) + reach(shape, transform, -normal, true);
+	return halfSpace->getPlaneConstant() + normal.dot(planeTransform.getOrigin()) +
+	       reach(shape, transform, -normal, true);
 }

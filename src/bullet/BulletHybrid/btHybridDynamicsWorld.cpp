@@ -24,7 +24,8 @@
 
 namespace
 {
-const char c_insideDetection[] = "this is a step's collision detection, where listeners are called; call between two steps";
+const char c_insideDetection[] =
+    "this is a step's collision detection, where listeners are called; call between two steps";
 
 /// Marks the collision detection of a step, for as long as it lives.
 class DetectionScope
@@ -32,8 +33,7 @@ class DetectionScope
 	bool& m_detects;
 
 public:
-	explicit DetectionScope(bool& detects)
-	    : m_detects(detects)
+	explicit DetectionScope(bool& detects) : m_detects(detects)
 	{
 		m_detects = true;
 	}
@@ -44,7 +44,10 @@ public:
 };
 }  // namespace
 
-btHybridDynamicsWorld::btHybridDynamicsWorld(btDispatcher* dispatcher, btBroadphaseInterface* pairCache, btConstraintSolver* constraintSolver, btCollisionConfiguration* collisionConfiguration, btHybridSwitchingMode mode)
+btHybridDynamicsWorld::btHybridDynamicsWorld(btDispatcher* dispatcher, btBroadphaseInterface* pairCache,
+                                             btConstraintSolver* constraintSolver,
+                                             btCollisionConfiguration* collisionConfiguration,
+                                             btHybridSwitchingMode mode)
     : btDiscreteDynamicsWorld(dispatcher, pairCache, constraintSolver, collisionConfiguration),
       m_loadIsFine(false),
       m_stepBegan(0),
@@ -115,7 +118,9 @@ bool btHybridDynamicsWorld::accepts(const btCollisionObject* object)
 	if (owns(object))
 		return refuse("an object was to be added twice to a btHybridDynamicsWorld; remove it first");
 	if (object->getBroadphaseHandle())
-		return refuse("an object that is in another world was to be added to a btHybridDynamicsWorld; remove it from there first");
+		return refuse(
+		    "an object that is in another world was to be added to a btHybridDynamicsWorld; remove it from there "
+		    "first");
 	return true;
 }
 
@@ -308,8 +313,10 @@ void btHybridDynamicsWorld::updateAabbs()
 		m_neighbourhood->indexHybrids(m_collisionObjects.size(), m_hybrids);
 	m_isIndexed = true;
 	m_effective = btHybridEffective(m_switching);
-	// In body switching bounds are those of the report, as its requests are made when bounding boxes meet (section 4.5.2).
-	m_coarsestBounds->beginStep(m_planner ? m_broadphasePairCache->getOverlappingPairCache()->getNumOverlappingPairs() : 0);
+	// In body switching bounds are those of the report, as its requests are made when bounding boxes meet
+	// (section 4.5.2).
+	m_coarsestBounds->beginStep(m_planner ? m_broadphasePairCache->getOverlappingPairCache()->getNumOverlappingPairs()
+	                                      : 0);
 	BT_PROFILE("updateAabbs");
 	for (int i = 0; i < m_collisionObjects.size(); i++)
 	{
@@ -331,7 +338,8 @@ void btHybridDynamicsWorld::updateHybridAabb(btHybridRigidBody* body)
 	if (getDispatchInfo().m_useContinuous && !body->isStaticOrKinematicObject())
 	{
 		btVector3 nextMin, nextMax;
-		m_coarsestBounds->getAabb(body->m_hybridIndex, *body->m_levels, body->getInterpolationWorldTransform(), nextMin, nextMax);
+		m_coarsestBounds->getAabb(body->m_hybridIndex, *body->m_levels, body->getInterpolationWorldTransform(), nextMin,
+		                          nextMax);
 		aabbMin.setMin(nextMin);
 		aabbMax.setMax(nextMax);
 	}
@@ -477,15 +485,16 @@ void btHybridDynamicsWorld::performDiscreteCollisionDetection()
 	{
 		BT_PROFILE("dispatchAllCollisionPairs");
 		m_narrowphase->getObjects().setDispatching(true);
-		m_narrowphase->getForesight().begin(*m_narrowphase, static_cast<btCollisionDispatcher*>(getDispatcher()), getDispatchInfo());
+		m_narrowphase->getForesight().begin(*m_narrowphase, static_cast<btCollisionDispatcher*>(getDispatcher()),
+		                                    getDispatchInfo());
 		dispatchPairs();
 		m_narrowphase->getForesight().end(*m_narrowphase);
 		m_narrowphase->getObjects().setDispatching(false);
 	}
 	if (m_planner)
 	{
-		m_planner->finish(getDispatcher(), {getSolverInfo().m_numIterations, getStepMilliseconds(), [this]
-		                                    { return btHybridEarlyRest::areStill(m_nonStaticRigidBodies); }});
+		m_planner->finish(getDispatcher(), {getSolverInfo().m_numIterations, getStepMilliseconds(),
+		                                    [this] { return btHybridEarlyRest::areStill(m_nonStaticRigidBodies); }});
 		closeRequests();
 	}
 	if (m_verifyEvery > 0)
@@ -497,8 +506,10 @@ void btHybridDynamicsWorld::dispatchPairs()
 {
 	btOverlappingPairCache* pairs = m_broadphasePairCache->getOverlappingPairCache();
 	btHybridAwakePairs awake(pairs);
-	const bool isUsual = btHybridAheadRules::isDispatchSure(static_cast<btCollisionDispatcher*>(m_dispatcher1), getDispatchInfo(), 0);
-	m_dispatcher1->dispatchAllCollisionPairs(isUsual && m_narrowphase->getForesight().isAtWork() ? &awake : pairs, getDispatchInfo(), m_dispatcher1);
+	const bool isUsual =
+	    btHybridAheadRules::isDispatchSure(static_cast<btCollisionDispatcher*>(m_dispatcher1), getDispatchInfo(), 0);
+	m_dispatcher1->dispatchAllCollisionPairs(isUsual && m_narrowphase->getForesight().isAtWork() ? &awake : pairs,
+	                                         getDispatchInfo(), m_dispatcher1);
 }
 
 // The steps that Bullet is going to make of the time that it is given.
@@ -546,7 +557,8 @@ void btHybridDynamicsWorld::solveConstraints(btContactSolverInfo& info)
 void btHybridDynamicsWorld::updateActivationState(btScalar timeStep)
 {
 	if (m_planner && m_pairSwitching.m_earlyRest && m_hybrids.size() > 0)
-		m_planner->takeResting(btHybridEarlyRest::hasten(m_nonStaticRigidBodies, m_narrowphase->getObjects(), *m_planner, timeStep));
+		m_planner->takeResting(
+		    btHybridEarlyRest::hasten(m_nonStaticRigidBodies, m_narrowphase->getObjects(), *m_planner, timeStep));
 	btDiscreteDynamicsWorld::updateActivationState(timeStep);
 }
 
@@ -568,7 +580,9 @@ void btHybridDynamicsWorld::solveIslands(btContactSolverInfo& info)
 void btHybridDynamicsWorld::planBodies()
 {
 	BT_PROFILE("planSwitching");
-	const btHybridBodySwitching::Step step = {m_hybrids, m_nonStaticRigidBodies, m_held, m_broadphasePairCache, getDispatcher(), m_effective, m_dispatchInfo.m_timeStep, m_loadIsFine};
+	const btHybridBodySwitching::Step step = {
+	    m_hybrids,   m_nonStaticRigidBodies,    m_held,      m_broadphasePairCache, getDispatcher(),
+	    m_effective, m_dispatchInfo.m_timeStep, m_loadIsFine};
 	m_bodySwitching->plan(step);
 	m_requests->endStep();
 }
@@ -580,7 +594,8 @@ void btHybridDynamicsWorld::planPairs()
 		if (m_hybrids[i]->m_request.isStanding())
 			m_requests->acknowledge(m_hybrids[i]);
 	m_planner->setInfo(btHybridEffective(m_pairSwitching));
-	m_planner->plan(m_collisionObjects, m_nonStaticRigidBodies, m_broadphasePairCache->getOverlappingPairCache()->getNumOverlappingPairs(), m_constraints.size());
+	m_planner->plan(m_collisionObjects, m_nonStaticRigidBodies,
+	                m_broadphasePairCache->getOverlappingPairCache()->getNumOverlappingPairs(), m_constraints.size());
 }
 
 // A body has switched when all its pairs have.
@@ -617,7 +632,8 @@ btHybridPairStepInfo btHybridDynamicsWorld::getPairStepInfo() const
 const char* btHybridDynamicsWorld::checkPairCall() const
 {
 	if (!m_planner)
-		return "bodies switch in this world, not pairs; make it with BT_HYBRID_PAIR_SWITCHING, or call setSwitchingMode first";
+		return "bodies switch in this world, not pairs; make it with BT_HYBRID_PAIR_SWITCHING, or call "
+		       "setSwitchingMode first";
 	if (m_detects)
 		return c_insideDetection;
 	return getNarrowphaseMistake();

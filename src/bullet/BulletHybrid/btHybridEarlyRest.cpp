@@ -6,7 +6,8 @@
 
 namespace
 {
-// Of the speeds below which Bullet lets bodies fall asleep: usually 5 cm and 3.6 degrees a second. What is that slow cannot be seen to stop.
+// Of the speeds below which Bullet lets bodies fall asleep: usually 5 cm and 3.6 degrees a second. What is that slow
+// cannot be seen to stop.
 const btScalar c_still = btScalar(1.0 / 16);
 
 // Times as fast: half a second in the place of two.
@@ -28,13 +29,15 @@ bool btHybridEarlyRest::areStill(const btAlignedObjectArray<btRigidBody*>& bodie
 	return more >= 0;
 }
 
-int btHybridEarlyRest::hasten(const btAlignedObjectArray<btRigidBody*>& bodies, const btHybridObjects& objects, const btHybridPlanner& planner, btScalar timeStep)
+int btHybridEarlyRest::hasten(const btAlignedObjectArray<btRigidBody*>& bodies, const btHybridObjects& objects,
+                              const btHybridPlanner& planner, btScalar timeStep)
 {
 	int hastened = 0;
 	for (int i = 0; planner.restsEarly() && i < bodies.size(); i++)
 	{
 		btRigidBody* body = bodies[i];
-		if (!body->isActive() || body->isStaticOrKinematicObject() || body->getActivationState() == DISABLE_DEACTIVATION || !isStill(body))
+		if (!body->isActive() || body->isStaticOrKinematicObject() ||
+		    body->getActivationState() == DISABLE_DEACTIVATION || !isStill(body))
 			continue;
 		const btHybridLevelBodies* known = objects.find(body);
 		if (known && !planner.mayRestEarly(*known))

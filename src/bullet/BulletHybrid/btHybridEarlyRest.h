@@ -7,8 +7,8 @@
 class btHybridObjects;
 class btHybridPlanner;
 
-/// Lets bodies that lie still fall asleep in a quarter of the time that Bullet gives them, while a budget gives something up: those
-/// that touch nothing below its finest level, and are of no importance to policies.
+/// Lets bodies that lie still fall asleep in a quarter of the time that Bullet gives them, while a budget gives
+/// something up: those that touch nothing below its finest level, and are of no importance to policies.
 class btHybridEarlyRest
 {
 public:
@@ -16,7 +16,8 @@ public:
 	static bool areStill(const btAlignedObjectArray<btRigidBody*>& bodies);
 
 	/// After a step, before Bullet looks at how long bodies have been at rest. How many are going to be asleep sooner.
-	static int hasten(const btAlignedObjectArray<btRigidBody*>& bodies, const btHybridObjects& objects, const btHybridPlanner& planner, btScalar timeStep);
+	static int hasten(const btAlignedObjectArray<btRigidBody*>& bodies, const btHybridObjects& objects,
+	                  const btHybridPlanner& planner, btScalar timeStep);
 };
 
 #endif  // BT_HYBRID_EARLY_REST_H

@@ -5,7 +5,8 @@
 #include <BulletCollision/BroadphaseCollision/btDispatcher.h>
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
 
-/// Bullet's own algorithm for a pair of objects, while a shape is none that is known. Must have been released before its end.
+/// Bullet's own algorithm for a pair of objects, while a shape is none that is known. Must have been released before
+/// its end.
 class btHybridFallback
 {
 	btCollisionAlgorithm* m_algorithm;
@@ -14,8 +15,7 @@ class btHybridFallback
 	btHybridFallback& operator=(const btHybridFallback&);
 
 public:
-	btHybridFallback()
-	    : m_algorithm(0)
+	btHybridFallback() : m_algorithm(0)
 	{
 	}
 

@@ -30,7 +30,8 @@ public:
 		for (int i = 0; i < dispatcher->getNumManifolds(); i++)
 		{
 			// Bullet's getter is not const.
-			const btPersistentManifold* const manifold = const_cast<btDispatcher*>(dispatcher)->getManifoldByIndexInternal(i);
+			const btPersistentManifold* const manifold =
+			    const_cast<btDispatcher*>(dispatcher)->getManifoldByIndexInternal(i);
 			if (touches(*manifold, distance))
 				m_pairs.push_back(ordered(manifold->getBody0(), manifold->getBody1()));
 		}
@@ -59,7 +60,8 @@ private:
 
 bool mayTouch(const btCollisionObject* a, const btCollisionObject* b)
 {
-	if (!a->hasContactResponse() || !b->hasContactResponse() || (a->isStaticOrKinematicObject() && b->isStaticOrKinematicObject()))
+	if (!a->hasContactResponse() || !b->hasContactResponse() ||
+	    (a->isStaticOrKinematicObject() && b->isStaticOrKinematicObject()))
 		return false;
 	return a->checkCollideWith(b) && b->checkCollideWith(a);
 }
@@ -67,7 +69,8 @@ bool mayTouch(const btCollisionObject* a, const btCollisionObject* b)
 btHybridPlacedShape finestOf(const btCollisionObject* object)
 {
 	const btHybridRigidBody* hybrid = btHybridRigidBody::upcast(object);
-	return {hybrid ? hybrid->getLevels().getLevelShape(hybrid->getFinestLevel()) : object->getCollisionShape(), object->getWorldTransform()};
+	return {hybrid ? hybrid->getLevels().getLevelShape(hybrid->getFinestLevel()) : object->getCollisionShape(),
+	        object->getWorldTransform()};
 }
 
 // How many levels a body is below its finest one.
@@ -88,7 +91,10 @@ class Measurement
 
 public:
 	Measurement(const btHybridFidelity& fidelity, const btCollisionWorld* world, btHybridFidelitySample& sample)
-	    : m_fidelity(fidelity), m_hybridWorld(dynamic_cast<const btHybridDynamicsWorld*>(world)), m_touching(world->getDispatcher(), fidelity.m_touchingDistance), m_sample(sample)
+	    : m_fidelity(fidelity),
+	      m_hybridWorld(dynamic_cast<const btHybridDynamicsWorld*>(world)),
+	      m_touching(world->getDispatcher(), fidelity.m_touchingDistance),
+	      m_sample(sample)
 	{
 	}
 

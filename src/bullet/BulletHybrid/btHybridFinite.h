@@ -13,7 +13,8 @@ inline bool btHybridIsFinite(const btVector3& v)
 inline bool btHybridIsFinite(const btTransform& transform)
 {
 	const btMatrix3x3& basis = transform.getBasis();
-	return btHybridIsFinite(transform.getOrigin()) && btHybridIsFinite(basis[0]) && btHybridIsFinite(basis[1]) && btHybridIsFinite(basis[2]);
+	return btHybridIsFinite(transform.getOrigin()) && btHybridIsFinite(basis[0]) && btHybridIsFinite(basis[1]) &&
+	       btHybridIsFinite(basis[2]);
 }
 
 #endif  // BT_HYBRID_FINITE_H

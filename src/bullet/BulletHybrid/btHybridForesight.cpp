@@ -11,14 +11,15 @@
 
 namespace
 {
-/// Pairs that one thread takes at a time. Most are quiet and take 50 ns, so that a block is worth taking; of few pairs, blocks
-/// are so small that no thread waits long for the last one. The number of threads must not matter to it.
+/// Pairs that one thread takes at a time. Most are quiet and take 50 ns, so that a block is worth taking; of few pairs,
+/// blocks are so small that no thread waits long for the last one. The number of threads must not matter to it.
 const int c_largestBlock = 32;
 const int c_fewestBlocks = 16;
 
-/// Fewer pairs are done before another thread has woken up, and so is work that takes no longer than this on all threads together: to
-/// hand it over, and to ask all pairs, takes longer than it saves. How long it takes seldom changes from step to step. A stack of 20 wheels, with 0.2 ms
-/// a step, saves a quarter of its detection on two threads (`scatter run` of wheel_stack-41 in `lean`, collision_detection_ms).
+/// Fewer pairs are done before another thread has woken up, and so is work that takes no longer than this on all
+/// threads together: to hand it over, and to ask all pairs, takes longer than it saves. How long it takes seldom
+/// changes from step to step. A stack of 20 wheels, with 0.2 ms a step, saves a quarter of its detection on two threads
+/// (`scatter run` of wheel_stack-41 in `lean`, collision_detection_ms).
 const int c_fewestPairs = 32;
 const double c_leastMilliseconds = 0.15;
 const int c_pause = 16;
@@ -30,8 +31,7 @@ template <class Work>
 void btHybridForesight::forEachBlock(int count, const Work& work) const
 {
 	const int size = std::clamp(count / c_fewestBlocks, 1, c_largestBlock);
-	const auto block = [&](int i)
-	{ work(i * size, std::min(count, (i + 1) * size)); };
+	const auto block = [&](int i) { work(i * size, std::min(count, (i + 1) * size)); };
 	m_threads->run((count + size - 1) / size, block);
 }
 
@@ -67,7 +67,8 @@ void btHybridForesight::lookAhead(int index, int first, int last) const
 	}
 }
 
-void btHybridForesight::begin(btHybridNarrowphase& narrowphase, btCollisionDispatcher* dispatcher, const btDispatcherInfo& info)
+void btHybridForesight::begin(btHybridNarrowphase& narrowphase, btCollisionDispatcher* dispatcher,
+                              const btDispatcherInfo& info)
 {
 	m_pairs.clear();
 	if (!m_threads->areMany() || m_pause-- > 0 || !btHybridAheadRules::isDispatchSure(dispatcher, info, m_promises))
@@ -104,7 +105,8 @@ void btHybridForesight::begin(btHybridNarrowphase& narrowphase, btCollisionDispa
 			             if (m_chosen[i])
 				             m_pairs[i]->foresee(m_ahead, *memory);
 		             }
-		             memory->m_milliseconds += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+		             memory->m_milliseconds +=
+		                 std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 		             giveBack(memory);
 	             });
 }

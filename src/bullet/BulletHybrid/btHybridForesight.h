@@ -38,8 +38,7 @@ class btHybridForesight
 	void giveBack(btHybridStepMemory* memory);
 
 public:
-	btHybridForesight()
-	    : m_threads(new btHybridThreads), m_promises(0), m_pause(0)
+	btHybridForesight() : m_threads(new btHybridThreads), m_promises(0), m_pause(0)
 	{
 	}
 

@@ -17,16 +17,16 @@ using scatter::levels::Polytope;
 
 namespace
 {
-// Half the diagonal of a convex shape against the radius of a body, from which on clipping it pays. A box of twice the body's size has
-// no digits to lose, and is clipped anew all the time.
+// Half the diagonal of a convex shape against the radius of a body, from which on clipping it pays. A box of twice the
+// body's size has no digits to lose, and is clipped anew all the time.
 const btScalar c_large = 4;
 
 // Of a size: what counts as nothing, a digit or two above the rounding of single precision.
 const double c_flat = 1e-6;
 
-// Of a body's radius: how long a mesh may be that is known as a whole. Bowls and furniture beside bodies of their size are, terrains are
-// not. With 0, 4, 8, 16 radii `scatter run` in `lean` of rooms-1 to 10 and 21 to 25 (`scatter families --scale 0.5`) takes 340, 307, 310,
-// 311 microseconds a step, of as many of bowl 699, 706, 699, 698.
+// Of a body's radius: how long a mesh may be that is known as a whole. Bowls and furniture beside bodies of their size
+// are, terrains are not. With 0, 4, 8, 16 radii `scatter run` in `lean` of rooms-1 to 10 and 21 to 25 (`scatter
+// families --scale 0.5`) takes 340, 307, 310, 311 microseconds a step, of as many of bowl 699, 706, 699, 698.
 const btScalar c_small = 8;
 
 // To look these up takes less than half a millisecond, in one step.
@@ -56,7 +56,8 @@ struct Collector : public btTriangleCallback
 		for (int axis = 0; axis < 3; axis++)
 			if (least[axis] > m_high[axis] || most[axis] < m_low[axis])
 				return;
-		const scatter::Vec3 corners[3] = {btHybridVec3(triangle[0]), btHybridVec3(triangle[1]), btHybridVec3(triangle[2])};
+		const scatter::Vec3 corners[3] = {btHybridVec3(triangle[0]), btHybridVec3(triangle[1]),
+		                                  btHybridVec3(triangle[2])};
 		m_pieces.add(part, index, corners);
 	}
 };
@@ -72,8 +73,10 @@ btScalar halfDiagonal(const btCollisionShape* shape)
 size_t countTriangles(const btCollisionShape* shape)
 {
 	if (shape->getShapeType() == SCALED_TRIANGLE_MESH_SHAPE_PROXYTYPE)
-		shape = const_cast<btScaledBvhTriangleMeshShape*>(static_cast<const btScaledBvhTriangleMeshShape*>(shape))->getChildShape();
-	if (shape->getShapeType() != TRIANGLE_MESH_SHAPE_PROXYTYPE && shape->getShapeType() != MULTIMATERIAL_TRIANGLE_MESH_PROXYTYPE)
+		shape = const_cast<btScaledBvhTriangleMeshShape*>(static_cast<const btScaledBvhTriangleMeshShape*>(shape))
+		            ->getChildShape();
+	if (shape->getShapeType() != TRIANGLE_MESH_SHAPE_PROXYTYPE &&
+	    shape->getShapeType() != MULTIMATERIAL_TRIANGLE_MESH_PROXYTYPE)
 		return 0;
 	const btStridingMeshInterface* mesh = static_cast<const btTriangleMeshShape*>(shape)->getMeshInterface();
 	size_t count = 0;
@@ -82,7 +85,8 @@ size_t countTriangles(const btCollisionShape* shape)
 		const unsigned char *vertices, *indices;
 		int numVertices, vertexStride, indexStride, numTriangles;
 		PHY_ScalarType vertexType, indexType;
-		mesh->getLockedReadOnlyVertexIndexBase(&vertices, numVertices, vertexType, vertexStride, &indices, indexStride, numTriangles, indexType, part);
+		mesh->getLockedReadOnlyVertexIndexBase(&vertices, numVertices, vertexType, vertexStride, &indices, indexStride,
+		                                       numTriangles, indexType, part);
 		mesh->unLockReadOnlyVertexBase(part);
 		count += size_t(numTriangles);
 	}
@@ -91,7 +95,8 @@ size_t countTriangles(const btCollisionShape* shape)
 
 btVector3 corner(int number, const btVector3& low, const btVector3& high)
 {
-	return btVector3((number & 1) ? high.x() : low.x(), (number & 2) ? high.y() : low.y(), (number & 4) ? high.z() : low.z());
+	return btVector3((number & 1) ? high.x() : low.x(), (number & 2) ? high.y() : low.y(),
+	                 (number & 4) ? high.z() : low.z());
 }
 }  // namespace
 
@@ -129,11 +134,17 @@ btHybridGroundKind btHybridGround::kindOf(const btCollisionShape* shape, btScala
 		return core[core.minAxis()] > 0 ? BT_HYBRID_LARGE_BOX : BT_HYBRID_NO_GROUND;
 	}
 	// Hulls whose polyhedral features are there have contacts of their own kind in Bullet.
-	return static_cast<const btPolyhedralConvexShape*>(shape)->getConvexPolyhedron() ? BT_HYBRID_NO_GROUND : BT_HYBRID_LARGE_HULL;
+	return static_cast<const btPolyhedralConvexShape*>(shape)->getConvexPolyhedron() ? BT_HYBRID_NO_GROUND
+	                                                                                 : BT_HYBRID_LARGE_HULL;
 }
 
 btHybridGroundTraits::btHybridGroundTraits(const btCollisionShape* shape, btHybridGroundKind kind)
-    : m_shape(shape), m_kind(kind), m_scaling(shape->getLocalScaling()), m_min(0, 0, 0), m_max(0, 0, 0), m_margin(shape->getMargin())
+    : m_shape(shape),
+      m_kind(kind),
+      m_scaling(shape->getLocalScaling()),
+      m_min(0, 0, 0),
+      m_max(0, 0, 0),
+      m_margin(shape->getMargin())
 {
 	if (kind != BT_HYBRID_HALF_SPACE)
 		shape->getAabb(btTransform::getIdentity(), m_min, m_max);
@@ -152,7 +163,8 @@ void btHybridGround::follow(const btCollisionShape* shape, btScalar radius)
 
 btScalar btHybridGround::getReach(const btVector3& direction) const
 {
-	return direction.dot(static_cast<const btConvexShape*>(m_traits.m_shape)->localGetSupportVertexWithoutMarginNonVirtual(direction));
+	return direction.dot(
+	    static_cast<const btConvexShape*>(m_traits.m_shape)->localGetSupportVertexWithoutMarginNonVirtual(direction));
 }
 
 bool btHybridGround::isSmall(btScalar radius) const
@@ -179,7 +191,8 @@ bool btHybridGround::collect(const btVector3& low, const btVector3& high, scatte
 	return true;
 }
 
-bool btHybridGround::collectTriangles(const btVector3& low, const btVector3& high, scatter::pairs::GroundPieces& pieces) const
+bool btHybridGround::collectTriangles(const btVector3& low, const btVector3& high,
+                                      scatter::pairs::GroundPieces& pieces) const
 {
 	pieces.kind = scatter::PartKind::kTriangle;
 	Collector collector(pieces, low, high);

@@ -36,18 +36,20 @@ struct btHybridGroundTraits
 
 	bool operator==(const btHybridGroundTraits& other) const
 	{
-		return m_shape == other.m_shape && m_kind == other.m_kind && m_scaling == other.m_scaling && m_min == other.m_min && m_max == other.m_max && m_margin == other.m_margin;
+		return m_shape == other.m_shape && m_kind == other.m_kind && m_scaling == other.m_scaling &&
+		       m_min == other.m_min && m_max == other.m_max && m_margin == other.m_margin;
 	}
 };
 
-/// A shape that a body of parts may lie on: knows its convex pieces near the body. A large convex shape is one piece, clipped to the
-/// body's neighbourhood: GJK on what is a hundred times as large loses its digits and runs on and on.
+/// A shape that a body of parts may lie on: knows its convex pieces near the body. A large convex shape is one piece,
+/// clipped to the body's neighbourhood: GJK on what is a hundred times as large loses its digits and runs on and on.
 class btHybridGround
 {
 	btHybridGroundTraits m_traits;
 	size_t m_numTriangles;  ///< of a mesh, as far as it tells
 	int m_version;
-	std::optional<scatter::levels::Polytope> m_core;  ///< the hull's, once it was asked for; empty if it cannot be clipped
+	std::optional<scatter::levels::Polytope>
+	    m_core;  ///< the hull's, once it was asked for; empty if it cannot be clipped
 
 	btHybridGround(const btHybridGround&);
 	btHybridGround& operator=(const btHybridGround&);
@@ -58,8 +60,7 @@ class btHybridGround
 	bool collectTriangles(const btVector3& low, const btVector3& high, scatter::pairs::GroundPieces& pieces) const;
 
 public:
-	btHybridGround()
-	    : m_numTriangles(0), m_version(0)
+	btHybridGround() : m_numTriangles(0), m_version(0)
 	{
 	}
 

@@ -10,12 +10,16 @@
 #include "btHybridPlanner.h"
 #include "pairs/ground_step.h"
 
-static_assert(sizeof(btHybridGroundAlgorithm) <= sizeof(btCompoundCompoundCollisionAlgorithm), "does not fit into Bullet's pool of algorithms");
+static_assert(sizeof(btHybridGroundAlgorithm) <= sizeof(btCompoundCompoundCollisionAlgorithm),
+              "does not fit into Bullet's pool of algorithms");
 
 using scatter::pairs::GroundContact;
 using scatter::pairs::GroundPair;
 
-btHybridGroundAlgorithm::btHybridGroundAlgorithm(const btCollisionAlgorithmConstructionInfo& info, btHybridNarrowphase* narrowphase, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, int side)
+btHybridGroundAlgorithm::btHybridGroundAlgorithm(const btCollisionAlgorithmConstructionInfo& info,
+                                                 btHybridNarrowphase* narrowphase,
+                                                 const btCollisionObjectWrapper* body0Wrap,
+                                                 const btCollisionObjectWrapper* body1Wrap, int side)
     : btHybridAlgorithm(info), m_narrowphase(narrowphase), m_bodies(0), m_ground(0), m_index(-1), m_planIndex(-1)
 {
 	const btCollisionObjectWrapper* wraps[2] = {body0Wrap, body1Wrap};
@@ -43,7 +47,8 @@ void btHybridGroundAlgorithm::shareGround()
 	if (!ground.isSmall(radius))
 		return;
 	bool isNew;
-	const std::shared_ptr<const scatter::pairs::WholeGround> whole = m_narrowphase->getWholeGrounds().acquire(ground, isNew);
+	const std::shared_ptr<const scatter::pairs::WholeGround> whole =
+	    m_narrowphase->getWholeGrounds().acquire(ground, isNew);
 	if (!whole)
 		return;
 	getPair().region.share(whole, isNew);
@@ -91,7 +96,8 @@ bool btHybridGroundAlgorithm::staysQuiet(btHybridGroundEngine& engine) const
 	if (!(pair.quietUntil >= 0) || (m_planIndex >= 0 && !m_narrowphase->getPlanner()->isSettled(m_planIndex)))
 		return false;
 	const float ahead = m_narrowphase->getSteps().passages ? glm::length(engine.wayAhead()) : 0;
-	return engine.follow(body) && scatter::pairs::staysQuiet(pair, body, engine.groundFrame(), engine.groundVersion(), ahead);
+	return engine.follow(body) &&
+	       scatter::pairs::staysQuiet(pair, body, engine.groundFrame(), engine.groundVersion(), ahead);
 }
 
 bool btHybridGroundAlgorithm::mayBeForeseen() const
@@ -106,10 +112,12 @@ bool btHybridGroundAlgorithm::follow(btDispatcher* dispatcher)
 	const btCollisionObject* object = m_bodies->m_object->getObject();
 	if (!dispatcher->needsCollision(object, m_bodies->m_groundObject))
 		return false;
-	const btCollisionShape* shape = m_bodies->m_switches ? m_bodies->m_body->getShapeNow() : object->getCollisionShape();
+	const btCollisionShape* shape =
+	    m_bodies->m_switches ? m_bodies->m_body->getShapeNow() : object->getCollisionShape();
 	if (!m_narrowphase->getObjects().update(m_bodies->m_body, shape, object->getWorldTransform()))
 		return false;
-	m_bodies->m_ground.follow(m_bodies->m_groundObject->getCollisionShape(), m_bodies->m_body->getBody().parts().radius());
+	m_bodies->m_ground.follow(m_bodies->m_groundObject->getCollisionShape(),
+	                          m_bodies->m_body->getBody().parts().radius());
 	return m_bodies->m_ground.getKind() != BT_HYBRID_NO_GROUND && m_bodies->m_ground.getKind() != BT_HYBRID_HALF_SPACE;
 }
 
@@ -171,16 +179,20 @@ void btHybridGroundAlgorithm::foresee(btHybridAhead& ahead, btHybridStepMemory& 
 	const scatter::Frame ground = btHybridFrameOf(m_bodies->m_groundObject->getWorldTransform());
 	const int version = m_bodies->m_ground.getVersion();
 	const scatter::PairSteps& steps = m_narrowphase->getSteps();
-	const scatter::Vec3 way = steps.passages ? btHybridWayAhead(m_bodies->m_object->getObject(), m_bodies->m_groundObject, ahead.m_info->m_timeStep) : scatter::Vec3(0);
+	const scatter::Vec3 way = steps.passages ? btHybridWayAhead(m_bodies->m_object->getObject(),
+	                                                            m_bodies->m_groundObject, ahead.m_info->m_timeStep)
+	                                         : scatter::Vec3(0);
 	if (pair.quietUntil >= 0 && scatter::pairs::staysQuiet(pair, placed, ground, version, glm::length(way)))
 		return;
 	CallAhead call(*m_bodies, *ahead.m_info);
 	scatter::pairs::StepAhead& step = memory.m_foresight.takeStep();
-	AheadEngine engine(ahead.m_meshes, memory, step.notes, static_cast<btCollisionDispatcher*>(m_dispatcher), m_narrowphase->getObjects(), *m_bodies, call.m_call, m_fallback, memory.m_bounds);
+	AheadEngine engine(ahead.m_meshes, memory, step.notes, static_cast<btCollisionDispatcher*>(m_dispatcher),
+	                   m_narrowphase->getObjects(), *m_bodies, call.m_call, m_fallback, memory.m_bounds);
 	const size_t used = memory.m_foresight.used;
 	bool isDecided = scatter::pairs::onlyCarries(pair, placed, m_bodies->m_level, ground, version, steps);
 	if (!isDecided && scatter::pairs::isForeseeable(pair, placed, m_bodies->m_level, ground, version, steps))
-		isDecided = scatter::pairs::foresee(pair, placed, ground, steps, engine, memory.m_step.ground.region, memory.m_foresight);
+		isDecided = scatter::pairs::foresee(pair, placed, ground, steps, engine, memory.m_step.ground.region,
+		                                    memory.m_foresight);
 	if (!isDecided || !btHybridAheadRules::mayStep(ahead, m_bodies->m_object->getObject(), m_bodies->m_groundObject))
 		return;
 	stepAhead(step, engine, memory);
@@ -189,11 +201,13 @@ void btHybridGroundAlgorithm::foresee(btHybridAhead& ahead, btHybridStepMemory& 
 }
 
 // As the dispatcher's near callback calls it, and processCollision() the pair.
-void btHybridGroundAlgorithm::stepAhead(scatter::pairs::StepAhead& step, btHybridGroundEngine& engine, btHybridStepMemory& memory)
+void btHybridGroundAlgorithm::stepAhead(scatter::pairs::StepAhead& step, btHybridGroundEngine& engine,
+                                        btHybridStepMemory& memory)
 {
 	const scatter::PairSteps& steps = m_narrowphase->getSteps();
 	if (m_planIndex >= 0)
-		step.outcome = scatter::pairs::stepGround(getPair(), m_narrowphase->getPlanner()->planPair(m_planIndex), steps, engine, memory.m_step, step.work);
+		step.outcome = scatter::pairs::stepGround(getPair(), m_narrowphase->getPlanner()->planPair(m_planIndex), steps,
+		                                          engine, memory.m_step, step.work);
 	else
 		scatter::pairs::collideGround(getPair(), m_bodies->m_level, steps, engine, memory.m_step, step.work);
 	getPair().ahead = &step;
@@ -214,15 +228,19 @@ void btHybridGroundAlgorithm::endForesight()
 	getPair().foresight = 0;
 }
 
-void btHybridGroundAlgorithm::processCollision(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut)
+void btHybridGroundAlgorithm::processCollision(const btCollisionObjectWrapper* body0Wrap,
+                                               const btCollisionObjectWrapper* body1Wrap,
+                                               const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut)
 {
 	if (getPair().ahead)
 		return takeAhead();
 	btHybridNarrowphase& shared = *m_narrowphase;
 	btHybridPlanner* planner = m_planIndex >= 0 ? shared.getPlanner() : 0;
 	const bool isFirst = m_bodies->m_side == 0;
-	const btHybridGroundCall call = {isFirst ? body0Wrap : body1Wrap, isFirst ? body1Wrap : body0Wrap, dispatchInfo, resultOut};
-	btHybridGroundEngine engine(static_cast<btCollisionDispatcher*>(m_dispatcher), shared.getObjects(), *m_bodies, call, m_fallback, shared.getBounds());
+	const btHybridGroundCall call = {isFirst ? body0Wrap : body1Wrap, isFirst ? body1Wrap : body0Wrap, dispatchInfo,
+	                                 resultOut};
+	btHybridGroundEngine engine(static_cast<btCollisionDispatcher*>(m_dispatcher), shared.getObjects(), *m_bodies, call,
+	                            m_fallback, shared.getBounds());
 	if (staysQuiet(engine))
 	{
 		if (planner)
@@ -233,12 +251,14 @@ void btHybridGroundAlgorithm::processCollision(const btCollisionObjectWrapper* b
 	}
 	if (!planner)
 	{
-		scatter::pairs::collideGround(getPair(), m_bodies->m_level, shared.getSteps(), engine, shared.beginPair(), shared.getWork());
+		scatter::pairs::collideGround(getPair(), m_bodies->m_level, shared.getSteps(), engine, shared.beginPair(),
+		                              shared.getWork());
 		shared.endPair();
 		return;
 	}
 	const scatter::pairs::PairPlan plan = planner->planPair(m_planIndex);
-	const scatter::pairs::PairOutcome outcome = scatter::pairs::stepGround(getPair(), plan, shared.getSteps(), engine, shared.beginPair(), shared.getWork());
+	const scatter::pairs::PairOutcome outcome =
+	    scatter::pairs::stepGround(getPair(), plan, shared.getSteps(), engine, shared.beginPair(), shared.getWork());
 	shared.endPair();
 	planner->take(m_planIndex, outcome);
 }

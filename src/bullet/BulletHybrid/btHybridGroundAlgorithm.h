@@ -7,9 +7,9 @@
 
 class btHybridNarrowphase;
 
-/// The narrowphase of a list of convex parts and what it may lie on: hands Bullet's calls to the pair in the narrowphase's table. As
-/// in Bullet, each part has one manifold for all of the ground, with the part's body first. Small, because Bullet's pool takes
-/// algorithms of any size without looking.
+/// The narrowphase of a list of convex parts and what it may lie on: hands Bullet's calls to the pair in the
+/// narrowphase's table. As in Bullet, each part has one manifold for all of the ground, with the part's body first.
+/// Small, because Bullet's pool takes algorithms of any size without looking.
 class btHybridGroundAlgorithm : public btHybridAlgorithm
 {
 	btHybridNarrowphase* m_narrowphase;
@@ -27,7 +27,9 @@ class btHybridGroundAlgorithm : public btHybridAlgorithm
 
 public:
 	/// side: of the body of parts in the pair, 0 or 1.
-	btHybridGroundAlgorithm(const btCollisionAlgorithmConstructionInfo& info, btHybridNarrowphase* narrowphase, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, int side);
+	btHybridGroundAlgorithm(const btCollisionAlgorithmConstructionInfo& info, btHybridNarrowphase* narrowphase,
+	                        const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap,
+	                        int side);
 	virtual ~btHybridGroundAlgorithm();
 
 	virtual int getPlanIndex() const
@@ -45,7 +47,8 @@ public:
 	virtual void foresee(btHybridAhead& ahead, btHybridStepMemory& memory);
 	virtual void endForesight();
 
-	virtual void processCollision(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut);
+	virtual void processCollision(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap,
+	                              const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut);
 	virtual void getAllContactManifolds(btManifoldArray& manifoldArray);
 	virtual void getManifolds(btAlignedObjectArray<btHybridManifoldView>& manifolds) const;
 };

@@ -19,7 +19,8 @@ btVector3 vector(const scatter::Vec3& v)
 	return btVector3(v.x, v.y, v.z);
 }
 
-/// A part of a body and a piece of its ground as Bullet's algorithms see them. The piece is a triangle, or the whole shape.
+/// A part of a body and a piece of its ground as Bullet's algorithms see them. The piece is a triangle, or the whole
+/// shape.
 class Meeting
 {
 	btTransform m_transform;  ///< of the part
@@ -28,9 +29,11 @@ class Meeting
 	btCollisionObjectWrapper m_piece;
 
 public:
-	Meeting(const btCollisionObjectWrapper* body, const btHybridPartBody* parts, const btCollisionObjectWrapper* ground, const GroundPieces& pieces, const ChildPair& child)
+	Meeting(const btCollisionObjectWrapper* body, const btHybridPartBody* parts, const btCollisionObjectWrapper* ground,
+	        const GroundPieces& pieces, const ChildPair& child)
 	    : m_transform(parts->getChildTransform(child.b, body->getWorldTransform())),
-	      m_part(body, parts->getChildShape(child.b), body->getCollisionObject(), m_transform, -1, parts->getChildIndex(child.b)),
+	      m_part(body, parts->getChildShape(child.b), body->getCollisionObject(), m_transform, -1,
+	             parts->getChildIndex(child.b)),
 	      m_piece(0, ground->getCollisionShape(), ground->getCollisionObject(), ground->getWorldTransform(), -1, -1)
 	{
 		if (pieces.kind != scatter::PartKind::kTriangle || pieces.pieces.empty())
@@ -55,8 +58,8 @@ public:
 	}
 };
 
-/// Tells a manifold result which part of the body and which piece of the ground are at work, as Bullet's algorithms do, for as long
-/// as it lives.
+/// Tells a manifold result which part of the body and which piece of the ground are at work, as Bullet's algorithms do,
+/// for as long as it lives.
 class MeetingScope
 {
 	btManifoldResult* m_result;
@@ -91,7 +94,8 @@ struct OneContact : public btManifoldResult
 	btScalar m_distance;
 	bool m_isFound;
 
-	OneContact(const btCollisionObjectWrapper* wrap0, const btCollisionObjectWrapper* wrap1, btPersistentManifold* manifold)
+	OneContact(const btCollisionObjectWrapper* wrap0, const btCollisionObjectWrapper* wrap1,
+	           btPersistentManifold* manifold)
 	    : btManifoldResult(wrap0, wrap1), m_normal(0, 0, 0), m_point(0, 0, 0), m_distance(0), m_isFound(false)
 	{
 		setPersistentManifold(manifold);
@@ -113,7 +117,8 @@ scatter::Vec3 btHybridWayAhead(const btCollisionObject* body, const btCollisionO
 		return scatter::Vec3(0);
 	btVector3 velocity = moving->getLinearVelocity();
 	if (const btRigidBody* carrier = btRigidBody::upcast(ground))
-		velocity -= carrier->getVelocityInLocalPoint(moving->getCenterOfMassPosition() - carrier->getCenterOfMassPosition());
+		velocity -=
+		    carrier->getVelocityInLocalPoint(moving->getCenterOfMassPosition() - carrier->getCenterOfMassPosition());
 	return btHybridVec3(timeStep * (velocity * ground->getWorldTransform().getBasis()));
 }
 
@@ -125,8 +130,18 @@ void btHybridGroundBodies::take(int level, btHybridObjects& objects)
 	m_level = level;
 }
 
-btHybridGroundEngine::btHybridGroundEngine(btCollisionDispatcher* dispatcher, btHybridObjects& objects, btHybridGroundBodies& bodies, const btHybridGroundCall& call, btHybridFallback& fallback, std::vector<btHybridPartBounds>& parts)
-    : btHybridManifolds(dispatcher, call.m_body, call.m_ground), m_objects(objects), m_bodies(bodies), m_call(call), m_fallback(fallback), m_levelWrap(0, call.m_body->getCollisionShape(), call.m_body->getCollisionObject(), call.m_body->getWorldTransform(), -1, -1), m_isBounded(false), m_parts(parts)
+btHybridGroundEngine::btHybridGroundEngine(btCollisionDispatcher* dispatcher, btHybridObjects& objects,
+                                           btHybridGroundBodies& bodies, const btHybridGroundCall& call,
+                                           btHybridFallback& fallback, std::vector<btHybridPartBounds>& parts)
+    : btHybridManifolds(dispatcher, call.m_body, call.m_ground),
+      m_objects(objects),
+      m_bodies(bodies),
+      m_call(call),
+      m_fallback(fallback),
+      m_levelWrap(0, call.m_body->getCollisionShape(), call.m_body->getCollisionObject(),
+                  call.m_body->getWorldTransform(), -1, -1),
+      m_isBounded(false),
+      m_parts(parts)
 {
 }
 
@@ -161,7 +176,8 @@ scatter::Frame btHybridGroundEngine::groundFrame() const
 
 scatter::Vec3 btHybridGroundEngine::wayAhead() const
 {
-	return btHybridWayAhead(m_call.m_body->getCollisionObject(), m_call.m_ground->getCollisionObject(), m_call.m_info.m_timeStep);
+	return btHybridWayAhead(m_call.m_body->getCollisionObject(), m_call.m_ground->getCollisionObject(),
+	                        m_call.m_info.m_timeStep);
 }
 
 int btHybridGroundEngine::groundVersion()
@@ -203,7 +219,8 @@ bool btHybridGroundEngine::fallBack()
 		btCollisionAlgorithmConstructionInfo info;
 		info.m_dispatcher1 = m_dispatcher;
 		btCollisionConfiguration* configuration = m_dispatcher->getCollisionConfiguration();
-		btCollisionAlgorithmCreateFunc* create = configuration->getCollisionAlgorithmCreateFunc(wraps[0]->getCollisionShape()->getShapeType(), wraps[1]->getCollisionShape()->getShapeType());
+		btCollisionAlgorithmCreateFunc* create = configuration->getCollisionAlgorithmCreateFunc(
+		    wraps[0]->getCollisionShape()->getShapeType(), wraps[1]->getCollisionShape()->getShapeType());
 		m_fallback.set(create->CreateCollisionAlgorithm(info, wraps[0], wraps[1]));
 	}
 	m_fallback.get()->processCollision(wraps[0], wraps[1], m_call.m_info, m_call.m_result);
@@ -215,7 +232,8 @@ bool btHybridGroundEngine::fallBack()
 	return false;
 }
 
-// The callback hears of new contacts too, as far as Bullet keeps them; its algorithm for planes leaves that to the next step.
+// The callback hears of new contacts too, as far as Bullet keeps them; its algorithm for planes leaves that to the next
+// step.
 void btHybridGroundEngine::looked(void* manifold)
 {
 	if (gContactProcessedCallback && m_bodies.m_ground.getKind() != BT_HYBRID_HALF_SPACE)
@@ -264,7 +282,8 @@ bool btHybridGroundEngine::letsMeet(int part) const
 	return gCompoundChildShapePairCallback(m_call.m_ground->getCollisionShape(), m_bodies.m_body->getChildShape(part));
 }
 
-// The tests of the bounds that Bullet makes before a child of a compound meets another shape: in the world, and of its leaf.
+// The tests of the bounds that Bullet makes before a child of a compound meets another shape: in the world, and of its
+// leaf.
 bool btHybridGroundEngine::meetsInWorld(int part)
 {
 	boundGround();
@@ -300,7 +319,8 @@ bool btHybridGroundEngine::mayMeet(const GroundPieces& pieces, const ChildPair& 
 	return TestTriangleAgainstAabb2(corners, bounds.m_min, bounds.m_max);
 }
 
-void btHybridGroundEngine::add(void* manifold, const GroundPieces& pieces, const ChildPair& child, const scatter::PartContact& contact, const scatter::Frame& frame)
+void btHybridGroundEngine::add(void* manifold, const GroundPieces& pieces, const ChildPair& child,
+                               const scatter::PartContact& contact, const scatter::Frame& frame)
 {
 	const Meeting meeting(&m_levelWrap, m_bodies.m_body, m_call.m_ground, pieces, child);
 	btPersistentManifold* to = btHybridContacts::at(manifold);
@@ -314,11 +334,13 @@ void btHybridGroundEngine::add(void* manifold, const GroundPieces& pieces, const
 	to->setContactBreakingThreshold(usual);
 }
 
-bool btHybridGroundEngine::find(void* manifold, const GroundPieces& pieces, const ChildPair& child, const scatter::Frame& frame, scatter::PartContact& contact)
+bool btHybridGroundEngine::find(void* manifold, const GroundPieces& pieces, const ChildPair& child,
+                                const scatter::Frame& frame, scatter::PartContact& contact)
 {
 	const Meeting meeting(&m_levelWrap, m_bodies.m_body, m_call.m_ground, pieces, child);
 	OneContact found(&meeting.part(), &meeting.piece(), btHybridContacts::at(manifold));
-	btHybridDetect(m_dispatcher, &meeting.part(), &meeting.piece(), btHybridContacts::at(manifold), m_call.m_info, &found);
+	btHybridDetect(m_dispatcher, &meeting.part(), &meeting.piece(), btHybridContacts::at(manifold), m_call.m_info,
+	               &found);
 	if (!found.m_isFound || found.m_distance > threshold())
 		return false;
 	contact.distance = found.m_distance;
@@ -331,5 +353,6 @@ void btHybridGroundEngine::detect(void* manifold, const GroundPieces& pieces, co
 {
 	const Meeting meeting(&m_levelWrap, m_bodies.m_body, m_call.m_ground, pieces, child);
 	const MeetingScope scope(m_call.m_result, m_bodies.m_side, meeting, btHybridContacts::at(manifold));
-	btHybridDetect(m_dispatcher, &meeting.part(), &meeting.piece(), btHybridContacts::at(manifold), m_call.m_info, m_call.m_result);
+	btHybridDetect(m_dispatcher, &meeting.part(), &meeting.piece(), btHybridContacts::at(manifold), m_call.m_info,
+	               m_call.m_result);
 }

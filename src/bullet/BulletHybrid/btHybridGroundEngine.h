@@ -43,8 +43,8 @@ struct btHybridGroundCall
 	btManifoldResult* m_result;
 };
 
-/// How far a body is about to move against its ground at their velocities, in the ground's frame. Of links of multi-bodies Bullet
-/// keeps no velocity where this could find it.
+/// How far a body is about to move against its ground at their velocities, in the ground's frame. Of links of
+/// multi-bodies Bullet keeps no velocity where this could find it.
 scatter::Vec3 btHybridWayAhead(const btCollisionObject* body, const btCollisionObject* ground, btScalar timeStep);
 
 /// Bullet, as a body of parts and its ground see it in one step.
@@ -68,7 +68,9 @@ class btHybridGroundEngine : public btHybridManifolds<scatter::pairs::GroundEngi
 
 public:
 	/// parts: memory that engines use in turn. All must outlive it.
-	btHybridGroundEngine(btCollisionDispatcher* dispatcher, btHybridObjects& objects, btHybridGroundBodies& bodies, const btHybridGroundCall& call, btHybridFallback& fallback, std::vector<btHybridPartBounds>& parts);
+	btHybridGroundEngine(btCollisionDispatcher* dispatcher, btHybridObjects& objects, btHybridGroundBodies& bodies,
+	                     const btHybridGroundCall& call, btHybridFallback& fallback,
+	                     std::vector<btHybridPartBounds>& parts);
 
 	/// Where the two are, with the shapes that were looked at last; no contacts are going to be looked for.
 	bool follow(scatter::pairs::PlacedBody& body);
@@ -86,8 +88,10 @@ public:
 	virtual bool letsMeet(int part) const;
 	virtual bool keeps(int part);
 	virtual bool mayMeet(const scatter::pairs::GroundPieces& pieces, const scatter::ChildPair& child);
-	virtual void add(void* manifold, const scatter::pairs::GroundPieces& pieces, const scatter::ChildPair& child, const scatter::PartContact& contact, const scatter::Frame& frame);
-	virtual bool find(void* manifold, const scatter::pairs::GroundPieces& pieces, const scatter::ChildPair& child, const scatter::Frame& frame, scatter::PartContact& contact);
+	virtual void add(void* manifold, const scatter::pairs::GroundPieces& pieces, const scatter::ChildPair& child,
+	                 const scatter::PartContact& contact, const scatter::Frame& frame);
+	virtual bool find(void* manifold, const scatter::pairs::GroundPieces& pieces, const scatter::ChildPair& child,
+	                  const scatter::Frame& frame, scatter::PartContact& contact);
 	virtual void detect(void* manifold, const scatter::pairs::GroundPieces& pieces, const scatter::ChildPair& child);
 };
 

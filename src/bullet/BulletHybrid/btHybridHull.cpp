@@ -26,7 +26,8 @@ struct OuterPlane
 };
 
 // `extent`: the furthest point from the middle.
-OuterPlane planeOf(const std::vector<glm::dvec3>& points, const std::vector<glm::dvec3>& loop, const glm::dvec3& middle, double extent)
+OuterPlane planeOf(const std::vector<glm::dvec3>& points, const std::vector<glm::dvec3>& loop, const glm::dvec3& middle,
+                   double extent)
 {
 	OuterPlane outer = {HalfSpace(), 0, true};
 	glm::dvec3 normal(0.0);
@@ -65,13 +66,13 @@ struct Corners : public btInternalTriangleIndexCallback
 	// Each once, in an order that is the same everywhere.
 	void unite()
 	{
-		const auto components = [](const btVector3& v)
-		{ return std::array<btScalar, 3>{v.x(), v.y(), v.z()}; };
-		std::sort(m_points.begin(), m_points.end(), [&](const btVector3& a, const btVector3& b)
-		          { return components(a) < components(b); });
-		m_points.erase(std::unique(m_points.begin(), m_points.end(), [&](const btVector3& a, const btVector3& b)
-		                           { return components(a) == components(b); }),
-		               m_points.end());
+		const auto components = [](const btVector3& v) { return std::array<btScalar, 3>{v.x(), v.y(), v.z()}; };
+		std::sort(m_points.begin(), m_points.end(),
+		          [&](const btVector3& a, const btVector3& b) { return components(a) < components(b); });
+		m_points.erase(
+		    std::unique(m_points.begin(), m_points.end(),
+		                [&](const btVector3& a, const btVector3& b) { return components(a) == components(b); }),
+		    m_points.end());
 	}
 };
 }  // namespace
@@ -90,7 +91,8 @@ std::vector<btVector3> btHybridHullPoints(const btCollisionShape* shape)
 	if (shape->getShapeType() == CONVEX_TRIANGLEMESH_SHAPE_PROXYTYPE)
 	{
 		const btVector3 all(BT_LARGE_FLOAT, BT_LARGE_FLOAT, BT_LARGE_FLOAT);
-		static_cast<const btConvexTriangleMeshShape*>(shape)->getMeshInterface()->InternalProcessAllTriangles(&corners, -all, all);
+		static_cast<const btConvexTriangleMeshShape*>(shape)->getMeshInterface()->InternalProcessAllTriangles(
+		    &corners, -all, all);
 		corners.unite();
 	}
 	return corners.m_points;
@@ -121,7 +123,8 @@ Polytope btHybridHullOf(const std::vector<glm::dvec3>& points, double* moved)
 		std::vector<std::uint32_t> members;
 		std::vector<glm::dvec3> loop;
 		const btConvexHullComputer::Edge* const first = &computer.edges[computer.faces[i]];
-		for (const btConvexHullComputer::Edge* edge = first; edge != first || loop.empty(); edge = edge->getNextEdgeOfFace())
+		for (const btConvexHullComputer::Edge* edge = first; edge != first || loop.empty();
+		     edge = edge->getNextEdgeOfFace())
 		{
 			members.push_back(static_cast<std::uint32_t>(edge->getSourceVertex()));
 			loop.push_back(corners[members.back()]);

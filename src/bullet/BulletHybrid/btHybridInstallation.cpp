@@ -4,7 +4,8 @@
 #include "btHybridRegistration.h"
 
 btHybridInstallation::btHybridInstallation(btDispatcher* dispatcher)
-    : m_narrowphase(new btHybridNarrowphase(false)), m_registration(new btHybridRegistration(dispatcher, 0, m_narrowphase))
+    : m_narrowphase(new btHybridNarrowphase(false)),
+      m_registration(new btHybridRegistration(dispatcher, 0, m_narrowphase))
 {
 	setCollisionInfo(btHybridCollisionInfo());
 }

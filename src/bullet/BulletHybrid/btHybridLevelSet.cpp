@@ -19,8 +19,8 @@ namespace
 const int c_mostLevels = 250;
 const int c_mostChildren = 65535;
 
-// Balls whose hull a level's bounds are found from in every step. As many take 40 ns, of the half microsecond that Bullet's broadphase
-// takes for a body in a pile (`scatter run` of implosion-12 in `lean`, update_aabbs_ms).
+// Balls whose hull a level's bounds are found from in every step. As many take 40 ns, of the half microsecond that
+// Bullet's broadphase takes for a body in a pile (`scatter run` of implosion-12 in `lean`, update_aabbs_ms).
 const int c_mostBalls = 64;
 
 // How far, as a share of the coarser level's largest side, a level may stick out and still count as nested.
@@ -76,7 +76,8 @@ const char* findMistake(const btCollisionShape* shape, int& child)
 	return 0;
 }
 
-// Of which a level is the hull; none if they are too many, as those of round shapes are, or if Bullet's bounds are as close.
+// Of which a level is the hull; none if they are too many, as those of round shapes are, or if Bullet's bounds are as
+// close.
 std::vector<btHybridBall> ballsOf(const btCollisionShape* shape)
 {
 	if (shape->getShapeType() == BOX_SHAPE_PROXYTYPE)
@@ -88,7 +89,8 @@ std::vector<btHybridBall> ballsOf(const btCollisionShape* shape)
 	{
 		const btCollisionShape* part = compound ? compound->getChildShape(i) : shape;
 		const btTransform place = compound ? compound->getChildTransform(i) : btTransform::getIdentity();
-		const std::vector<btHybridBall> own = btHybridConvexPart(static_cast<const btConvexShape*>(part), place).getBalls();
+		const std::vector<btHybridBall> own =
+		    btHybridConvexPart(static_cast<const btConvexShape*>(part), place).getBalls();
 		if (int(balls.size() + own.size()) > c_mostBalls)
 			return std::vector<btHybridBall>();
 		balls.insert(balls.end(), own.begin(), own.end());
@@ -132,15 +134,17 @@ const char* btHybridLevelSet::addLevel(btCollisionShape* shape, btHybridNesting 
 	if (level > 1 && nesting == BT_HYBRID_PROVE_NESTING)
 	{
 		const btCollisionShape* before = m_levels[level - 2];
-		const btHybridProtrusion worst = btHybridFindProtrusion(shape, before, c_nestingTolerance * largestSide(before));
+		const btHybridProtrusion worst =
+		    btHybridFindProtrusion(shape, before, c_nestingTolerance * largestSide(before));
 		if (worst.m_child >= 0)
 		{
-			std::snprintf(text, sizeof(text),
-			              "level %d, child %d, sticks out of level %d by %.3g m at (%.4g, %.4g, %.4g), collision margins "
-			              "included: those of hulls and cones lie outside them; enlarge level %d there, or make the child or "
-			              "its margin smaller",
-			              level, worst.m_child, level - 1, double(worst.m_distance), double(worst.m_point.x()),
-			              double(worst.m_point.y()), double(worst.m_point.z()), level - 1);
+			std::snprintf(
+			    text, sizeof(text),
+			    "level %d, child %d, sticks out of level %d by %.3g m at (%.4g, %.4g, %.4g), collision margins "
+			    "included: those of hulls and cones lie outside them; enlarge level %d there, or make the child or "
+			    "its margin smaller",
+			    level, worst.m_child, level - 1, double(worst.m_distance), double(worst.m_point.x()),
+			    double(worst.m_point.y()), double(worst.m_point.z()), level - 1);
 			return refuse(text);
 		}
 	}

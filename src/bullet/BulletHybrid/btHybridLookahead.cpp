@@ -8,7 +8,8 @@ namespace
 {
 const size_t c_line = 64;
 
-// Pairs ahead at which each stage is fetched. Twice or half as many change implosions of 400 ships by less than runs differ.
+// Pairs ahead at which each stage is fetched. Twice or half as many change implosions of 400 ships by less than runs
+// differ.
 const size_t c_ahead[btHybridLookahead::NUM_STAGES] = {14, 10, 6, 3};
 
 // Of a pair: more would push out what is needed first.
@@ -56,16 +57,17 @@ void forEachAwake(const scatter::pairs::Pair& pair, size_t most, const Use& use)
 
 void fetchChildren(const scatter::pairs::Pair& pair)
 {
-	forEachAwake(pair, c_mostAwakeChildren, [](const scatter::ChildPair& child)
-	             { fetch(&child, sizeof(child)); });
+	forEachAwake(pair, c_mostAwakeChildren, [](const scatter::ChildPair& child) { fetch(&child, sizeof(child)); });
 }
 
 void fetchContacts(const scatter::pairs::Pair& pair)
 {
-	forEachAwake(pair, c_mostContacts, [](const scatter::ChildPair& child)
+	forEachAwake(pair, c_mostContacts,
+	             [](const scatter::ChildPair& child)
 	             {
 		             if (child.touching)
-			             btHybridContacts::prefetch(child.contact); });
+			             btHybridContacts::prefetch(child.contact);
+	             });
 }
 }  // namespace
 
@@ -118,7 +120,8 @@ void btHybridLookahead::findPlace(const void* algorithm)
 		}
 }
 
-void btHybridLookahead::visit(const void* algorithm, int index, const scatter::pairs::PairTable& pairs, size_t all, const void* planned)
+void btHybridLookahead::visit(const void* algorithm, int index, const scatter::pairs::PairTable& pairs, size_t all,
+                              const void* planned)
 {
 	if (hasComeRound(algorithm, all))
 		begin();

@@ -6,8 +6,8 @@
 
 #include "pairs/pair_table.h"
 
-/// Fetches the memory of the pairs that come next: what a pile's pairs know of each other does not fit into a cache, and
-/// Bullet comes to them in an order that hardly changes from step to step. Changes no result.
+/// Fetches the memory of the pairs that come next: what a pile's pairs know of each other does not fit into a cache,
+/// and Bullet comes to them in an order that hardly changes from step to step. Changes no result.
 class btHybridLookahead
 {
 	struct Visit
@@ -24,8 +24,7 @@ class btHybridLookahead
 	void findPlace(const void* algorithm);
 
 public:
-	btHybridLookahead()
-	    : m_place(0)
+	btHybridLookahead() : m_place(0)
 	{
 	}
 
@@ -45,7 +44,8 @@ public:
 	void begin();
 
 	/// Bullet has come to a pair of a table; `all`: how many pairs all tables hold.
-	void visit(const void* algorithm, int index, const scatter::pairs::PairTable& pairs, size_t all, const void* planned);
+	void visit(const void* algorithm, int index, const scatter::pairs::PairTable& pairs, size_t all,
+	           const void* planned);
 };
 
 #endif  // BT_HYBRID_LOOKAHEAD_H

@@ -16,7 +16,8 @@ ContactPoint btHybridContacts::read(const btManifoldPoint& point)
 	plain.partA = btMax(point.m_index0, 0);
 	plain.partB = btMax(point.m_index1, 0);
 	plain.presses = !(point.m_contactPointFlags & BT_CONTACT_FLAG_HAS_CONTACT_ERP) || point.m_contactERP > 0;
-	plain.eased = (point.m_contactPointFlags & c_easeFlags) == c_easeFlags && point.m_contactERP == 0 && point.m_contactCFM == 0;
+	plain.eased =
+	    (point.m_contactPointFlags & c_easeFlags) == c_easeFlags && point.m_contactERP == 0 && point.m_contactCFM == 0;
 	return plain;
 }
 
@@ -101,8 +102,7 @@ static void forEachLasting(const btPersistentManifold& manifold, Use use)
 bool btHybridContacts::wouldOutlast(const btPersistentManifold& manifold)
 {
 	bool isAny = false;
-	forEachLasting(manifold, [&isAny](const btVector3&, btScalar, const btVector3&)
-	               { isAny = true; });
+	forEachLasting(manifold, [&isAny](const btVector3&, btScalar, const btVector3&) { isAny = true; });
 	return isAny;
 }
 
@@ -110,18 +110,22 @@ float btHybridContacts::wouldSlide(const btPersistentManifold& manifold)
 {
 	btScalar least = BT_LARGE_FLOAT;
 	bool isAny = false;
-	forEachLasting(manifold, [&](const btVector3& between, btScalar distance, const btVector3& normal)
+	forEachLasting(manifold,
+	               [&](const btVector3& between, btScalar distance, const btVector3& normal)
 	               {
 		               isAny = true;
-		               btSetMin(least, (between - normal * distance).length2()); });
+		               btSetMin(least, (between - normal * distance).length2());
+	               });
 	return isAny ? float(btSqrt(least)) : std::numeric_limits<float>::infinity();
 }
 
 // As the dispatcher gives it to manifolds.
-btScalar btHybridContacts::getThreshold(const btCollisionDispatcher* dispatcher, const btCollisionObject* a, const btCollisionObject* b)
+btScalar btHybridContacts::getThreshold(const btCollisionDispatcher* dispatcher, const btCollisionObject* a,
+                                        const btCollisionObject* b)
 {
 	const btScalar most = gContactBreakingThreshold;
 	if (!(dispatcher->getDispatcherFlags() & btCollisionDispatcher::CD_USE_RELATIVE_CONTACT_BREAKING_THRESHOLD))
 		return most;
-	return btMin(a->getCollisionShape()->getContactBreakingThreshold(most), b->getCollisionShape()->getContactBreakingThreshold(most));
+	return btMin(a->getCollisionShape()->getContactBreakingThreshold(most),
+	             b->getCollisionShape()->getContactBreakingThreshold(most));
 }

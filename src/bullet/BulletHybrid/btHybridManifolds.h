@@ -32,12 +32,14 @@ public:
 	static float carry(btPersistentManifold* manifold, const btCollisionObject* a, const btCollisionObject* b);
 	static void prefetch(const void* manifold);
 
-	/// Whether any point is going to be left by refreshContactPoints(), with the bodies where they are. Changes nothing.
+	/// Whether any point is going to be left by refreshContactPoints(), with the bodies where they are. Changes
+	/// nothing.
 	static bool wouldOutlast(const btPersistentManifold& manifold);
 
 	/// What carry() is going to return. Changes nothing.
 	static float wouldSlide(const btPersistentManifold& manifold);
-	static btScalar getThreshold(const btCollisionDispatcher* dispatcher, const btCollisionObject* a, const btCollisionObject* b);
+	static btScalar getThreshold(const btCollisionDispatcher* dispatcher, const btCollisionObject* a,
+	                             const btCollisionObject* b);
 };
 
 /// The part of an engine that is about manifolds.
@@ -48,7 +50,8 @@ protected:
 	btCollisionDispatcher* m_dispatcher;
 	const btCollisionObjectWrapper* m_wraps[2];  ///< in the order of a manifold's bodies
 
-	btHybridManifolds(btCollisionDispatcher* dispatcher, const btCollisionObjectWrapper* body0, const btCollisionObjectWrapper* body1)
+	btHybridManifolds(btCollisionDispatcher* dispatcher, const btCollisionObjectWrapper* body0,
+	                  const btCollisionObjectWrapper* body1)
 	    : m_dispatcher(dispatcher), m_wraps{body0, body1}
 	{
 	}
@@ -56,7 +59,8 @@ protected:
 public:
 	virtual bool outlasts(void* manifold) const
 	{
-		btHybridContacts::at(manifold)->refreshContactPoints(m_wraps[0]->getCollisionObject()->getWorldTransform(), m_wraps[1]->getCollisionObject()->getWorldTransform());
+		btHybridContacts::at(manifold)->refreshContactPoints(m_wraps[0]->getCollisionObject()->getWorldTransform(),
+		                                                     m_wraps[1]->getCollisionObject()->getWorldTransform());
 		return countPoints(manifold) > 0;
 	}
 	virtual void* newManifold()
@@ -85,12 +89,15 @@ public:
 	}
 	virtual float carry(void* manifold)
 	{
-		return btHybridContacts::carry(btHybridContacts::at(manifold), m_wraps[0]->getCollisionObject(), m_wraps[1]->getCollisionObject());
+		return btHybridContacts::carry(btHybridContacts::at(manifold), m_wraps[0]->getCollisionObject(),
+		                               m_wraps[1]->getCollisionObject());
 	}
 	virtual float distanceNow(const void* manifold, int index) const
 	{
 		const btManifoldPoint& point = btHybridContacts::at(manifold)->getContactPoint(index);
-		return (m_wraps[0]->getWorldTransform()(point.m_localPointA) - m_wraps[1]->getWorldTransform()(point.m_localPointB)).dot(point.m_normalWorldOnB);
+		return (m_wraps[0]->getWorldTransform()(point.m_localPointA) -
+		        m_wraps[1]->getWorldTransform()(point.m_localPointB))
+		    .dot(point.m_normalWorldOnB);
 	}
 	virtual void move(void* from, int index, void* to)
 	{
@@ -98,7 +105,8 @@ public:
 	}
 	virtual void addImpulses(const void* from, int index, void* to, int indexTo)
 	{
-		btHybridContacts::addImpulses(btHybridContacts::at(from)->getContactPoint(index), btHybridContacts::at(to)->getContactPoint(indexTo));
+		btHybridContacts::addImpulses(btHybridContacts::at(from)->getContactPoint(index),
+		                              btHybridContacts::at(to)->getContactPoint(indexTo));
 	}
 	virtual void prefetch(const void* manifold) const
 	{
@@ -106,7 +114,8 @@ public:
 	}
 	virtual float threshold() const
 	{
-		return btHybridContacts::getThreshold(m_dispatcher, m_wraps[0]->getCollisionObject(), m_wraps[1]->getCollisionObject());
+		return btHybridContacts::getThreshold(m_dispatcher, m_wraps[0]->getCollisionObject(),
+		                                      m_wraps[1]->getCollisionObject());
 	}
 };
 

@@ -107,12 +107,14 @@ static void count(const scatter::pairs::PairTable& pairs, size_t plannedBytes, b
 
 static void count(const scatter::pairs::GroundTable& grounds, btHybridCollisionMemory& memory)
 {
-	const size_t eachBytes = sizeof(btCompoundCompoundCollisionAlgorithm) + sizeof(btHybridGroundBodies) + sizeof(scatter::pairs::GroundPair);
+	const size_t eachBytes = sizeof(btCompoundCompoundCollisionAlgorithm) + sizeof(btHybridGroundBodies) +
+	                         sizeof(scatter::pairs::GroundPair);
 	memory.m_pairs += grounds.count();
 	memory.m_pairBytes += size_t(grounds.count()) * eachBytes;
 	for (int i = 0; i < grounds.count(); i++)
 	{
-		memory.m_pairBytes += grounds[i].region.bytes() + grounds[i].contacts.capacity() * sizeof(scatter::pairs::GroundContact);
+		memory.m_pairBytes +=
+		    grounds[i].region.bytes() + grounds[i].contacts.capacity() * sizeof(scatter::pairs::GroundContact);
 		memory.m_childPairs += int(grounds[i].parts.children().size());
 		memory.m_childPairBytes += grounds[i].parts.childBytes();
 	}

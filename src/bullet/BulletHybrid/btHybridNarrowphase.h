@@ -17,8 +17,8 @@
 class btHybridAlgorithm;
 class btHybridPlanner;
 
-/// What the pair algorithms of a dispatcher share: the pairs, their objects, settings, counts. Counted by its owner and by the
-/// pair algorithms, because these live as long as their broadphase pairs.
+/// What the pair algorithms of a dispatcher share: the pairs, their objects, settings, counts. Counted by its owner and
+/// by the pair algorithms, because these live as long as their broadphase pairs.
 class btHybridNarrowphase
 {
 	btHybridCollisionInfo m_info;
@@ -30,7 +30,8 @@ class btHybridNarrowphase
 	scatter::pairs::PairTable m_plainPairs;
 	scatter::pairs::GroundTable m_grounds;
 	btHybridWholeGrounds m_wholeGrounds;
-	std::vector<btHybridAlgorithm*> m_owners[2];  ///< of the pairs that do not switch, and of those that do, as in their tables
+	std::vector<btHybridAlgorithm*>
+	    m_owners[2];  ///< of the pairs that do not switch, and of those that do, as in their tables
 	std::vector<btHybridAlgorithm*> m_groundOwners;
 	btHybridForesight m_foresight;
 	btHybridLookahead m_lookahead;
@@ -149,7 +150,8 @@ public:
 	/// Memory for the engine of a ground algorithm, until the end of the step of its pair.
 	std::vector<btHybridPartBounds>& getBounds();
 
-	/// Memory for one step of a pair, until the end of the step. A program's callback may collide two objects inside of it.
+	/// Memory for one step of a pair, until the end of the step. A program's callback may collide two objects inside of
+	/// it.
 	scatter::pairs::StepScratch& beginPair();
 	void endPair()
 	{

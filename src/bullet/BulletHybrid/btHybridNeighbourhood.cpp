@@ -20,7 +20,8 @@ int btHybridNeighbourhood::hybridOf(const btBroadphaseProxy* proxy) const
 // The speed of a body's fastest point.
 static btScalar fastestPoint(const btRigidBody* body)
 {
-	return body->getLinearVelocity().length() + body->getAngularVelocity().length() * body->getCollisionShape()->getAngularMotionDisc();
+	return body->getLinearVelocity().length() +
+	       body->getAngularVelocity().length() * body->getCollisionShape()->getAngularMotionDisc();
 }
 
 void btHybridNeighbourhood::measureSpeeds(const btAlignedObjectArray<btRigidBody*>& nonStaticBodies)
@@ -74,7 +75,8 @@ struct NeighbourSearch : public btBroadphaseAabbCallback
 	btScalar m_ownSpeed;
 	bool m_found;
 
-	NeighbourSearch(const btBroadphaseProxy* self, const btAlignedObjectArray<btScalar>& speeds, btScalar seconds, btScalar ownSpeed)
+	NeighbourSearch(const btBroadphaseProxy* self, const btAlignedObjectArray<btScalar>& speeds, btScalar seconds,
+	                btScalar ownSpeed)
 	    : m_self(self), m_speeds(speeds), m_seconds(seconds), m_ownSpeed(ownSpeed), m_found(false)
 	{
 	}
@@ -88,18 +90,21 @@ struct NeighbourSearch : public btBroadphaseAabbCallback
 			return true;
 		const btScalar margin = m_seconds * (m_ownSpeed + m_speeds[object->getWorldArrayIndex()]);
 		const btVector3 wide(margin, margin, margin);
-		m_found = TestAabbAgainstAabb2(m_self->m_aabbMin - wide, m_self->m_aabbMax + wide, other->m_aabbMin, other->m_aabbMax);
+		m_found = TestAabbAgainstAabb2(m_self->m_aabbMin - wide, m_self->m_aabbMax + wide, other->m_aabbMin,
+		                               other->m_aabbMax);
 		return true;
 	}
 
 	bool mayCollide(const btBroadphaseProxy* other) const
 	{
-		return (m_self->m_collisionFilterGroup & other->m_collisionFilterMask) && (other->m_collisionFilterGroup & m_self->m_collisionFilterMask);
+		return (m_self->m_collisionFilterGroup & other->m_collisionFilterMask) &&
+		       (other->m_collisionFilterGroup & m_self->m_collisionFilterMask);
 	}
 };
 }  // namespace
 
-bool btHybridNeighbourhood::hasMovingNeighbour(const btHybridRigidBody* body, int hybrid, btScalar seconds, btBroadphaseInterface* broadphase) const
+bool btHybridNeighbourhood::hasMovingNeighbour(const btHybridRigidBody* body, int hybrid, btScalar seconds,
+                                               btBroadphaseInterface* broadphase) const
 {
 	const btBroadphaseProxy* proxy = body->getBroadphaseProxy();
 	NeighbourSearch search(proxy, m_speedOfObject, seconds, m_speedOfObject[body->getWorldArrayIndex()]);

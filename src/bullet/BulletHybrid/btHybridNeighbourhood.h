@@ -21,8 +21,7 @@ class btHybridNeighbourhood
 	int hybridOf(const btBroadphaseProxy* proxy) const;
 
 public:
-	btHybridNeighbourhood()
-	    : m_topSpeed(0)
+	btHybridNeighbourhood() : m_topSpeed(0)
 	{
 	}
 
@@ -54,7 +53,8 @@ public:
 	}
 
 	/// Whether a body that is not static could reach the hybrid's bounds within `seconds` at present speeds.
-	bool hasMovingNeighbour(const btHybridRigidBody* body, int hybrid, btScalar seconds, btBroadphaseInterface* broadphase) const;
+	bool hasMovingNeighbour(const btHybridRigidBody* body, int hybrid, btScalar seconds,
+	                        btBroadphaseInterface* broadphase) const;
 };
 
 #endif  // BT_HYBRID_NEIGHBOURHOOD_H

@@ -33,7 +33,8 @@ std::vector<btHybridConvexPart> partsOf(const btCollisionShape* shape)
 	}
 	const btCompoundShape* compound = static_cast<const btCompoundShape*>(shape);
 	for (int i = 0; i < compound->getNumChildShapes(); i++)
-		parts.push_back(btHybridConvexPart(static_cast<const btConvexShape*>(compound->getChildShape(i)), compound->getChildTransform(i)));
+		parts.push_back(btHybridConvexPart(static_cast<const btConvexShape*>(compound->getChildShape(i)),
+		                                   compound->getChildTransform(i)));
 	return parts;
 }
 
@@ -46,8 +47,8 @@ double largestCoordinate(const std::vector<btHybridConvexPart>& parts)
 	return largest;
 }
 
-/// A coarser level, asked part by part whether it holds a finer one. Every rule is sufficient: what it accepts is nested.
-/// Rules that need more work come later.
+/// A coarser level, asked part by part whether it holds a finer one. Every rule is sufficient: what it accepts is
+/// nested. Rules that need more work come later.
 class NestingCheck
 {
 	std::vector<btHybridConvexPart> m_coarser;
@@ -132,7 +133,8 @@ private:
 			normals.push_back(core.faces()[i].plane.normal);
 		const std::vector<Cover>& covers = getCovers(0);
 		for (size_t i = 0; i < covers.size(); i++)
-			for (size_t k = 0; covers[i].bounds().overlaps(part.getBounds(), m_tolerance) && k < covers[i].planes().size(); k++)
+			for (size_t k = 0;
+			     covers[i].bounds().overlaps(part.getBounds(), m_tolerance) && k < covers[i].planes().size(); k++)
 				normals.push_back(covers[i].planes()[k].normal);
 		return normals;
 	}
@@ -146,7 +148,8 @@ private:
 		for (size_t i = 0; i < m_coarser.size(); i++)
 		{
 			btHybridPoint furthest(0.0);
-			const double protrusion = m_coarser[i].isSolid() ? m_coarser[i].getProtrusion(part, furthest) : miss.distance;
+			const double protrusion =
+			    m_coarser[i].isSolid() ? m_coarser[i].getProtrusion(part, furthest) : miss.distance;
 			if (protrusion >= miss.distance)
 				continue;
 			miss.distance = protrusion;
@@ -157,7 +160,8 @@ private:
 };
 }  // namespace
 
-btHybridProtrusion btHybridFindProtrusion(const btCollisionShape* finer, const btCollisionShape* coarser, double tolerance)
+btHybridProtrusion btHybridFindProtrusion(const btCollisionShape* finer, const btCollisionShape* coarser,
+                                          double tolerance)
 {
 	btHybridProtrusion worst;
 	NestingCheck check(coarser, tolerance);

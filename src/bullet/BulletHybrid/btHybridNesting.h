@@ -10,8 +10,7 @@ struct btHybridProtrusion
 	btVector3 m_point;    ///< in the levels' frame
 	btScalar m_distance;  ///< from the coarser level, metres
 
-	btHybridProtrusion()
-	    : m_child(-1), m_point(0, 0, 0), m_distance(0)
+	btHybridProtrusion() : m_child(-1), m_point(0, 0, 0), m_distance(0)
 	{
 	}
 };
@@ -19,6 +18,7 @@ struct btHybridProtrusion
 /// Looks whether the union of the coarser shape's parts holds every part of the finer one, collision margins included.
 /// Both are convex or compounds of convex shapes, and finite. See btHybridLevelSet::addLevel for what is exact.
 /// tolerance: metres by which a part may stick out.
-btHybridProtrusion btHybridFindProtrusion(const btCollisionShape* finer, const btCollisionShape* coarser, double tolerance);
+btHybridProtrusion btHybridFindProtrusion(const btCollisionShape* finer, const btCollisionShape* coarser,
+                                          double tolerance);
 
 #endif  // BT_HYBRID_NESTING_H

@@ -9,8 +9,8 @@
 
 struct btHybridCollisionMemory;
 
-/// The collision objects of all pairs, with the part lists of their shapes: each is made once, and shared by those who use
-/// it.
+/// The collision objects of all pairs, with the part lists of their shapes: each is made once, and shared by those who
+/// use it.
 class btHybridObjects
 {
 	btHashMap<btHashPtr, btHybridLevelBodies*> m_objects;
@@ -27,8 +27,7 @@ class btHybridObjects
 	void replaceParts(btHybridPartBody* body, const btCollisionShape* shape);
 
 public:
-	btHybridObjects()
-	    : m_step(0), m_dispatches(false), m_isTold(false)
+	btHybridObjects() : m_step(0), m_dispatches(false), m_isTold(false)
 	{
 	}
 

@@ -10,25 +10,32 @@
 #include "btHybridNarrowphase.h"
 #include "btHybridPlanner.h"
 
-static_assert(sizeof(btHybridPairAlgorithm) <= sizeof(btCompoundCompoundCollisionAlgorithm), "does not fit into Bullet's pool of algorithms");
+static_assert(sizeof(btHybridPairAlgorithm) <= sizeof(btCompoundCompoundCollisionAlgorithm),
+              "does not fit into Bullet's pool of algorithms");
 
 using scatter::ChildPair;
 using scatter::pairs::Pair;
 
-btHybridPairAlgorithm::btHybridPairAlgorithm(const btCollisionAlgorithmConstructionInfo& info, btHybridNarrowphase* narrowphase, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap)
+btHybridPairAlgorithm::btHybridPairAlgorithm(const btCollisionAlgorithmConstructionInfo& info,
+                                             btHybridNarrowphase* narrowphase,
+                                             const btCollisionObjectWrapper* body0Wrap,
+                                             const btCollisionObjectWrapper* body1Wrap)
     : btHybridAlgorithm(info),
       m_narrowphase(narrowphase),
-      m_bodies(narrowphase->getObjects().acquire(body0Wrap->getCollisionObject(), narrowphase->getPlanner()), narrowphase->getObjects().acquire(body1Wrap->getCollisionObject(), narrowphase->getPlanner())),
+      m_bodies(narrowphase->getObjects().acquire(body0Wrap->getCollisionObject(), narrowphase->getPlanner()),
+               narrowphase->getObjects().acquire(body1Wrap->getCollisionObject(), narrowphase->getPlanner())),
       m_index(-1),
       m_planIndex(-1),
-      m_switches(m_narrowphase->getPlanner() && btMax(m_bodies.m_objects[0]->getNumLevels(), m_bodies.m_objects[1]->getNumLevels()) > 0),
+      m_switches(m_narrowphase->getPlanner() &&
+                 btMax(m_bodies.m_objects[0]->getNumLevels(), m_bodies.m_objects[1]->getNumLevels()) > 0),
       m_foreseen(NOTHING)
 {
 	m_narrowphase->addUser();
 	m_narrowphase->addPair(this, m_switches, &m_index);
 	if (m_switches)
 		m_narrowphase->getPlanner()->addPair(m_bodies.m_objects[0], m_bodies.m_objects[1], &m_planIndex);
-	m_bodies.take(btMax(m_bodies.m_objects[0]->getNumLevels(), m_bodies.m_objects[1]->getNumLevels()), m_narrowphase->getObjects());
+	m_bodies.take(btMax(m_bodies.m_objects[0]->getNumLevels(), m_bodies.m_objects[1]->getNumLevels()),
+	              m_narrowphase->getObjects());
 }
 
 // What is freed here was got from the dispatcher, whichever call was under way.
@@ -36,8 +43,7 @@ btHybridPairAlgorithm::~btHybridPairAlgorithm()
 {
 	endForesight();
 	btManifoldArray own;
-	getPair().forEachManifold([&own](void* manifold)
-	                          { own.push_back(static_cast<btPersistentManifold*>(manifold)); });
+	getPair().forEachManifold([&own](void* manifold) { own.push_back(static_cast<btPersistentManifold*>(manifold)); });
 	for (int i = 0; i < own.size(); i++)
 		m_dispatcher->releaseManifold(own[i]);
 	m_fallback.release(m_dispatcher);
@@ -68,7 +74,8 @@ bool btHybridPairAlgorithm::hasRestarted() const
 bool btHybridPairAlgorithm::staysQuiet(const scatter::pairs::PlacedBodies& bodies) const
 {
 	Pair& pair = getPair();
-	return pair.quietUntil >= 0 && m_narrowphase->getPlanner()->isSettled(m_planIndex) && scatter::pairs::staysQuiet(pair, bodies);
+	return pair.quietUntil >= 0 && m_narrowphase->getPlanner()->isSettled(m_planIndex) &&
+	       scatter::pairs::staysQuiet(pair, bodies);
 }
 
 void btHybridPairAlgorithm::takeQuiet()
@@ -121,12 +128,12 @@ class ManifoldPeek : public scatter::pairs::ContactPeek
 
 	bool areBoth(const ChildPair& child, int type) const
 	{
-		return m_bodies.m_bodies[0]->getChildShape(child.a)->getShapeType() == type && m_bodies.m_bodies[1]->getChildShape(child.b)->getShapeType() == type;
+		return m_bodies.m_bodies[0]->getChildShape(child.a)->getShapeType() == type &&
+		       m_bodies.m_bodies[1]->getChildShape(child.b)->getShapeType() == type;
 	}
 
 public:
-	ManifoldPeek(const btHybridPairBodies& bodies, bool carries)
-	    : m_bodies(bodies), m_carries(carries)
+	ManifoldPeek(const btHybridPairBodies& bodies, bool carries) : m_bodies(bodies), m_carries(carries)
 	{
 	}
 	virtual bool carries() const
@@ -135,12 +142,14 @@ public:
 	}
 	virtual bool wouldOutlast(void* contact) const
 	{
-		return m_carries ? wouldSlide(contact) < std::numeric_limits<float>::infinity() : btHybridContacts::wouldOutlast(*btHybridContacts::at(contact));
+		return m_carries ? wouldSlide(contact) < std::numeric_limits<float>::infinity()
+		                 : btHybridContacts::wouldOutlast(*btHybridContacts::at(contact));
 	}
 	virtual float wouldSlide(void* contact) const
 	{
 		btPersistentManifold* manifold = btHybridContacts::at(contact);
-		return m_carries ? btHybridContacts::carry(manifold, manifold->getBody0(), manifold->getBody1()) : btHybridContacts::wouldSlide(*manifold);
+		return m_carries ? btHybridContacts::carry(manifold, manifold->getBody0(), manifold->getBody1())
+		                 : btHybridContacts::wouldSlide(*manifold);
 	}
 	// Other detectors take memory of the dispatcher.
 	virtual bool detectsAnywhere(const ChildPair& child) const
@@ -152,7 +161,8 @@ public:
 
 bool btHybridPairAlgorithm::mayBeForeseen() const
 {
-	const bool isAwake = m_bodies.m_objects[0]->getObject()->isActive() || m_bodies.m_objects[1]->getObject()->isActive();
+	const bool isAwake =
+	    m_bodies.m_objects[0]->getObject()->isActive() || m_bodies.m_objects[1]->getObject()->isActive();
 	if (!isAwake || !m_switches)
 		return isAwake;
 	return m_narrowphase->getPlanner()->isForeseeable(m_planIndex, m_bodies.m_level);
@@ -166,8 +176,10 @@ bool btHybridPairAlgorithm::follow(btDispatcher* dispatcher)
 	bool areThere = true;
 	for (int i = 0; i < 2; i++)
 	{
-		const btCollisionShape* shape = m_switches ? m_bodies.m_bodies[i]->getShapeNow() : objects[i]->getCollisionShape();
-		areThere = m_narrowphase->getObjects().update(m_bodies.m_bodies[i], shape, objects[i]->getWorldTransform()) && areThere;
+		const btCollisionShape* shape =
+		    m_switches ? m_bodies.m_bodies[i]->getShapeNow() : objects[i]->getCollisionShape();
+		areThere = m_narrowphase->getObjects().update(m_bodies.m_bodies[i], shape, objects[i]->getWorldTransform()) &&
+		           areThere;
 	}
 	return areThere;
 }
@@ -200,8 +212,10 @@ void btHybridPairAlgorithm::foresee(btHybridAhead& ahead, btHybridStepMemory& me
 		return;
 	const size_t used = memory.m_foresight.used;
 	const ManifoldPeek peek(m_bodies, ahead.m_mayStep);
-	const bool isDecided = scatter::pairs::foresee(pair, bodies, m_narrowphase->getSteps(), peek, ahead.m_locks, memory.m_foresight);
-	if (!isDecided || !btHybridAheadRules::mayStep(ahead, m_bodies.m_objects[0]->getObject(), m_bodies.m_objects[1]->getObject()))
+	const bool isDecided =
+	    scatter::pairs::foresee(pair, bodies, m_narrowphase->getSteps(), peek, ahead.m_locks, memory.m_foresight);
+	if (!isDecided ||
+	    !btHybridAheadRules::mayStep(ahead, m_bodies.m_objects[0]->getObject(), m_bodies.m_objects[1]->getObject()))
 		return;
 	stepAhead(ahead, memory);
 	// The step has made use of it: the next pair may have its memory.
@@ -213,15 +227,20 @@ void btHybridPairAlgorithm::stepAhead(const btHybridAhead& ahead, btHybridStepMe
 {
 	btHybridNarrowphase& shared = *m_narrowphase;
 	const btCollisionObject* objects[2] = {m_bodies.m_objects[0]->getObject(), m_bodies.m_objects[1]->getObject()};
-	const btCollisionObjectWrapper wrap0(0, objects[0]->getCollisionShape(), objects[0], objects[0]->getWorldTransform(), -1, -1);
-	const btCollisionObjectWrapper wrap1(0, objects[1]->getCollisionShape(), objects[1], objects[1]->getWorldTransform(), -1, -1);
+	const btCollisionObjectWrapper wrap0(0, objects[0]->getCollisionShape(), objects[0],
+	                                     objects[0]->getWorldTransform(), -1, -1);
+	const btCollisionObjectWrapper wrap1(0, objects[1]->getCollisionShape(), objects[1],
+	                                     objects[1]->getWorldTransform(), -1, -1);
 	btManifoldResult result(&wrap0, &wrap1);
 	const btHybridPairCall call = {{&wrap0, &wrap1}, *ahead.m_info, &result};
 	scatter::pairs::StepAhead& step = memory.m_foresight.takeStep();
-	btHybridAheadEngine<btHybridPairEngine> engine(memory, step.notes, static_cast<btCollisionDispatcher*>(m_dispatcher), shared.getObjects(), m_bodies, call, m_fallback, shared.getSteps().ownGjk, m_switches);
+	btHybridAheadEngine<btHybridPairEngine> engine(
+	    memory, step.notes, static_cast<btCollisionDispatcher*>(m_dispatcher), shared.getObjects(), m_bodies, call,
+	    m_fallback, shared.getSteps().ownGjk, m_switches);
 	Pair& pair = getPair();
 	if (m_switches)
-		step.outcome = scatter::pairs::stepPair(pair, shared.getPlanner()->planPair(m_planIndex), shared.getSteps(), engine, memory.m_step, step.work);
+		step.outcome = scatter::pairs::stepPair(pair, shared.getPlanner()->planPair(m_planIndex), shared.getSteps(),
+		                                        engine, memory.m_step, step.work);
 	else
 		scatter::pairs::collidePair(pair, m_bodies.m_level, shared.getSteps(), engine, memory.m_step, step.work);
 	pair.ahead = &step;
@@ -249,19 +268,24 @@ void btHybridPairAlgorithm::endForesight()
 	pair.foresight = 0;
 }
 
-void btHybridPairAlgorithm::processCollision(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut)
+void btHybridPairAlgorithm::processCollision(const btCollisionObjectWrapper* body0Wrap,
+                                             const btCollisionObjectWrapper* body1Wrap,
+                                             const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut)
 {
 	if (passBy())
 		return;
 	btHybridNarrowphase& shared = *m_narrowphase;
 	btHybridPlanner* planner = m_switches ? shared.getPlanner() : 0;
-	shared.getLookahead().visit(this, m_index, shared.getPairs(m_switches), shared.countPairs(), planner ? &planner->pair(m_planIndex) : 0);
+	shared.getLookahead().visit(this, m_index, shared.getPairs(m_switches), shared.countPairs(),
+	                            planner ? &planner->pair(m_planIndex) : 0);
 	const btHybridPairCall call = {{body0Wrap, body1Wrap}, dispatchInfo, resultOut};
-	btHybridPairEngine engine(static_cast<btCollisionDispatcher*>(m_dispatcher), shared.getObjects(), m_bodies, call, m_fallback, shared.getSteps().ownGjk, m_switches);
+	btHybridPairEngine engine(static_cast<btCollisionDispatcher*>(m_dispatcher), shared.getObjects(), m_bodies, call,
+	                          m_fallback, shared.getSteps().ownGjk, m_switches);
 	Pair& pair = getPair();
 	if (!planner)
 	{
-		scatter::pairs::collidePair(pair, m_bodies.m_level, shared.getSteps(), engine, shared.beginPair(), shared.getWork());
+		scatter::pairs::collidePair(pair, m_bodies.m_level, shared.getSteps(), engine, shared.beginPair(),
+		                            shared.getWork());
 		shared.endPair();
 		return;
 	}
@@ -269,7 +293,8 @@ void btHybridPairAlgorithm::processCollision(const btCollisionObjectWrapper* bod
 	if (!pair.foresight && pair.quietUntil >= 0 && engine.follow(bodies) && staysQuiet(bodies))
 		return takeQuiet();
 	const scatter::pairs::PairPlan plan = planner->planPair(m_planIndex);
-	const scatter::pairs::PairOutcome outcome = scatter::pairs::stepPair(pair, plan, shared.getSteps(), engine, shared.beginPair(), shared.getWork());
+	const scatter::pairs::PairOutcome outcome =
+	    scatter::pairs::stepPair(pair, plan, shared.getSteps(), engine, shared.beginPair(), shared.getWork());
 	shared.endPair();
 	planner->take(m_planIndex, outcome);
 }

@@ -7,8 +7,8 @@
 
 class btHybridNarrowphase;
 
-/// The narrowphase of two lists of convex parts, owned by their broadphase pair: hands Bullet's calls to the pair in the
-/// narrowphase's table. Small, because Bullet's pool takes algorithms of any size without looking.
+/// The narrowphase of two lists of convex parts, owned by their broadphase pair: hands Bullet's calls to the pair in
+/// the narrowphase's table. Small, because Bullet's pool takes algorithms of any size without looking.
 class btHybridPairAlgorithm : public btHybridAlgorithm
 {
 	btHybridNarrowphase* m_narrowphase;
@@ -36,7 +36,8 @@ class btHybridPairAlgorithm : public btHybridAlgorithm
 	void foreseeQuiet(btHybridStepMemory& memory);
 
 public:
-	btHybridPairAlgorithm(const btCollisionAlgorithmConstructionInfo& info, btHybridNarrowphase* narrowphase, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap);
+	btHybridPairAlgorithm(const btCollisionAlgorithmConstructionInfo& info, btHybridNarrowphase* narrowphase,
+	                      const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap);
 	virtual ~btHybridPairAlgorithm();
 
 	virtual int getPlanIndex() const
@@ -52,7 +53,8 @@ public:
 	/// Fetches memory that passBy() is going to need soon.
 	void fetchNext() const;
 
-	virtual void processCollision(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap, const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut);
+	virtual void processCollision(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap,
+	                              const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut);
 
 	virtual bool mayBeForeseen() const;
 	virtual bool follow(btDispatcher* dispatcher);

@@ -28,12 +28,16 @@ public:
 	    : ChildScope(result, *bodies.m_bodies[0], child.a, *bodies.m_bodies[1], child.b)
 	{
 	}
-	ChildScope(btManifoldResult* result, const btHybridPartBody& bodyA, int partA, const btHybridPartBody& bodyB, int partB)
+	ChildScope(btManifoldResult* result, const btHybridPartBody& bodyA, int partA, const btHybridPartBody& bodyB,
+	           int partB)
 	    : m_result(result),
 	      m_before{result->getBody0Wrap(), result->getBody1Wrap()},
-	      m_transforms{bodyA.getChildTransform(partA, m_before[0]->getWorldTransform()), bodyB.getChildTransform(partB, m_before[1]->getWorldTransform())},
-	      m_children{{m_before[0], bodyA.getChildShape(partA), m_before[0]->getCollisionObject(), m_transforms[0], -1, bodyA.getChildIndex(partA)},
-	                 {m_before[1], bodyB.getChildShape(partB), m_before[1]->getCollisionObject(), m_transforms[1], -1, bodyB.getChildIndex(partB)}}
+	      m_transforms{bodyA.getChildTransform(partA, m_before[0]->getWorldTransform()),
+	                   bodyB.getChildTransform(partB, m_before[1]->getWorldTransform())},
+	      m_children{{m_before[0], bodyA.getChildShape(partA), m_before[0]->getCollisionObject(), m_transforms[0], -1,
+	                  bodyA.getChildIndex(partA)},
+	                 {m_before[1], bodyB.getChildShape(partB), m_before[1]->getCollisionObject(), m_transforms[1], -1,
+	                  bodyB.getChildIndex(partB)}}
 	{
 		m_wraps[0] = bodyA.getChildIndex(partA) < 0 ? m_before[0] : &m_children[0];
 		m_wraps[1] = bodyB.getChildIndex(partB) < 0 ? m_before[1] : &m_children[1];
@@ -63,8 +67,7 @@ struct PointResult : public btDiscreteCollisionDetectorInterface::Result
 	btScalar m_distance;
 	bool m_found;
 
-	PointResult()
-	    : m_normal(0, 0, 0), m_point(0, 0, 0), m_distance(0), m_found(false)
+	PointResult() : m_normal(0, 0, 0), m_point(0, 0, 0), m_distance(0), m_found(false)
 	{
 	}
 	virtual void setShapeIdentifiersA(int, int)
@@ -115,7 +118,8 @@ void collideSpheres(const btCollisionObjectWrapper* a, const btCollisionObjectWr
 	if (length > radiusA + radiusB)
 		return;
 	const btVector3 normal = length > SIMD_EPSILON ? between / length : btVector3(1, 0, 0);
-	result->addContactPoint(normal, b->getWorldTransform().getOrigin() + radiusB * normal, length - (radiusA + radiusB));
+	result->addContactPoint(normal, b->getWorldTransform().getOrigin() + radiusB * normal,
+	                        length - (radiusA + radiusB));
 }
 
 bool areBoth(int type, const btCollisionShape* a, const btCollisionShape* b)
@@ -138,7 +142,8 @@ void btHybridPairEngine::add(ChildPair& child, const scatter::PartContact& conta
 	const scatter::Vec3 normal = -frameA.rotate(contact.axis);
 	ChildScope scope(m_call.m_result, m_bodies, child);
 	m_call.m_result->setPersistentManifold(manifoldOf(child));
-	m_call.m_result->addContactPoint(btVector3(normal.x, normal.y, normal.z), toWorld(frameA, contact.pointB), contact.distance);
+	m_call.m_result->addContactPoint(btVector3(normal.x, normal.y, normal.z), toWorld(frameA, contact.pointB),
+	                                 contact.distance);
 }
 
 void btHybridPairEngine::detect(scatter::PartPair& parts, ChildPair& child)
@@ -193,13 +198,15 @@ bool btHybridPairEngine::isOdd(int body, int part) const
 
 bool btHybridPairEngine::areSpheres(const ChildPair& child) const
 {
-	return getPart(0, child.a).kind == scatter::PartKind::kSphere && getPart(1, child.b).kind == scatter::PartKind::kSphere;
+	return getPart(0, child.a).kind == scatter::PartKind::kSphere &&
+	       getPart(1, child.b).kind == scatter::PartKind::kSphere;
 }
 
 // In the place of scatter's GJK, to measure what that is worth.
 void btHybridPairEngine::detectByGjk(scatter::PartPair& parts, ChildPair& child)
 {
-	const btCollisionShape* shapes[2] = {m_bodies.m_bodies[0]->getChildShape(child.a), m_bodies.m_bodies[1]->getChildShape(child.b)};
+	const btCollisionShape* shapes[2] = {m_bodies.m_bodies[0]->getChildShape(child.a),
+	                                     m_bodies.m_bodies[1]->getChildShape(child.b)};
 	if (areBoth(BOX_SHAPE_PROXYTYPE, shapes[0], shapes[1]) || areBoth(SPHERE_SHAPE_PROXYTYPE, shapes[0], shapes[1]))
 		return detectByAlgorithm(child);
 	ChildScope scope(m_call.m_result, m_bodies, child);
@@ -210,14 +217,16 @@ void btHybridPairEngine::detectByGjk(scatter::PartPair& parts, ChildPair& child)
 	input.m_maximumDistanceSquared = furthest * furthest;
 	btVoronoiSimplexSolver simplex;
 	btGjkEpaPenetrationDepthSolver penetration;
-	btGjkPairDetector detector(static_cast<const btConvexShape*>(shapes[0]), static_cast<const btConvexShape*>(shapes[1]), &simplex, &penetration);
+	btGjkPairDetector detector(static_cast<const btConvexShape*>(shapes[0]),
+	                           static_cast<const btConvexShape*>(shapes[1]), &simplex, &penetration);
 	PointResult result;
 	detector.getClosestPoints(input, result, 0);
 	btVector3 axis = result.m_found ? -result.m_normal : -detector.getCachedSeparatingAxis();
 	if (axis.length2() > SIMD_EPSILON)
 	{
 		axis = m_call.m_wraps[0]->getWorldTransform().getBasis().transpose() * axis.normalized();
-		parts.learnAxis(child, m_bodies.m_bodies[0]->getBody(), m_bodies.m_bodies[1]->getBody(), scatter::Vec3(axis.x(), axis.y(), axis.z()));
+		parts.learnAxis(child, m_bodies.m_bodies[0]->getBody(), m_bodies.m_bodies[1]->getBody(),
+		                scatter::Vec3(axis.x(), axis.y(), axis.z()));
 	}
 	if (!result.m_found || result.m_distance > parts.threshold())
 		return;

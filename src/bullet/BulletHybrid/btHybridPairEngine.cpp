@@ -8,8 +8,10 @@ using scatter::ChildPair;
 btHybridPairEngine::LevelScope::LevelScope(const btHybridPairCall& call, const btHybridPairBodies& bodies)
     : m_result(call.m_result),
       m_before{m_result->getBody0Wrap(), m_result->getBody1Wrap()},
-      m_levels{{0, bodies.m_bodies[0]->getShape(), call.m_wraps[0]->getCollisionObject(), call.m_wraps[0]->getWorldTransform(), -1, -1},
-               {0, bodies.m_bodies[1]->getShape(), call.m_wraps[1]->getCollisionObject(), call.m_wraps[1]->getWorldTransform(), -1, -1}}
+      m_levels{{0, bodies.m_bodies[0]->getShape(), call.m_wraps[0]->getCollisionObject(),
+                call.m_wraps[0]->getWorldTransform(), -1, -1},
+               {0, bodies.m_bodies[1]->getShape(), call.m_wraps[1]->getCollisionObject(),
+                call.m_wraps[1]->getWorldTransform(), -1, -1}}
 {
 	m_result->setBody0Wrap(&m_levels[0]);
 	m_result->setBody1Wrap(&m_levels[1]);
@@ -91,7 +93,8 @@ float btHybridPairEngine::pointDistance() const
 void btHybridPairEngine::fallBack()
 {
 	if (!m_fallback.get())
-		m_fallback.set(m_dispatcher->findAlgorithm(m_call.m_wraps[0], m_call.m_wraps[1], 0, BT_CONTACT_POINT_ALGORITHMS));
+		m_fallback.set(
+		    m_dispatcher->findAlgorithm(m_call.m_wraps[0], m_call.m_wraps[1], 0, BT_CONTACT_POINT_ALGORITHMS));
 	m_fallback.get()->processCollision(m_call.m_wraps[0], m_call.m_wraps[1], m_call.m_info, m_call.m_result);
 }
 
@@ -102,11 +105,13 @@ bool btHybridPairEngine::letsThrough(const ChildPair& child) const
 	const btHybridPartBody& bodyB = *m_bodies.m_bodies[1];
 	const bool isChildA = bodyA.getChildIndex(child.a) >= 0;
 	if (isChildA && bodyB.getChildIndex(child.b) >= 0)
-		return !gCompoundCompoundChildShapePairCallback || gCompoundCompoundChildShapePairCallback(bodyA.getChildShape(child.a), bodyB.getChildShape(child.b));
+		return !gCompoundCompoundChildShapePairCallback ||
+		       gCompoundCompoundChildShapePairCallback(bodyA.getChildShape(child.a), bodyB.getChildShape(child.b));
 	if (!gCompoundChildShapePairCallback)
 		return true;
 	// Bullet names the compound's child last.
-	return isChildA ? gCompoundChildShapePairCallback(bodyB.getChildShape(child.b), bodyA.getChildShape(child.a)) : gCompoundChildShapePairCallback(bodyA.getChildShape(child.a), bodyB.getChildShape(child.b));
+	return isChildA ? gCompoundChildShapePairCallback(bodyB.getChildShape(child.b), bodyA.getChildShape(child.a))
+	                : gCompoundChildShapePairCallback(bodyA.getChildShape(child.a), bodyB.getChildShape(child.b));
 }
 
 // The test of the leaves that Bullet's compound algorithms make before a child pair comes into contact.
@@ -126,7 +131,8 @@ bool btHybridPairEngine::mayBegin(const ChildPair& child) const
 	}
 	else
 	{
-		bodyA.getChildShape(child.a)->getAabb(frameB.inverseTimes(bodyA.getChildTransform(child.a, frameA)), minA, maxA);
+		bodyA.getChildShape(child.a)->getAabb(frameB.inverseTimes(bodyA.getChildTransform(child.a, frameA)), minA,
+		                                      maxA);
 		bodyB.getLeaf(child.b, minB, maxB);
 	}
 	return TestAabbAgainstAabb2(minA, maxA, minB, maxB);

@@ -40,8 +40,8 @@ struct btHybridPairCall
 /// Bullet, as a pair sees it in one step: wrappers in, manifolds out.
 class btHybridPairEngine : public btHybridManifolds<scatter::pairs::PairEngine>
 {
-	/// Shows a manifold result, and what is called with it, the shapes of the pair's level in the place of the finest ones,
-	/// for as long as it lives.
+	/// Shows a manifold result, and what is called with it, the shapes of the pair's level in the place of the finest
+	/// ones, for as long as it lives.
 	class LevelScope
 	{
 		btManifoldResult* m_result;
@@ -78,12 +78,20 @@ class btHybridPairEngine : public btHybridManifolds<scatter::pairs::PairEngine>
 
 public:
 	/// switches: the pair has a level, so that the bodies' shapes are not those of the call. All must outlive it.
-	btHybridPairEngine(btCollisionDispatcher* dispatcher, btHybridObjects& objects, btHybridPairBodies& bodies, const btHybridPairCall& call, btHybridFallback& fallback, bool ownGjk, bool switches)
-	    : btHybridManifolds(dispatcher, call.m_wraps[0], call.m_wraps[1]), m_objects(objects), m_bodies(bodies), m_call(call), m_fallback(fallback), m_ownGjk(ownGjk), m_switches(switches)
+	btHybridPairEngine(btCollisionDispatcher* dispatcher, btHybridObjects& objects, btHybridPairBodies& bodies,
+	                   const btHybridPairCall& call, btHybridFallback& fallback, bool ownGjk, bool switches)
+	    : btHybridManifolds(dispatcher, call.m_wraps[0], call.m_wraps[1]),
+	      m_objects(objects),
+	      m_bodies(bodies),
+	      m_call(call),
+	      m_fallback(fallback),
+	      m_ownGjk(ownGjk),
+	      m_switches(switches)
 	{
 	}
 
-	/// Where the bodies are, with the shapes that they have been placed with last; no contacts are going to be looked for.
+	/// Where the bodies are, with the shapes that they have been placed with last; no contacts are going to be looked
+	/// for.
 	bool follow(scatter::pairs::PlacedBodies& bodies);
 
 	virtual bool place(int level, scatter::pairs::PlacedBodies& bodies);

@@ -8,7 +8,8 @@
 #include "btHybridAlgorithm.h"
 #include "btHybridPlanner.h"
 
-btHybridChildKey::btHybridChildKey(const btCollisionObject* body0, const btCollisionObject* body1, int child0, int child1)
+btHybridChildKey::btHybridChildKey(const btCollisionObject* body0, const btCollisionObject* body1, int child0,
+                                   int child1)
 {
 	const int number0 = body0->getBroadphaseHandle()->m_uniqueId;
 	const int number1 = body1->getBroadphaseHandle()->m_uniqueId;
@@ -29,7 +30,8 @@ bool btHybridChildKey::less(const btHybridChildKey& a, const btHybridChildKey& b
 	return a.m_children[0] != b.m_children[0] ? a.m_children[0] < b.m_children[0] : a.m_children[1] < b.m_children[1];
 }
 
-const btHybridChildManifold* btHybridChildManifold::find(const btAlignedObjectArray<btHybridChildManifold>& sorted, const btHybridChildKey& key)
+const btHybridChildManifold* btHybridChildManifold::find(const btAlignedObjectArray<btHybridChildManifold>& sorted,
+                                                         const btHybridChildKey& key)
 {
 	int first = 0;
 	int last = sorted.size();
@@ -143,7 +145,9 @@ public:
 	}
 
 	// Some algorithms make their manifolds at once, before any result hears of the children.
-	virtual btCollisionAlgorithm* findAlgorithm(const btCollisionObjectWrapper* wrap0, const btCollisionObjectWrapper* wrap1, btPersistentManifold* shared, ebtDispatcherQueryType type)
+	virtual btCollisionAlgorithm* findAlgorithm(const btCollisionObjectWrapper* wrap0,
+	                                            const btCollisionObjectWrapper* wrap1, btPersistentManifold* shared,
+	                                            ebtDispatcherQueryType type)
 	{
 		setChild(wrap0->getCollisionObject(), wrap0->m_index);
 		setChild(wrap1->getCollisionObject(), wrap1->m_index);
@@ -187,8 +191,7 @@ class btHybridParallelWorld::Filter : public btOverlapFilterCallback
 	btOverlappingPairCache* m_model;
 
 public:
-	explicit Filter(btOverlappingPairCache* model)
-	    : m_model(model)
+	explicit Filter(btOverlappingPairCache* model) : m_model(model)
 	{
 	}
 	virtual bool needBroadphaseCollision(btBroadphaseProxy* proxy0, btBroadphaseProxy* proxy1) const
@@ -197,12 +200,12 @@ public:
 		const btCollisionObject* b = StandIn::originalOf(proxy1);
 		if (!btHybridRigidBody::upcast(a) && !btHybridRigidBody::upcast(b))
 			return false;
-		return m_model->needsBroadphaseCollision(const_cast<btBroadphaseProxy*>(a->getBroadphaseHandle()), const_cast<btBroadphaseProxy*>(b->getBroadphaseHandle()));
+		return m_model->needsBroadphaseCollision(const_cast<btBroadphaseProxy*>(a->getBroadphaseHandle()),
+		                                         const_cast<btBroadphaseProxy*>(b->getBroadphaseHandle()));
 	}
 };
 
-btHybridParallelWorld::btHybridParallelWorld(btCollisionWorld* original)
-    : m_original(original), m_planner(0), m_step(0)
+btHybridParallelWorld::btHybridParallelWorld(btCollisionWorld* original) : m_original(original), m_planner(0), m_step(0)
 {
 	btCollisionDispatcher* model = static_cast<btCollisionDispatcher*>(original->getDispatcher());
 	m_configuration = new Configuration(model->getCollisionConfiguration());
@@ -267,8 +270,7 @@ void btHybridParallelWorld::follow()
 			remove(standIn);
 	}
 	// In the order of the originals in their broadphase, which is the order of the two in a pair.
-	added.quickSort([](const StandIn* a, const StandIn* b)
-	                { return a->m_uniqueId < b->m_uniqueId; });
+	added.quickSort([](const StandIn* a, const StandIn* b) { return a->m_uniqueId < b->m_uniqueId; });
 	for (int i = 0; i < added.size(); i++)
 		m_world->addCollisionObject(added[i]);
 	cleanPairs();
@@ -281,7 +283,8 @@ void btHybridParallelWorld::cleanPairs()
 	btBroadphasePairArray& pairs = cache->getOverlappingPairArray();
 	for (int i = 0; i < pairs.size(); i++)
 	{
-		const btBroadphasePair* original = findPair(StandIn::originalOf(pairs[i].m_pProxy0), StandIn::originalOf(pairs[i].m_pProxy1));
+		const btBroadphasePair* original =
+		    findPair(StandIn::originalOf(pairs[i].m_pProxy0), StandIn::originalOf(pairs[i].m_pProxy1));
 		if (!original || !original->m_algorithm)
 			cache->cleanOverlappingPair(pairs[i], m_dispatcher);
 	}
@@ -302,7 +305,8 @@ const btBroadphasePair* btHybridParallelWorld::findPair(const btCollisionObject*
 	return m_original->getBroadphase()->getOverlappingPairCache()->findPair(proxyA, proxyB);
 }
 
-const btHybridAlgorithm* btHybridParallelWorld::findAlgorithm(const btCollisionObject* a, const btCollisionObject* b) const
+const btHybridAlgorithm* btHybridParallelWorld::findAlgorithm(const btCollisionObject* a,
+                                                              const btCollisionObject* b) const
 {
 	const btBroadphasePair* pair = findPair(a, b);
 	return pair ? dynamic_cast<const btHybridAlgorithm*>(pair->m_algorithm) : 0;
@@ -323,7 +327,8 @@ btHybridParallelWorld::Fate btHybridParallelWorld::getFate(const btCollisionObje
 }
 
 // As btCollisionDispatcher::defaultNearCallback, with a result that knows the children.
-void btHybridParallelWorld::collide(btBroadphasePair& pair, btCollisionDispatcher& dispatcher, const btDispatcherInfo& info)
+void btHybridParallelWorld::collide(btBroadphasePair& pair, btCollisionDispatcher& dispatcher,
+                                    const btDispatcherInfo& info)
 {
 	Dispatcher& own = static_cast<Dispatcher&>(dispatcher);
 	const btCollisionObject* a = StandIn::originalOf(pair.m_pProxy0);
@@ -352,7 +357,8 @@ void btHybridParallelWorld::getManifolds(btAlignedObjectArray<btHybridChildManif
 		btPersistentManifold* manifold = m_dispatcher->getManifoldByIndexInternal(i);
 		const btCollisionObject* body0 = StandIn::originalOf(manifold->getBody0());
 		const btCollisionObject* body1 = StandIn::originalOf(manifold->getBody1());
-		manifolds.push_back(btHybridChildManifold(manifold, body0, body1, manifold->m_companionIdA, manifold->m_companionIdB));
+		manifolds.push_back(
+		    btHybridChildManifold(manifold, body0, body1, manifold->m_companionIdA, manifold->m_companionIdB));
 	}
 	if (manifolds.size() > 1)
 		manifolds.quickSort(btHybridChildManifold::less);

@@ -32,7 +32,8 @@ struct btHybridChildManifold
 	btHybridChildManifold()
 	{
 	}
-	btHybridChildManifold(btPersistentManifold* manifold, const btCollisionObject* body0, const btCollisionObject* body1, int child0, int child1)
+	btHybridChildManifold(btPersistentManifold* manifold, const btCollisionObject* body0,
+	                      const btCollisionObject* body1, int child0, int child1)
 	    : m_key(body0, body1, child0, child1), m_manifold(manifold), m_swapped(m_key.m_bodies[0] != body0)
 	{
 	}
@@ -43,7 +44,8 @@ struct btHybridChildManifold
 	}
 
 	/// Of an array that is sorted; 0 if it is not there.
-	static const btHybridChildManifold* find(const btAlignedObjectArray<btHybridChildManifold>& sorted, const btHybridChildKey& key);
+	static const btHybridChildManifold* find(const btAlignedObjectArray<btHybridChildManifold>& sorted,
+	                                         const btHybridChildKey& key);
 };
 
 /// A plain Bullet collision world beside a hybrid one: stand-ins of all its objects, with their shapes and where they
@@ -90,11 +92,12 @@ public:
 	explicit btHybridParallelWorld(btCollisionWorld* original);
 	~btHybridParallelWorld();
 
-	/// Takes in objects, shapes and places. Objects that have left the original are not asked for anything, and may be gone.
+	/// Takes in objects, shapes and places. Objects that have left the original are not asked for anything, and may be
+	/// gone.
 	void follow();
 
-	/// After a narrowphase of the original: Bullet's step of collision detection, for the pairs that it has looked at at
-	/// their finest level. Nothing must have changed since follow().
+	/// After a narrowphase of the original: Bullet's step of collision detection, for the pairs that it has looked at
+	/// at their finest level. Nothing must have changed since follow().
 	void step();
 
 	Fate getFate(const btCollisionObject* a, const btCollisionObject* b) const;

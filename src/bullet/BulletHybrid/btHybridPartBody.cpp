@@ -5,7 +5,12 @@
 #include "BulletHybrid/btHybridRigidBody.h"
 
 btHybridPartBody::btHybridPartBody(const btCollisionObject* object, btHybridParts* parts)
-    : m_object(object), m_parts(parts), m_body(parts->getList(), this), m_changes(btHybridRigidBody::upcast(object) == 0), m_version(0), m_checkedStep(-1)
+    : m_object(object),
+      m_parts(parts),
+      m_body(parts->getList(), this),
+      m_changes(btHybridRigidBody::upcast(object) == 0),
+      m_version(0),
+      m_checkedStep(-1)
 {
 }
 

@@ -3,7 +3,8 @@
 
 #include <LinearMath/btVector3.h>
 
-/// Of a part over a ground, in one step: its bounds in the ground's frame, and whether Bullet lets it come into contact.
+/// Of a part over a ground, in one step: its bounds in the ground's frame, and whether Bullet lets it come into
+/// contact.
 struct btHybridPartBounds
 {
 	btVector3 m_min;
@@ -11,8 +12,7 @@ struct btHybridPartBounds
 	bool m_isKnown;
 	bool m_mayBegin;
 
-	btHybridPartBounds()
-	    : m_isKnown(false), m_mayBegin(false)
+	btHybridPartBounds() : m_isKnown(false), m_mayBegin(false)
 	{
 	}
 };

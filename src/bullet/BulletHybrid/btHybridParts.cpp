@@ -46,7 +46,9 @@ void collectLeaves(const btCollisionShape* shape, const btTransform& transform, 
 		return;
 	}
 	for (int i = 0; i < compound->getNumChildShapes(); i++)
-		collectLeaves(compound->getChildShape(i), index < 0 ? compound->getChildTransform(i) : transform * compound->getChildTransform(i), i, leaves);
+		collectLeaves(compound->getChildShape(i),
+		              index < 0 ? compound->getChildTransform(i) : transform * compound->getChildTransform(i), i,
+		              leaves);
 }
 
 std::vector<Leaf> leavesOf(const btCollisionShape* shape)
@@ -65,7 +67,8 @@ void addCorners(scatter::PartDef& part, const btTransform& transform, const btVe
 {
 	for (int corner = 0; corner < 8; corner++)
 	{
-		const btVector3 local((corner & 1) ? half.x() : -half.x(), (corner & 2) ? half.y() : -half.y(), (corner & 4) ? half.z() : -half.z());
+		const btVector3 local((corner & 1) ? half.x() : -half.x(), (corner & 2) ? half.y() : -half.y(),
+		                      (corner & 4) ? half.z() : -half.z());
 		part.core.push_back(btHybridVec3(transform(center + local)));
 	}
 }
@@ -104,8 +107,9 @@ bool turnsItsBox(const btConvexShape* shape)
 {
 	return isExactly<btBoxShape>(shape) || isExactly<btConvexHullShape>(shape) || isExactly<btSphereShape>(shape) ||
 	       isExactly<btCapsuleShape>(shape) || isExactly<btCapsuleShapeX>(shape) || isExactly<btCapsuleShapeZ>(shape) ||
-	       isExactly<btCylinderShape>(shape) || isExactly<btCylinderShapeX>(shape) || isExactly<btCylinderShapeZ>(shape) ||
-	       isExactly<btMultiSphereShape>(shape) || isExactly<btBox2dShape>(shape) || isExactly<btBU_Simplex1to4>(shape) ||
+	       isExactly<btCylinderShape>(shape) || isExactly<btCylinderShapeX>(shape) ||
+	       isExactly<btCylinderShapeZ>(shape) || isExactly<btMultiSphereShape>(shape) ||
+	       isExactly<btBox2dShape>(shape) || isExactly<btBU_Simplex1to4>(shape) ||
 	       isExactly<btConvexPointCloudShape>(shape) || isExactly<btConvexTriangleMeshShape>(shape);
 }
 
@@ -160,7 +164,8 @@ bool isOpaque(const btConvexShape* shape)
 void addReach(scatter::PartDef& part)
 {
 	const btVector3 center(part.boundsCenter.x, part.boundsCenter.y, part.boundsCenter.z);
-	const btScalar radius = btVector3(part.boundsHalf.x, part.boundsHalf.y, part.boundsHalf.z).length() + part.boundsMargin;
+	const btScalar radius =
+	    btVector3(part.boundsHalf.x, part.boundsHalf.y, part.boundsHalf.z).length() + part.boundsMargin;
 	part.kind = scatter::PartKind::kOpaque;
 	part.margin = 0;
 	addCorners(part, btTransform::getIdentity(), center, btVector3(radius, radius, radius));
@@ -274,7 +279,15 @@ bool btHybridParts::isPartList(const btCollisionShape* shape)
 }
 
 btHybridParts::Mark::Mark(const btCollisionShape* shape, const btTransform& transform, int index)
-    : m_shape(shape), m_index(index), m_points(0), m_features(0), m_transform(transform), m_scaling(shape->getLocalScaling()), m_margin(shape->getMargin()), m_type(shape->getShapeType()), m_numPoints(0)
+    : m_shape(shape),
+      m_index(index),
+      m_points(0),
+      m_features(0),
+      m_transform(transform),
+      m_scaling(shape->getLocalScaling()),
+      m_margin(shape->getMargin()),
+      m_type(shape->getShapeType()),
+      m_numPoints(0)
 {
 	shape->getAabb(btTransform::getIdentity(), m_min, m_max);
 	if (m_type != CONVEX_HULL_SHAPE_PROXYTYPE)
@@ -287,7 +300,10 @@ btHybridParts::Mark::Mark(const btCollisionShape* shape, const btTransform& tran
 
 bool btHybridParts::Mark::operator==(const Mark& other) const
 {
-	return m_shape == other.m_shape && m_index == other.m_index && m_type == other.m_type && m_points == other.m_points && m_numPoints == other.m_numPoints && m_features == other.m_features && m_transform == other.m_transform && m_scaling == other.m_scaling && m_min == other.m_min && m_max == other.m_max && m_margin == other.m_margin;
+	return m_shape == other.m_shape && m_index == other.m_index && m_type == other.m_type &&
+	       m_points == other.m_points && m_numPoints == other.m_numPoints && m_features == other.m_features &&
+	       m_transform == other.m_transform && m_scaling == other.m_scaling && m_min == other.m_min &&
+	       m_max == other.m_max && m_margin == other.m_margin;
 }
 
 // A compound before those that are in it.
@@ -301,7 +317,11 @@ void btHybridParts::addRevisions(const btCompoundShape* compound)
 }
 
 btHybridParts::btHybridParts(const btCollisionShape* shape)
-    : m_shape(shape), m_scaling(shape->getLocalScaling()), m_margin(shape->getMargin()), m_list(makeParts(shape)), m_users(0)
+    : m_shape(shape),
+      m_scaling(shape->getLocalScaling()),
+      m_margin(shape->getMargin()),
+      m_list(makeParts(shape)),
+      m_users(0)
 {
 	if (const btCompoundShape* compound = asCompound(shape))
 		addRevisions(compound);
@@ -315,7 +335,8 @@ bool btHybridParts::isCurrent(bool thorough) const
 	if (!(m_scaling == m_shape->getLocalScaling()) || m_margin != m_shape->getMargin())
 		return false;
 	for (int i = 0; i < m_revisions.size(); i++)
-		if (m_revisions[i].m_compound->getUpdateRevision() != m_revisions[i].m_revision || m_revisions[i].m_compound->getNumChildShapes() != m_revisions[i].m_numChildren)
+		if (m_revisions[i].m_compound->getUpdateRevision() != m_revisions[i].m_revision ||
+		    m_revisions[i].m_compound->getNumChildShapes() != m_revisions[i].m_numChildren)
 			return false;
 	if (!thorough)
 		return true;

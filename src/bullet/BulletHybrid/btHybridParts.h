@@ -6,8 +6,8 @@
 
 #include "collision/part_list.h"
 
-/// The convex parts of a shape: its children if it is a compound, those of compounds in it too, else itself. Kept up to date by asking
-/// isCurrent() and making it anew; not owned by bodies, but counted by them.
+/// The convex parts of a shape: its children if it is a compound, those of compounds in it too, else itself. Kept up to
+/// date by asking isCurrent() and making it anew; not owned by bodies, but counted by them.
 class btHybridParts
 {
 	/// What tells that a convex shape is still the same.
@@ -55,7 +55,8 @@ public:
 	/// `shape` is one that isPartList() allows.
 	explicit btHybridParts(const btCollisionShape* shape);
 
-	/// Whether a shape is convex or a compound of convex children, or of compounds of these: at least one, and not too many.
+	/// Whether a shape is convex or a compound of convex children, or of compounds of these: at least one, and not too
+	/// many.
 	static bool isPartList(const btCollisionShape* shape);
 
 	/// Whether the shape is still what it was. A thorough look compares every part's shape, place, scaling, margin,
@@ -71,7 +72,8 @@ public:
 		return m_list;
 	}
 
-	/// Of a part: its convex shape, where it is in the whole one, and the index by which Bullet knows it, that of a compound's child.
+	/// Of a part: its convex shape, where it is in the whole one, and the index by which Bullet knows it, that of a
+	/// compound's child.
 	const btCollisionShape* getPartShape(int part) const
 	{
 		return m_marks[part].m_shape;

@@ -36,14 +36,16 @@ void btHybridPieces::collect(const btHybridPlacedShape& placed, const btVector3&
 		collectTriangles(placed, aabbMin, aabbMax);
 }
 
-void btHybridPieces::collectChildren(const btHybridPlacedShape& placed, const btVector3& aabbMin, const btVector3& aabbMax)
+void btHybridPieces::collectChildren(const btHybridPlacedShape& placed, const btVector3& aabbMin,
+                                     const btVector3& aabbMax)
 {
 	const btCompoundShape* compound = static_cast<const btCompoundShape*>(placed.m_shape);
 	for (int i = 0; i < compound->getNumChildShapes(); i++)
 		collect({compound->getChildShape(i), placed.m_transform * compound->getChildTransform(i)}, aabbMin, aabbMax);
 }
 
-void btHybridPieces::collectTriangles(const btHybridPlacedShape& placed, const btVector3& aabbMin, const btVector3& aabbMax)
+void btHybridPieces::collectTriangles(const btHybridPlacedShape& placed, const btVector3& aabbMin,
+                                      const btVector3& aabbMax)
 {
 	m_mesh = placed.m_transform;
 	m_meshMargin = placed.m_shape->getMargin();

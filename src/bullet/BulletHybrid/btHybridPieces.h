@@ -35,8 +35,8 @@ struct btHybridPiece
 	}
 };
 
-/// The convex pieces and planes of which shapes are made: of compounds the children, of meshes the triangles. Owns the triangles; the
-/// shapes must outlive it.
+/// The convex pieces and planes of which shapes are made: of compounds the children, of meshes the triangles. Owns the
+/// triangles; the shapes must outlive it.
 class btHybridPieces : public btTriangleCallback
 {
 	std::vector<btHybridPiece> m_pieces;
@@ -49,8 +49,7 @@ class btHybridPieces : public btTriangleCallback
 	void collectTriangles(const btHybridPlacedShape& placed, const btVector3& aabbMin, const btVector3& aabbMax);
 
 public:
-	btHybridPieces()
-	    : m_meshMargin(0)
+	btHybridPieces() : m_meshMargin(0)
 	{
 	}
 
@@ -65,8 +64,8 @@ public:
 	virtual void processTriangle(btVector3* triangle, int part, int index);
 };
 
-/// Calls `visit` with every two pieces of two shapes that are not further apart, by their bounds, than `reach` metres, until it returns
-/// false.
+/// Calls `visit` with every two pieces of two shapes that are not further apart, by their bounds, than `reach` metres,
+/// until it returns false.
 template <class Visit>
 void btHybridVisitPieces(const btHybridPlacedShape& a, const btHybridPlacedShape& b, btScalar reach, const Visit& visit)
 {
@@ -79,7 +78,8 @@ void btHybridVisitPieces(const btHybridPlacedShape& a, const btHybridPlacedShape
 	const btVector3 wide(reach, reach, reach);
 	for (const btHybridPiece& pieceA : piecesA.get())
 		for (const btHybridPiece& pieceB : piecesB.get())
-			if (TestAabbAgainstAabb2(pieceA.m_min - wide, pieceA.m_max + wide, pieceB.m_min, pieceB.m_max) && !visit(pieceA, pieceB))
+			if (TestAabbAgainstAabb2(pieceA.m_min - wide, pieceA.m_max + wide, pieceB.m_min, pieceB.m_max) &&
+			    !visit(pieceA, pieceB))
 				return;
 }
 

@@ -56,14 +56,14 @@ const btCollisionObject* objectOf(const scatter::pairs::PlannedBody& body)
 }
 }  // namespace
 
-btHybridPlanner::btHybridPlanner()
-    : m_listener(0), m_leftOut(0)
+btHybridPlanner::btHybridPlanner() : m_listener(0), m_leftOut(0)
 {
 }
 
 void btHybridPlanner::setInfo(const btHybridPairSwitchingInfo& info)
 {
-	setSettings({info.m_credit, info.m_creditLevel, info.m_retryInterval, info.m_auditDistance, info.m_safetyConditions});
+	setSettings(
+	    {info.m_credit, info.m_creditLevel, info.m_retryInterval, info.m_auditDistance, info.m_safetyConditions});
 }
 
 const char* btHybridPlanner::remember(const scatter::Result<void>& result)
@@ -118,7 +118,8 @@ void btHybridPlanner::setHeld(const btAlignedObjectArray<const btCollisionObject
 
 void btHybridPlanner::addPair(btHybridLevelBodies* object0, btHybridLevelBodies* object1, int* place)
 {
-	Planner::addPair(*object0, *object1, btMax(object0->getNumLevels(), object1->getNumLevels()), double(object0->getNumParts()) * object1->getNumParts(), place);
+	Planner::addPair(*object0, *object1, btMax(object0->getNumLevels(), object1->getNumLevels()),
+	                 double(object0->getNumParts()) * object1->getNumParts(), place);
 }
 
 void btHybridPlanner::addGround(btHybridLevelBodies* body, btHybridLevelBodies* ground, int* place)
@@ -126,7 +127,8 @@ void btHybridPlanner::addGround(btHybridLevelBodies* body, btHybridLevelBodies* 
 	Planner::addGround(*body, *ground, body->getNumLevels(), body->getNumParts(), place);
 }
 
-void btHybridPlanner::plan(const btCollisionObjectArray& objects, const btAlignedObjectArray<btRigidBody*>& moving, int numOverlappingPairs, int numJoints)
+void btHybridPlanner::plan(const btCollisionObjectArray& objects, const btAlignedObjectArray<btRigidBody*>& moving,
+                           int numOverlappingPairs, int numJoints)
 {
 	if (needsBodies())
 	{
@@ -160,15 +162,17 @@ void btHybridPlanner::finish(btDispatcher* dispatcher, const scatter::lod::Solve
 
 void btHybridPlanner::settleSolver(btDispatcher* dispatcher, const scatter::lod::SolverWork& solver)
 {
-	Planner::settle(solver, [&](const scatter::lod::ThinningRule& rule)
+	Planner::settle(solver,
+	                [&](const scatter::lod::ThinningRule& rule)
 	                {
-		findSolved(dispatcher);
-		btHybridContactReductionInfo info;
-		info.m_mostAlike = rule.mostAlike;
-		info.m_leastContacts = rule.leastContacts;
-		m_reduced.find(m_solved.data(), int(m_solved.size()), info);
-		const btHybridContactReductionCount& count = m_reduced.getCount();
-		return scatter::lod::SpareContacts{count.m_contacts, count.m_contacts - count.m_left}; });
+		                findSolved(dispatcher);
+		                btHybridContactReductionInfo info;
+		                info.m_mostAlike = rule.mostAlike;
+		                info.m_leastContacts = rule.leastContacts;
+		                m_reduced.find(m_solved.data(), int(m_solved.size()), info);
+		                const btHybridContactReductionCount& count = m_reduced.getCount();
+		                return scatter::lod::SpareContacts{count.m_contacts, count.m_contacts - count.m_left};
+	                });
 	m_reduced.keepFirst(hiddenContacts());
 	m_leftOut = iterationsLeftOut();
 }

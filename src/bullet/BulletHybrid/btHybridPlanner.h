@@ -46,7 +46,8 @@ public:
 	void addGround(btHybridLevelBodies* body, btHybridLevelBodies* ground, int* place);
 
 	/// Between broadphase and narrowphase.
-	void plan(const btCollisionObjectArray& objects, const btAlignedObjectArray<btRigidBody*>& moving, int numOverlappingPairs, int numJoints);
+	void plan(const btCollisionObjectArray& objects, const btAlignedObjectArray<btRigidBody*>& moving,
+	          int numOverlappingPairs, int numJoints);
 
 	/// After the narrowphase.
 	void finish(btDispatcher* dispatcher, const scatter::lod::SolverWork& solver);

@@ -23,8 +23,7 @@ class Side
 	double m_origin[3];
 
 public:
-	Side(const btConvexShape* shape, const btTransform& pose, const btVector3& from)
-	    : m_shape(shape)
+	Side(const btConvexShape* shape, const btTransform& pose, const btVector3& from) : m_shape(shape)
 	{
 		for (int row = 0; row < 3; row++)
 		{
@@ -63,8 +62,7 @@ class Simplex
 	int m_count;
 
 public:
-	Simplex()
-	    : m_count(0)
+	Simplex() : m_count(0)
 	{
 	}
 
@@ -177,7 +175,8 @@ private:
 };
 }  // namespace
 
-btHybridProvenDistance::btHybridProvenDistance(const btConvexShape* shapeA, const btTransform& a, const btConvexShape* shapeB, const btTransform& b)
+btHybridProvenDistance::btHybridProvenDistance(const btConvexShape* shapeA, const btTransform& a,
+                                               const btConvexShape* shapeB, const btTransform& b)
 {
 	const int mostIterations = 500;
 	const double enough = 1e-9;

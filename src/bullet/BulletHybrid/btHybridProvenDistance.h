@@ -13,7 +13,8 @@ struct btHybridProvenDistance
 
 	/// In double precision, with Bullet's support functions and nothing else of it or of the pair algorithm. Metres;
 	/// where cores overlap, all are less than the margins by what is not known.
-	btHybridProvenDistance(const btConvexShape* shapeA, const btTransform& a, const btConvexShape* shapeB, const btTransform& b);
+	btHybridProvenDistance(const btConvexShape* shapeA, const btTransform& a, const btConvexShape* shapeB,
+	                       const btTransform& b);
 };
 
 #endif  // BT_HYBRID_PROVEN_DISTANCE_H

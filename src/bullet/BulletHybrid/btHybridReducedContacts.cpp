@@ -64,8 +64,8 @@ void btHybridReducedContacts::order(int leastContacts)
 	for (size_t i = 0; i < m_pairs.size(); ++i)
 		if (m_pairs[i].m_contacts >= leastContacts)
 			m_order.push_back(int(i));
-	std::sort(m_order.begin(), m_order.end(), [this](int a, int b)
-	          { return std::tie(m_pairs[a].m_lot, a) < std::tie(m_pairs[b].m_lot, b); });
+	std::sort(m_order.begin(), m_order.end(),
+	          [this](int a, int b) { return std::tie(m_pairs[a].m_lot, a) < std::tie(m_pairs[b].m_lot, b); });
 }
 
 void btHybridReducedContacts::collect(const Pair& pair, btPersistentManifold** manifolds)

@@ -8,7 +8,8 @@
 #include "BulletHybrid/btHybridContactReduction.h"
 #include "solver/contact_reduction.h"
 
-/// Finds the contacts that others of the same two bodies stand for, and hides them from a solver for as long as it works.
+/// Finds the contacts that others of the same two bodies stand for, and hides them from a solver for as long as it
+/// works.
 class btHybridReducedContacts
 {
 	/// The manifolds of two bodies.

@@ -21,7 +21,9 @@ class btHybridRegistration
 		const btHybridRegistration* m_registration;
 		btCollisionAlgorithmCreateFunc* m_default;
 
-		virtual btCollisionAlgorithm* CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap);
+		virtual btCollisionAlgorithm* CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
+		                                                       const btCollisionObjectWrapper* body0Wrap,
+		                                                       const btCollisionObjectWrapper* body1Wrap);
 	};
 
 	btHybridNarrowphase* m_narrowphase;
@@ -38,12 +40,15 @@ class btHybridRegistration
 	void giveUpCharge();
 	bool isForeign(const btCollisionObjectWrapper* wrap) const;
 	bool hasPartLists(const btCollisionObjectWrapper* wrap) const;
-	bool mayTake(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap) const;
+	bool mayTake(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* body0Wrap,
+	             const btCollisionObjectWrapper* body1Wrap) const;
 	int findSideOnGround(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap) const;
 
 public:
-	/// For pairs with a hybrid of `world`, and as the narrowphase's settings say; 0: of no world. Uses the narrowphase as long as it lives.
-	btHybridRegistration(btDispatcher* dispatcher, const btHybridDynamicsWorld* world, btHybridNarrowphase* narrowphase);
+	/// For pairs with a hybrid of `world`, and as the narrowphase's settings say; 0: of no world. Uses the narrowphase
+	/// as long as it lives.
+	btHybridRegistration(btDispatcher* dispatcher, const btHybridDynamicsWorld* world,
+	                     btHybridNarrowphase* narrowphase);
 	~btHybridRegistration();
 
 	/// 0, or why it is not in charge of the dispatcher's hybrid pairs, and how to mend it.

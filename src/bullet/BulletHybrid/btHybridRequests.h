@@ -4,7 +4,8 @@
 #include "BulletHybrid/btHybridRigidBody.h"
 #include "BulletHybrid/btHybridSwitching.h"
 
-/// The requests for the levels of a world's bodies: makes, retracts and fulfils them, counts that and tells the listener.
+/// The requests for the levels of a world's bodies: makes, retracts and fulfils them, counts that and tells the
+/// listener.
 class btHybridRequests
 {
 	btHybridListener* m_listener;
@@ -17,8 +18,7 @@ class btHybridRequests
 	btHybridRequests& operator=(const btHybridRequests&);
 
 public:
-	btHybridRequests()
-	    : m_listener(0), m_step(0), m_standing(0)
+	btHybridRequests() : m_listener(0), m_step(0), m_standing(0)
 	{
 	}
 

@@ -24,7 +24,8 @@ int startLevelOrFinest(const btHybridLevelSet* levels, int startLevel)
 	return startLevel == 0 ? finest : btMin(btMax(startLevel, 1), finest);
 }
 
-btRigidBody::btRigidBodyConstructionInfo withShape(btRigidBody::btRigidBodyConstructionInfo info, const btHybridLevelSet* levels, int startLevel)
+btRigidBody::btRigidBodyConstructionInfo withShape(btRigidBody::btRigidBodyConstructionInfo info,
+                                                   const btHybridLevelSet* levels, int startLevel)
 {
 	const int level = startLevelOrFinest(levels, startLevel);
 	if (level > 0)
@@ -35,7 +36,8 @@ btRigidBody::btRigidBodyConstructionInfo withShape(btRigidBody::btRigidBodyConst
 }
 }  // namespace
 
-btHybridRigidBody::btHybridRigidBody(const btRigidBodyConstructionInfo& constructionInfo, const btHybridLevelSet* levels, int startLevel)
+btHybridRigidBody::btHybridRigidBody(const btRigidBodyConstructionInfo& constructionInfo,
+                                     const btHybridLevelSet* levels, int startLevel)
     : btRigidBody(withShape(constructionInfo, levels, startLevel)),
       m_levels(levels ? levels : noLevels()),
       m_finestLevel(m_levels->getNumLevels()),

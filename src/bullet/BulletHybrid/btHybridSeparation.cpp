@@ -78,8 +78,7 @@ struct PartsQuery
 
 struct TriangleQuery : public PartsQuery, public btTriangleCallback
 {
-	explicit TriangleQuery(const PartsQuery& query)
-	    : PartsQuery(query)
+	explicit TriangleQuery(const PartsQuery& query) : PartsQuery(query)
 	{
 	}
 
@@ -106,8 +105,7 @@ bool meshIsSeparated(const btHybridPlacedShape& mesh, const btHybridPlacedShape&
 
 struct ChildQuery : public PartsQuery, public btDbvt::ICollide
 {
-	explicit ChildQuery(const PartsQuery& query)
-	    : PartsQuery(query)
+	explicit ChildQuery(const PartsQuery& query) : PartsQuery(query)
 	{
 	}
 
@@ -187,8 +185,8 @@ bool isSeparated(const btHybridPlacedShape& a, const btHybridPlacedShape& b, btS
 
 }  // namespace
 
-bool btHybridIsSeparated(const btCollisionShape* shapeA, const btTransform& transformA,
-                         const btCollisionShape* shapeB, const btTransform& transformB, btScalar gap)
+bool btHybridIsSeparated(const btCollisionShape* shapeA, const btTransform& transformA, const btCollisionShape* shapeB,
+                         const btTransform& transformB, btScalar gap)
 {
 	// A tree of bounds finds nothing near what is nowhere.
 	if (!shapeA || !shapeB || !btHybridIsFinite(transformA) || !btHybridIsFinite(transformB) || !std::isfinite(gap))

@@ -53,12 +53,16 @@ const char* btHybridCheckThreads(int threads)
 
 const char* btHybridCheckBudget(double milliseconds)
 {
-	return std::isfinite(milliseconds) && milliseconds > 0 ? 0 : "a budget must be a finite number of milliseconds above 0; removeBudget() ends one";
+	return std::isfinite(milliseconds) && milliseconds > 0
+	           ? 0
+	           : "a budget must be a finite number of milliseconds above 0; removeBudget() ends one";
 }
 
 const char* btHybridCheckBudgetUnits(double units)
 {
-	return std::isfinite(units) && units > 0 ? 0 : "a budget must be a finite number of units above 0; removeBudget() ends one";
+	return std::isfinite(units) && units > 0
+	           ? 0
+	           : "a budget must be a finite number of units above 0; removeBudget() ends one";
 }
 
 const char* btHybridCheckReplay(const double* units, int count)
@@ -67,7 +71,8 @@ const char* btHybridCheckReplay(const double* units, int count)
 		return "a budget to be replayed needs the units of at least one step; removeBudget() ends one";
 	for (int i = 0; i < count; i++)
 		if (!std::isfinite(units[i]) || units[i] < 0)
-			return "a budget to be replayed needs finite units in every step, not negative; 0 is a step without a budget";
+			return "a budget to be replayed needs finite units in every step, not negative; 0 is a step without a "
+			       "budget";
 	return 0;
 }
 
@@ -75,5 +80,7 @@ const char* btHybridCheckFocus(const btVector3& eye, const btVector3& target, bt
 {
 	if (!btHybridIsFinite(eye) || !btHybridIsFinite(target))
 		return "the focus needs an eye and a target that are finite; removeFocus() ends it";
-	return fieldOfView > 0 && fieldOfView < SIMD_PI ? 0 : "the focus needs a vertical field of view between 0 and pi, in radians";
+	return fieldOfView > 0 && fieldOfView < SIMD_PI
+	           ? 0
+	           : "the focus needs a vertical field of view between 0 and pi, in radians";
 }

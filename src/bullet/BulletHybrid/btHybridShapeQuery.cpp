@@ -33,7 +33,8 @@ struct Child
 	btTransform m_transform;
 
 	Child(const btHybridParts& parts, const btTransform& body, int part)
-	    : m_shape(static_cast<const btConvexShape*>(parts.getPartShape(part))), m_transform(body * parts.getPartTransform(part))
+	    : m_shape(static_cast<const btConvexShape*>(parts.getPartShape(part))),
+	      m_transform(body * parts.getPartTransform(part))
 	{
 	}
 };
@@ -71,7 +72,8 @@ scatter::GjkResult coreDistance(const PartPlaces& places, const scatter::Neighbo
 	const scatter::PartList::Part& b = places.partB(near);
 	const bool boxes = areBoxes(a, b);
 	scatter::WarmSimplex warm;
-	return scatter::gjkDistance(boxes ? a.sharp : a.core, boxes ? b.sharp : b.core, places.m_frameB, near.axis, enough, c_gjkTolerance, warm);
+	return scatter::gjkDistance(boxes ? a.sharp : a.core, boxes ? b.sharp : b.core, places.m_frameB, near.axis, enough,
+	                            c_gjkTolerance, warm);
 }
 
 btScalar marginOf(const PartPlaces& places, const scatter::Neighbours& near)
@@ -147,10 +149,12 @@ btScalar pieceDistance(const btHybridPiece& a, const btHybridPiece& b)
 bool piecesOverlapDeeper(const btHybridPlacedShape& a, const btHybridPlacedShape& b, btScalar depth)
 {
 	bool deeper = false;
-	btHybridVisitPieces(a, b, 0, [&](const btHybridPiece& pieceA, const btHybridPiece& pieceB)
+	btHybridVisitPieces(a, b, 0,
+	                    [&](const btHybridPiece& pieceA, const btHybridPiece& pieceB)
 	                    {
 		                    deeper = pieceDepth(pieceA, pieceB) > depth;
-		                    return !deeper; });
+		                    return !deeper;
+	                    });
 	return deeper;
 }
 
@@ -158,11 +162,14 @@ btScalar piecesDistance(const btHybridPlacedShape& a, const btHybridPlacedShape&
 {
 	btScalar least = BT_LARGE_FLOAT;
 	// A distance beyond the reach that was searched need not be the least.
-	for (btScalar reach = c_firstReach, searched = 0; least > searched && searched < c_furthest; searched = reach, reach *= c_widening)
-		btHybridVisitPieces(a, b, reach, [&](const btHybridPiece& pieceA, const btHybridPiece& pieceB)
+	for (btScalar reach = c_firstReach, searched = 0; least > searched && searched < c_furthest;
+	     searched = reach, reach *= c_widening)
+		btHybridVisitPieces(a, b, reach,
+		                    [&](const btHybridPiece& pieceA, const btHybridPiece& pieceB)
 		                    {
 			                    least = btMin(least, pieceDistance(pieceA, pieceB));
-			                    return true; });
+			                    return true;
+		                    });
 	return least;
 }
 }  // namespace
@@ -188,27 +195,32 @@ const btHybridParts* btHybridShapeQuery::partsOf(const btCollisionShape* shape)
 }
 
 // Nearest, or deepest, first.
-void btHybridShapeQuery::findNear(const scatter::PartList& a, const scatter::PartList& b, const scatter::Frame& frameB, btScalar limit)
+void btHybridShapeQuery::findNear(const scatter::PartList& a, const scatter::PartList& b, const scatter::Frame& frameB,
+                                  btScalar limit)
 {
 	m_search.byPartBoxes(a, b, frameB, limit);
 	m_near = m_search.found();
-	std::stable_sort(m_near.begin(), m_near.end(), [](const scatter::Neighbours& x, const scatter::Neighbours& y)
+	std::stable_sort(m_near.begin(), m_near.end(),
+	                 [](const scatter::Neighbours& x, const scatter::Neighbours& y)
 	                 { return x.separation < y.separation; });
 }
 
-bool btHybridShapeQuery::partsOverlapDeeper(const btHybridParts& partsA, const btTransform& a, const btHybridParts& partsB, const btTransform& b, btScalar depth)
+bool btHybridShapeQuery::partsOverlapDeeper(const btHybridParts& partsA, const btTransform& a,
+                                            const btHybridParts& partsB, const btTransform& b, btScalar depth)
 {
 	const PartPlaces places = {partsA, a, partsB, b, scatter::relativeFrame(btHybridFrameOf(a), btHybridFrameOf(b))};
 	findNear(partsA.getList(), partsB.getList(), places.m_frameB, -depth);
-	return std::any_of(m_near.begin(), m_near.end(), [&](const scatter::Neighbours& near)
-	                   { return partOverlapsDeeper(places, near, depth); });
+	return std::any_of(m_near.begin(), m_near.end(),
+	                   [&](const scatter::Neighbours& near) { return partOverlapsDeeper(places, near, depth); });
 }
 
-btScalar btHybridShapeQuery::partsDistance(const btHybridParts& partsA, const btTransform& a, const btHybridParts& partsB, const btTransform& b)
+btScalar btHybridShapeQuery::partsDistance(const btHybridParts& partsA, const btTransform& a,
+                                           const btHybridParts& partsB, const btTransform& b)
 {
 	const PartPlaces places = {partsA, a, partsB, b, scatter::relativeFrame(btHybridFrameOf(a), btHybridFrameOf(b))};
 	btScalar least = BT_LARGE_FLOAT;
-	for (btScalar reach = c_firstReach, searched = 0; least > searched && searched < c_furthest; searched = reach, reach *= c_widening)
+	for (btScalar reach = c_firstReach, searched = 0; least > searched && searched < c_furthest;
+	     searched = reach, reach *= c_widening)
 	{
 		findNear(partsA.getList(), partsB.getList(), places.m_frameB, reach);
 		for (std::size_t i = 0; i < m_near.size() && m_near[i].separation < least; i++)

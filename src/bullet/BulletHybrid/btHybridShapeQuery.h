@@ -22,8 +22,10 @@ class btHybridShapeQuery
 
 	const btHybridParts* partsOf(const btCollisionShape* shape);
 	void findNear(const scatter::PartList& a, const scatter::PartList& b, const scatter::Frame& frameB, btScalar limit);
-	bool partsOverlapDeeper(const btHybridParts& partsA, const btTransform& a, const btHybridParts& partsB, const btTransform& b, btScalar depth);
-	btScalar partsDistance(const btHybridParts& partsA, const btTransform& a, const btHybridParts& partsB, const btTransform& b);
+	bool partsOverlapDeeper(const btHybridParts& partsA, const btTransform& a, const btHybridParts& partsB,
+	                        const btTransform& b, btScalar depth);
+	btScalar partsDistance(const btHybridParts& partsA, const btTransform& a, const btHybridParts& partsB,
+	                       const btTransform& b);
 
 public:
 	btHybridShapeQuery();

@@ -1,7 +1,11 @@
 #include "btHybridSilence.h"
 
 btHybridSilence::btHybridSilence()
-    : m_added(gContactAddedCallback), m_processed(gContactProcessedCallback), m_destroyed(gContactDestroyedCallback), m_started(gContactStartedCallback), m_ended(gContactEndedCallback)
+    : m_added(gContactAddedCallback),
+      m_processed(gContactProcessedCallback),
+      m_destroyed(gContactDestroyedCallback),
+      m_started(gContactStartedCallback),
+      m_ended(gContactEndedCallback)
 {
 	m_combiners[0] = gCalculateCombinedRestitutionCallback;
 	m_combiners[1] = gCalculateCombinedFrictionCallback;

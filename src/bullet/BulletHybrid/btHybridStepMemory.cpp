@@ -1,6 +1,7 @@
 #include "btHybridStepMemory.h"
 
-btPersistentManifold* btHybridStepMemory::standIn(const btCollisionObject* a, const btCollisionObject* b, btScalar breakingThreshold)
+btPersistentManifold* btHybridStepMemory::standIn(const btCollisionObject* a, const btCollisionObject* b,
+                                                  btScalar breakingThreshold)
 {
 	if (m_used == m_standIns.size())
 		m_standIns.push_back(std::unique_ptr<btPersistentManifold>(new btPersistentManifold));

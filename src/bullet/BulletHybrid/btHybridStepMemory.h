@@ -34,8 +34,7 @@ struct btHybridStepMemory
 	scatter::pairs::QuietPairs m_quiet;
 	double m_milliseconds;  ///< that it has been at work in this step
 
-	btHybridStepMemory()
-	    : m_milliseconds(0), m_used(0)
+	btHybridStepMemory() : m_milliseconds(0), m_used(0)
 	{
 	}
 

@@ -22,8 +22,7 @@ class btHybridThreads
 	{
 		const Work& m_work;
 
-		explicit Body(const Work& work)
-		    : m_work(work)
+		explicit Body(const Work& work) : m_work(work)
 		{
 		}
 		virtual void forLoop(int begin, int end) const
@@ -34,17 +33,17 @@ class btHybridThreads
 	};
 
 public:
-	btHybridThreads()
-	    : m_numThreads(1), m_scheduler(0)
+	btHybridThreads() : m_numThreads(1), m_scheduler(0)
 	{
 	}
 
-	/// 1: none of its own; nor are there any on a machine of one core, where threads only take turns, with all that it costs to
-	/// hand work over.
+	/// 1: none of its own; nor are there any on a machine of one core, where threads only take turns, with all that it
+	/// costs to hand work over.
 	void setNumThreads(int threads)
 	{
 		m_numThreads = threads;
-		m_pool.reset(threads > 1 && scatter::parallel::countCores() > 1 ? new scatter::parallel::ThreadPool(threads) : 0);
+		m_pool.reset(threads > 1 && scatter::parallel::countCores() > 1 ? new scatter::parallel::ThreadPool(threads)
+		                                                                : 0);
 	}
 	int getNumThreads() const
 	{
@@ -74,7 +73,8 @@ public:
 			m_pool->expectWork();
 	}
 
-	/// Calls work(i) once for every i from 0 to count - 1, on any thread and in any order, and returns when all have returned.
+	/// Calls work(i) once for every i from 0 to count - 1, on any thread and in any order, and returns when all have
+	/// returned.
 	template <class Work>
 	void run(int count, const Work& work)
 	{

@@ -38,7 +38,8 @@ btHybridPairView btHybridDynamicsWorld::viewPair(const btBroadphasePair& pair) c
 		view = m_planner->viewPair(own->getPlanIndex());
 	if (view.m_level > 0)
 		return view;
-	const btCollisionObject* const objects[2] = {static_cast<const btCollisionObject*>(pair.m_pProxy0->m_clientObject), static_cast<const btCollisionObject*>(pair.m_pProxy1->m_clientObject)};
+	const btCollisionObject* const objects[2] = {static_cast<const btCollisionObject*>(pair.m_pProxy0->m_clientObject),
+	                                             static_cast<const btCollisionObject*>(pair.m_pProxy1->m_clientObject)};
 	for (int i = 0; i < 2; i++)
 	{
 		const btHybridRigidBody* hybrid = btHybridRigidBody::upcast(objects[i]);

@@ -17,8 +17,7 @@ std::shared_ptr<const WholeGround> btHybridWholeGrounds::acquire(const btHybridG
 		if (pieces.pieces.empty())
 			return 0;
 		kept.reset(new Kept{ground.getTraits(), WholeGround(std::move(pieces))});
-		std::erase_if(m_kept, [](const auto& other)
-		              { return other.second.expired(); });
+		std::erase_if(m_kept, [](const auto& other) { return other.second.expired(); });
 		m_kept[ground.getTraits().m_shape] = kept;
 	}
 	return std::shared_ptr<const WholeGround>(kept, &kept->m_whole);

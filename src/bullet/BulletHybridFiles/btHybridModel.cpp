@@ -45,8 +45,7 @@ const char* btHybridModelContent::take(const scatter::FileModel& file)
 	return nullptr;
 }
 
-btHybridModel::btHybridModel()
-    : m_content(new btHybridModelContent)
+btHybridModel::btHybridModel() : m_content(new btHybridModelContent)
 {
 }
 
@@ -67,7 +66,8 @@ const char* btHybridModel::load(const char* fileName, const char* bodyName)
 	if (!mistake.empty())
 		return mistake.c_str();
 
-	const scatter::Result<scatter::FileModel> file = scatter::readModelFile(fileName, bodyName != nullptr ? bodyName : "");
+	const scatter::Result<scatter::FileModel> file =
+	    scatter::readModelFile(fileName, bodyName != nullptr ? bodyName : "");
 	if (!file)
 	{
 		mistake = file.error().message;
