@@ -259,9 +259,8 @@ std::string formatBudgets(const BudgetStudy& study) {
          lab::fitTerminal(
              "Floors: the budget in what the dearest frame takes with everything at level 1. Use: the median "
              "of the frames that take more than the budget without one and lack detail or contacts with it, "
-             "in "
-             "budgets. Finest: of touching pairs. Impossible: frames over the budget in which what could not "
-             "be given up was over it as well." +
+             "in budgets. Finest: of touching pairs. Impossible: frames over the budget in which what could "
+             "not be given up was over it as well." +
              (study.cutEnds
                   ? std::string(" Back: frames after the cut until as many touching pairs are at their "
                                 "finest level as without one.")

@@ -61,6 +61,12 @@ struct PlannedRow {
     planner.finish();
   }
 
+  /// The program asks for a level of one of the bodies.
+  void ask(std::size_t body, int level) {
+    bodies[body]->asked = level;
+    planner.setAsks(true);
+  }
+
   void take(int pair, SwitchKind kind) {
     const PairPlan plan = planner.planPair(pair);
     PairOutcome outcome;
@@ -94,8 +100,7 @@ TEST(Planner, LeavesEveryPairFinestWithoutAReason) {
 TEST(Planner, FollowsARequestToItsSwitch) {
   PlannedRow row(3);
   row.step();
-  row.bodies[0]->asked = 1;
-  row.planner.setAsks(true);
+  row.ask(0, 1);
   row.step(SwitchKind::kBlocked);
   EXPECT_EQ(row.listener.kinds(), "RAB");
   EXPECT_EQ(row.planner.counts().requests, 1);
@@ -121,9 +126,8 @@ TEST(Planner, FindsBodiesOfCoarserPairsOnceEachWithTheirCoarsestLevel) {
   row.step();
   row.planner.findCoarser(found);
   EXPECT_TRUE(found.empty());
-  row.bodies[1]->asked = 2;
-  row.bodies[3]->asked = 1;
-  row.planner.setAsks(true);
+  row.ask(1, 2);
+  row.ask(3, 1);
   row.step();
   for (int twice = 0; twice < 2; ++twice) {
     row.planner.findCoarser(found);
@@ -136,8 +140,7 @@ TEST(Planner, FindsBodiesOfCoarserPairsOnceEachWithTheirCoarsestLevel) {
 TEST(Planner, TellsThatARequestIsNotWantedAnyMore) {
   PlannedRow row(2);
   row.step();
-  row.bodies[0]->asked = 1;
-  row.planner.setAsks(true);
+  row.ask(0, 1);
   row.step(SwitchKind::kBlocked);
   row.bodies[0]->asked = 0;
   row.step();
@@ -148,8 +151,7 @@ TEST(Planner, TellsThatARequestIsNotWantedAnyMore) {
 TEST(Planner, RetractsTheRequestOfAPairThatEnds) {
   PlannedRow row(2);
   row.step();
-  row.bodies[0]->asked = 1;
-  row.planner.setAsks(true);
+  row.ask(0, 1);
   row.step(SwitchKind::kBlocked);
   row.planner.removePair(row.places[0]);
   EXPECT_EQ(row.listener.kinds(), "RABr");
@@ -238,8 +240,7 @@ TEST(Planner, LetsBodiesRestEarlyOnlyWhileSomethingIsGivenUp) {
 TEST(Planner, LetsNoBodyRestEarlyThatTouchesAnotherCoarsely) {
   PlannedRow row(4);
   row.step();
-  row.bodies[0]->asked = 1;
-  row.planner.setAsks(true);
+  row.ask(0, 1);
   row.step();
   ASSERT_EQ(row.level(0), 1);
   ASSERT_EQ(row.level(1), kLevels);
