@@ -14,9 +14,8 @@ constexpr ThinningRule kRule{.mostAlike = 8, .leastContacts = 12};
 constexpr double kFrom = 0.88;
 
 // Of the spare contacts: so many more are hidden than are needed, and twice as many must be too many before
-// some are shown again, in so many steps in a row: what rests would tremble if contacts came and went.
+// some are shown again: what rests would tremble if contacts came and went.
 constexpr double kMore = 0.05;
-constexpr int kPatience = 30;
 
 // Steps from one look to the next as long as there is nothing to spare: looking goes through all contacts.
 constexpr int kTryEvery = 4;
@@ -39,6 +38,7 @@ void ContactThinning::settle(double full, double budget, const Find& find) {
   spare_ = find(kRule);
   if (spare_.spare == 0) {
     share_ = 0.0;
+    needs_ = {};
     stepsToTry_ = kTryEvery;
     return;
   }
@@ -47,11 +47,10 @@ void ContactThinning::settle(double full, double budget, const Find& find) {
 }
 
 void ContactThinning::adjustShare(double needed) {
-  const double wanted = needed > 0.0 ? std::min(needed + kMore, 1.0) : 0.0;
-  roomySteps_ = wanted < share_ - kMore || wanted == 0.0 ? roomySteps_ + 1 : 0;
-  if (needed <= share_ && roomySteps_ < kPatience) return;
-  share_ = wanted;
-  roomySteps_ = 0;
+  needs_.add(needed);
+  const double most = needs_.at(1.0);
+  const bool isTooMuch = most + 2.0 * kMore < share_ || most == 0.0;
+  if (needed > share_ || isTooMuch) share_ = most > 0.0 ? std::min(most + kMore, 1.0) : 0.0;
 }
 
 }  // namespace scatter::lod

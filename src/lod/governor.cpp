@@ -196,7 +196,7 @@ void Governor::grantAll(std::span<PlannedPair> pairs, const CostModel& costs, do
     pair.target = static_cast<std::uint8_t>(mustWait ? std::max(level, lowest(pair)) : highest(pair));
     pair.byBudget = pair.mustSave = false;
     pair.expected = static_cast<float>(predict(pair, costs, pair.target));
-    if (pair.target > level && level > 0)
+    if (pair.target > level && level > 0 && !pair.rests)
       room -= correction_ * (freshSwitchUnits(costs) + static_cast<double>(pair.expected));
     predicted_ += static_cast<double>(pair.expected);
   }
@@ -213,7 +213,7 @@ double Governor::survey(std::span<PlannedPair> pairs, const CostModel& costs) {
     const double units = predict(pair, costs, pair.view.level);
     predicted_ += units;
     pair.expected = static_cast<float>(units);
-    if (!pair.view.touching && !pair.view.credited) continue;
+    if (pair.rests || (!pair.view.touching && !pair.view.credited)) continue;
     if (pair.view.level < pair.view.finest) missingUnits_ += std::max(finestUnits(pair, costs) - units, 0.0);
     if (!pair.view.touching) continue;
     if (pair.view.credited || pair.view.level == pair.view.finest) detail += units;
@@ -374,7 +374,7 @@ void Governor::planPair(PlannedPair& pair, const CostModel& costs) {
                       finestUnits(pair, costs) + kWorthwhile < predict(pair, costs, view.level);
   if (isDear) target = high;
   pair.mustSave = isDear;
-  const bool isFree = !view.touching && !view.credited && pair.blockedSteps == 0;
+  const bool isFree = !pair.rests && !view.touching && !view.credited && pair.blockedSteps == 0;
   if (isFree) {
     // One that is near others at its finest level hardly costs more there than at a middle one.
     const bool admitted = isAdmitted(pair);
@@ -394,8 +394,8 @@ void Governor::relieve(std::span<PlannedPair> pairs, const CostModel& costs, dou
   for (std::uint32_t i = 0; i < pairs.size(); ++i) {
     const PlannedPair& pair = pairs[i];
     const int coarser = std::max(lowest(pair), middleOf(pair, def_.creditLevel));
-    if (!pair.view.touching || pair.view.credited || pair.target <= coarser || pair.blockedSteps > 0)
-      continue;
+    if (pair.rests || !pair.view.touching || pair.view.credited) continue;
+    if (pair.target <= coarser || pair.blockedSteps > 0) continue;
     const double now = predict(pair, costs, pair.view.level);
     const double saved = now - creditUnits(pair, coarser, now);
     if (saved < kWorthwhile) continue;
@@ -446,7 +446,8 @@ void Governor::giveBack(std::span<PlannedPair> pairs, const CostModel& costs, do
   for (std::uint32_t i = 0; i < pairs.size(); ++i) {
     const PlannedPair& pair = pairs[i];
     const int high = highest(pair);
-    if (!(pair.view.touching || pair.view.credited) || pair.target >= high || pair.blockedSteps > 0) continue;
+    if (pair.rests || !(pair.view.touching || pair.view.credited)) continue;
+    if (pair.target >= high || pair.blockedSteps > 0) continue;
     const double dearer = finestUnits(pair, costs) - predict(pair, costs, pair.view.level);
     const auto extra = static_cast<float>(correction_ * (std::max(dearer, 0.0) + costs.weights().switched));
     if (extra > room) continue;

@@ -340,9 +340,12 @@ void Planner::count(const PlannedPair& planned) {
 }
 
 void Planner::takeQuiet(int index) {
-  PlannedPair& planned = planned_[static_cast<std::size_t>(index)];
-  budget_.takeQuiet(planned);
-  count(planned);
+  const auto i = static_cast<std::size_t>(index);
+  known_[i].step = step_;
+  known_[i].units = 0.0F;
+  budget_.takeQuiet(planned_[i]);
+  budget_.learn(planned_[i], planned_[i].view.touching, {});
+  count(planned_[i]);
 }
 
 void Planner::takeQuiet(const QuietPairs& pairs) {
@@ -422,8 +425,8 @@ void Planner::finishPair(std::size_t pair) {
     for (PlannedBody* body : known_[pair].bodies) body->wakefulStep_ = step_;
   }
   counts_.requests += known_[pair].request.stands ? 1 : 0;
-  // Asleep, or filtered out.
-  if (known_[pair].step != step_ && planned.view.level > 0) budget_.learn(planned, planned.view.touching, {});
+  planned.rests = known_[pair].step != step_ && planned.view.level > 0;
+  if (planned.rests) budget_.learn(planned, planned.view.touching, {});
 }
 
 // A recording asks after every step, of a pile that is coarse all over: a body is found again by what it

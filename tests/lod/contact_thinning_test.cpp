@@ -67,13 +67,23 @@ TEST(ContactThinning, ShowsThemAgainWhenThereHasBeenRoomForAWhile) {
   int steps = 0;
   while (thinning.hidden() > 0 && steps < 1000) {
     // Now and then all are needed: that does not count as room.
-    thinning.settle(steps == 20 ? 1180.0 : 700.0, kRoom, pile.find());
+    thinning.settle(steps == 8 ? 1180.0 : 700.0, kRoom, pile.find());
     ++steps;
   }
-  EXPECT_GT(steps, 40);
-  EXPECT_LT(steps, 100);
+  EXPECT_GT(steps, 16);
+  EXPECT_LT(steps, 40);
   thinning.settle(800.0, kRoom, pile.find());
   EXPECT_EQ(thinning.saved(), 0.0) << "nor does it go to and fro";
+}
+
+// A budget is used while what it is spent on falls asleep.
+TEST(ContactThinning, FollowsALoadThatFallsFromStepToStep) {
+  ContactThinning thinning(kSaving);
+  Pile pile;
+  for (double full = 1180.0; full > 890.0; full -= 2.0) {
+    thinning.settle(full, kRoom, pile.find());
+    EXPECT_GT(full - thinning.saved(), 0.78 * kRoom) << full;
+  }
 }
 
 TEST(ContactThinning, LooksNowAndThenWhereThereIsNothingToSpare) {

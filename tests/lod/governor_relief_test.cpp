@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 #include "lod/fake_engine.h"
@@ -198,6 +199,18 @@ TEST(GovernorRelief, CreditThatDoesNotPayIsEnded) {
   EXPECT_EQ(pairs[2].target, 2);
 }
 
+TEST(GovernorRelief, APairThatRestsIsNotAsked) {
+  CostModel costs{CostWeights{}};
+  Governor governor({});
+  std::vector<PlannedPair> pairs = knownPairs(costs, 10, 3);
+  for (std::size_t i = 0; i < 5; ++i) pairs[i].rests = true;
+  for (int i = 0; i < 20; ++i) {
+    governor.plan(pairs, costs, 0.0, 50.0);
+    followPlan(pairs);
+  }
+  for (std::size_t i = 0; i < pairs.size(); ++i) EXPECT_EQ(pairs[i].target, i < 5 ? 3 : 2) << i;
+}
+
 TEST(GovernorRelief, ASmallExcessIsCoveredByOneDearPair) {
   CostModel costs{CostWeights{}};
   Governor governor({});
@@ -264,6 +277,29 @@ TEST(GovernorGivingBack, ABlockedPairIsNotAsked) {
   governor.plan(pairs, costs, 0.0, 2000.0);
   EXPECT_EQ(pairs[0].target, 1);
   EXPECT_EQ(pairs[1].target, 3);
+}
+
+// It would be asked in every step, in the place of others, and could not follow.
+TEST(GovernorGivingBack, APairThatRestsIsNotAskedUntilItWakes) {
+  CostModel costs{CostWeights{}};
+  Governor governor({});
+  std::vector<PlannedPair> pairs = knownPairs(costs, 200, 1);
+  for (std::size_t i = 0; i < 100; ++i) {
+    pairs[i].rests = true;
+    pairs[i].wish.importance = 10.0F;
+    for (int k = 0; k < 100; ++k) costs.learn(pairs[i].cost, 1, 3, true, 0.0);
+  }
+  const std::span<PlannedPair> all(pairs);
+  for (int i = 0; i < 60; ++i) {
+    governor.plan(pairs, costs, 0.0, 2000.0);
+    ASSERT_TRUE(
+        std::ranges::all_of(all.first(100), [](const PlannedPair& pair) { return pair.target == 1; }));
+    followPlan(pairs);
+  }
+  EXPECT_EQ(countAt(pairs, 3), 100);
+  for (PlannedPair& pair : pairs) pair.rests = false;
+  governor.plan(pairs, costs, 0.0, 2000.0);
+  EXPECT_GT(countAt(pairs, 3), 100);
 }
 
 TEST(GovernorGivingBack, ADearImportantPairDoesNotHoldUpTheOthers) {

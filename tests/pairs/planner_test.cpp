@@ -216,6 +216,21 @@ TEST(Planner, KeepsAStepWithinItsUnits) {
   EXPECT_TRUE(isGovernors);
 }
 
+TEST(Planner, KnowsWhichPairsTheStepHasLeftOut) {
+  PlannedRow row(4);
+  row.planner.setBudget(lod::UnitBudget::ofUnits(1e6));
+  row.step();
+  row.planner.plan({.bodies = row.views, .load = {.objects = 4, .awake = 2, .broadphasePairs = 3}});
+  row.take(row.places[0], SwitchKind::kFree);
+  row.planner.takeQuiet(row.places[1]);
+  row.planner.finish();
+  EXPECT_FALSE(row.planner.pair(row.places[0]).rests);
+  EXPECT_FALSE(row.planner.pair(row.places[1]).rests) << "it was looked at, and is far from touching";
+  EXPECT_TRUE(row.planner.pair(row.places[2]).rests);
+  row.step();
+  EXPECT_FALSE(row.planner.pair(row.places[2]).rests);
+}
+
 TEST(Planner, LetsBodiesRestEarlyOnlyWhileSomethingIsGivenUp) {
   PlannedRow row(4);
   row.touching = true;
