@@ -96,6 +96,11 @@ struct btHybridPairSwitchingInfo
 	/// Off: as in any Bullet world.
 	bool m_earlyRest;
 
+	/// Bodies that have fallen asleep in contact without detail that a budget took wake, with those that touch them,
+	/// once the budget has room for all of it, so that gaps do not stay. Off: they sleep until something else wakes
+	/// them.
+	bool m_wakesForDetail;
+
 	bool m_safetyConditions;  ///< off only to show what they prevent
 
 	btHybridPairSwitchingInfo()
@@ -104,6 +109,7 @@ struct btHybridPairSwitchingInfo
 	      m_retryInterval(10),
 	      m_auditDistance(btScalar(0.03)),
 	      m_earlyRest(true),
+	      m_wakesForDetail(true),
 	      m_safetyConditions(true)
 	{
 	}

@@ -36,6 +36,7 @@ constexpr std::array kCounters{
     CounterColumn{"reused_pairs", &StepCounters::reusedPairs},
     CounterColumn{"hidden_contacts", &StepCounters::hiddenContacts},
     CounterColumn{"resting_bodies", &StepCounters::restingBodies},
+    CounterColumn{"woken_bodies", &StepCounters::wokenBodies},
     CounterColumn{"iterations_left_out", &StepCounters::iterationsLeftOut},
     CounterColumn{"blocked_tries", &StepCounters::blockedTries},
     CounterColumn{"separation_queries", &StepCounters::separationQueries},

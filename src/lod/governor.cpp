@@ -433,7 +433,6 @@ double Governor::creditUnits(const PlannedPair& pair, int level, double now) con
   return ratio * now;
 }
 
-/// What a pair in contact would cost at its finest level: as it did, else as others of its kind do.
 double Governor::finestUnits(const PlannedPair& pair, const CostModel& costs) const {
   const Kind& kind = kinds_[pair.kind];
   const bool isKnown = pair.cost.units[0] > 0.0F && pair.cost.touching[0];
@@ -481,6 +480,10 @@ int Governor::planNew(const PlannedPair& pair, const CostModel& costs) {
   const int level = levelFor(pair, (isVain() || !isShort()) && isAdmitted(pair));
   predicted_ += predict(pair, costs, level);
   return level;
+}
+
+double Governor::room() const {
+  return isVain() ? 0.0 : std::max(kAllBelow * capacity_ - planned(), 0.0);
 }
 
 double Governor::floorUnits(std::span<const PlannedPair> pairs, const CostModel& costs) const {

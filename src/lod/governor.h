@@ -85,6 +85,12 @@ class Governor {
   /// level that it may have in its place: what it took where that is its own or was cheaper.
   [[nodiscard]] double floorUnits(std::span<const PlannedPair> pairs, const CostModel& costs) const;
 
+  /// What a pair in contact would cost at its finest level: as it did, else as others of its kind do.
+  [[nodiscard]] double finestUnits(const PlannedPair& pair, const CostModel& costs) const;
+
+  /// Units that the step just planned has left for detail; none where giving it up would not help.
+  [[nodiscard]] double room() const;
+
   /// About what the step would cost with every pair at the coarsest level that it may have, as known a few
   /// steps ago; the fixed units alone without a budget.
   [[nodiscard]] double reachableUnits() const { return fixed_ + coarsest_; }
@@ -118,7 +124,6 @@ class Governor {
   void learnCredit(const PlannedPair& pair, double units);
   void shareOut();
   [[nodiscard]] double creditUnits(const PlannedPair& pair, int level, double now) const;
-  [[nodiscard]] double finestUnits(const PlannedPair& pair, const CostModel& costs) const;
   [[nodiscard]] double stakeOf(const PlannedPair& pair, const CostModel& costs) const;
   [[nodiscard]] bool isAdmitted(const PlannedPair& pair) const;
   [[nodiscard]] int levelFor(const PlannedPair& pair, bool isAdmitted) const;

@@ -24,6 +24,9 @@ class PlannedBody {
   /// Whether contacts act on it. They do not on a sensor.
   [[nodiscard]] virtual bool hasResponse() const = 0;
 
+  /// Whether contacts can move it, and wake it with others.
+  [[nodiscard]] virtual bool isMovable() const = 0;
+
  private:
   friend class Planner;
   static constexpr int kNowhere = -1;

@@ -21,6 +21,10 @@ namespace {
 /// Policies look at a pair every so many steps, and at a new one at once.
 constexpr int kAdviceInterval = 4;
 
+/// Whether what has fallen asleep without its detail can have it is looked at every so many steps: half a
+/// second, as it goes through all pairs.
+constexpr int kOwedInterval = 30;
+
 /// A pair on credit is taken to cost what it did in about so many steps.
 constexpr float kCostMemory = 8.0F;
 
@@ -324,6 +328,7 @@ void Planner::takeChoice(std::size_t pair, const lod::SwitchChoice& choice) {
     return;
   }
   planned.view.level = static_cast<std::uint8_t>(choice.level);
+  known_[pair].isOwed = planned.byBudget;
   if (from == 0) return;
   const bool onCredit = choice.kind == SwitchKind::kOnCredit;
   budget_.spendSwitch();
@@ -386,7 +391,7 @@ void Planner::takeWork(std::size_t pair, const PairOutcome& outcome, int before)
 
 void Planner::finish() {
   budget_.finish(plans_);
-  numBelowFinest_ = 0;
+  numBelowFinest_ = numOwed_ = 0;
   for (std::size_t i = 0; plans_ && i < planned_.size(); ++i) finishPair(i);
   counts_.units = budget_.units();
   counts_.plannedUnits = plans_ ? budget_.plannedUnits() : 0.0;
@@ -425,8 +430,34 @@ void Planner::finishPair(std::size_t pair) {
     for (PlannedBody* body : known_[pair].bodies) body->wakefulStep_ = step_;
   }
   counts_.requests += known_[pair].request.stands ? 1 : 0;
-  planned.rests = known_[pair].step != step_ && planned.view.level > 0;
-  if (planned.rests) budget_.learn(planned, planned.view.touching, {});
+  if (known_[pair].step != step_ && planned.view.level > 0) {
+    budget_.rest(planned);
+  } else {
+    planned.rests = false;
+  }
+  numOwed_ += restsOwed(pair) ? 1 : 0;
+}
+
+bool Planner::restsOwed(std::size_t pair) const {
+  const PlannedPair& planned = planned_[pair];
+  return planned.rests && planned.view.touching && known_[pair].isOwed &&
+         planned.view.level < std::min(planned.wish.atMost, planned.view.finest);
+}
+
+void Planner::findOwed(std::vector<PlannedBody*>& bodies) {
+  bodies.clear();
+  if (numOwed_ == 0 || step_ % kOwedInterval != 0) return;
+  resting_.clear();
+  for (std::size_t i = 0; i < planned_.size(); ++i) {
+    if (!planned_[i].rests || !planned_[i].view.touching) continue;
+    resting_.add(*known_[i].bodies[0], *known_[i].bodies[1], budget_.unitsAwake(planned_[i]), restsOwed(i));
+  }
+  resting_.wake(budget_.roomToWake(), bodies);
+  for (std::size_t i = 0; i < planned_.size(); ++i) {
+    const bool isWoken = resting_.isWoken(*known_[i].bodies[0]) || resting_.isWoken(*known_[i].bodies[1]);
+    if (isWoken && restsOwed(i)) known_[i].isOwed = false;
+  }
+  lastCounts_.wokenBodies = static_cast<int>(bodies.size());
 }
 
 // A recording asks after every step, of a pile that is coarse all over: a body is found again by what it

@@ -12,6 +12,7 @@
 #include "pairs/pair_plan.h"
 #include "pairs/pair_request.h"
 #include "pairs/planned_body.h"
+#include "pairs/resting_islands.h"
 #include "scatter/lod/budget_state.h"
 #include "scatter/lod/pair_step_counts.h"
 #include "scatter/result.h"
@@ -164,6 +165,11 @@ class Planner {
   /// Ends the step.
   void finish();
 
+  /// After the step: bodies that have fallen asleep, touching, without detail that a budget took, and with
+  /// the bodies that would wake with them, if there is room for all that by now. A pair is a reason for it
+  /// once, until it switches.
+  void findOwed(std::vector<PlannedBody*>& bodies);
+
   /// After the step, of processor time.
   void takeTime(double milliseconds);
 
@@ -182,7 +188,8 @@ class Planner {
     bool isGround = false;  ///< The second body has no levels, and is no list of parts.
     PairRequest request{};
     std::uint8_t targetBefore = 0;
-    int step = 0;               ///< The last one in which it was processed.
+    bool isOwed = false;  ///< The budget took the detail that it lacks, and it was not woken for it since.
+    int step = 0;         ///< The last one in which it was processed.
     float averageUnits = 0.0F;  ///< What it costs a step while on credit: that comes in bursts.
     float units = 0.0F;         ///< What it took in that step.
   };
@@ -207,6 +214,7 @@ class Planner {
   void takeWork(std::size_t pair, const PairOutcome& outcome, int before);
   void count(const lod::PlannedPair& planned);
   void finishPair(std::size_t pair);
+  [[nodiscard]] bool restsOwed(std::size_t pair) const;
   void settleState();
 
   std::vector<lod::PlannedPair> planned_;
@@ -224,7 +232,9 @@ class Planner {
   BudgetState budgetState_;
   int step_ = 0;
   std::uint32_t numCreated_ = 0;  ///< Pairs, ever.
-  int numBelowFinest_ = 0;        ///< Pairs that are coarser than their finest level.
+  int numBelowFinest_ = 0;        ///< Pairs that are coarser than their finest level,
+  int numOwed_ = 0;               ///< and of these, those that restsOwed().
+  RestingIslands resting_;        ///< Inside findOwed().
   bool asks_ = false;
   bool plans_ = false;       ///< This step was planned.
   bool advisesAll_ = false;  ///< In the next plan every pair is advised, whosever turn it is.

@@ -31,7 +31,7 @@ TEST(FrameRecorder, HasExactlyTheAgreedColumnsInOrder) {
       "plan_ms,cpu_load,objects,hybrids,joints,overlapping_pairs,narrowphase_pairs,pairs_with_hybrid,"
       "pairs_without_hybrid,manifolds,contacts,new_contacts,requests,switches_coarser,switches_finer,"
       "retractions,credited_pairs,finest_pairs,touching_pairs,touching_finest_pairs,reused_pairs,hidden_"
-      "contacts,resting_bodies,iterations_left_out,blocked_tries,"
+      "contacts,resting_bodies,woken_bodies,iterations_left_out,blocked_tries,"
       "separation_queries,cost_units,planned_units,floor_units,reachable_units,budget_verdict,withheld_pairs,"
       "overdue_pairs,"
       "pairs_skipped,list_rebuilds,child_pairs,child_"

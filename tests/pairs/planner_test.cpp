@@ -6,25 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "pairs/fake_body.h"
+
 namespace scatter::pairs {
 namespace {
 
 using lod::SwitchKind;
-
-class FakeBody : public PlannedBody {
- public:
-  explicit FakeBody(std::uint32_t index) : index_(index) {}
-  [[nodiscard]] const void* object() const override { return this; }
-  [[nodiscard]] std::uint32_t index() const override { return index_; }
-  [[nodiscard]] int askedLevel() const override { return asked; }
-  [[nodiscard]] bool hasResponse() const override { return !isSensor; }
-
-  int asked = 0;
-  bool isSensor = false;
-
- private:
-  std::uint32_t index_;
-};
+using testing::FakeBody;
 
 class Listener : public PairListener {
  public:
@@ -229,6 +217,59 @@ TEST(Planner, KnowsWhichPairsTheStepHasLeftOut) {
   EXPECT_TRUE(row.planner.pair(row.places[2]).rests);
   row.step();
   EXPECT_FALSE(row.planner.pair(row.places[2]).rests);
+}
+
+/// Two pairs that touch at a coarser level for want of budget, and then are asleep.
+class Owed : public ::testing::Test {
+ protected:
+  Owed() {
+    row.touching = true;
+    row.planner.setBudget(lod::UnitBudget::ofUnits(1.0));
+    for (int i = 0; i < 60; ++i) row.step(SwitchKind::kOnCredit);
+    rest(60);
+  }
+
+  /// So many steps without a look at any pair. How many bodies they wake.
+  int rest(int steps) {
+    int woken = 0;
+    for (int i = 0; i < steps; ++i) {
+      row.planner.plan({.bodies = row.views, .load = {.objects = 3, .broadphasePairs = 2}});
+      row.planner.finish();
+      row.planner.findOwed(bodies);
+      EXPECT_EQ(row.planner.counts().wokenBodies, static_cast<int>(bodies.size()));
+      woken += static_cast<int>(bodies.size());
+    }
+    return woken;
+  }
+
+  PlannedRow row{3};
+  std::vector<PlannedBody*> bodies;
+};
+
+TEST_F(Owed, BodiesSleepAsLongAsThereIsNoRoom) {
+  ASSERT_LT(row.level(0), kLevels);
+  EXPECT_EQ(rest(100), 0);
+}
+
+TEST_F(Owed, BodiesWakeOnceForDetailThatHasRoom) {
+  row.planner.setBudget(lod::UnitBudget::ofUnits(1e6));
+  EXPECT_EQ(rest(60), 3);
+  EXPECT_EQ(rest(200), 0) << "it has not helped";
+  for (int i = 0; i < 10; ++i) row.step();
+  EXPECT_EQ(row.level(0), kLevels);
+  EXPECT_EQ(row.level(1), kLevels);
+  EXPECT_EQ(rest(200), 0) << "nothing is owed";
+}
+
+TEST_F(Owed, BodiesWakeWhenTheBudgetIsRemoved) {
+  row.planner.setBudget(lod::UnitBudget());
+  EXPECT_EQ(rest(60), 3);
+}
+
+TEST_F(Owed, NobodyWakesForWhatThePoliciesWant) {
+  ASSERT_TRUE(row.planner.addPolicy("coarsest"));
+  row.planner.setBudget(lod::UnitBudget::ofUnits(1e6));
+  EXPECT_EQ(rest(100), 0);
 }
 
 TEST(Planner, LetsBodiesRestEarlyOnlyWhileSomethingIsGivenUp) {

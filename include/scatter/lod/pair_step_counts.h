@@ -20,6 +20,7 @@ struct PairStepCounts {
   int hiddenContacts = 0;     ///< That others of the same two bodies stand for, for the budget.
   int iterationsLeftOut = 0;  ///< Of the solver's, for the budget.
   int restingBodies = 0;      ///< That come to rest sooner, for the budget.
+  int wokenBodies = 0;        ///< That were asleep, for detail that the budget has room for again.
   int blockedTries = 0;
   int separationQueries = 0;
   int audits = 0;

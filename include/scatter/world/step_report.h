@@ -55,6 +55,7 @@ struct StepCounters {
   std::uint32_t reusedPairs = 0;          ///< Pairs in contact that kept their contacts for want of budget.
   std::uint32_t hiddenContacts = 0;       ///< Contacts that the solver was not shown for want of budget.
   std::uint32_t restingBodies = 0;        ///< Bodies that fall asleep sooner for want of budget.
+  std::uint32_t wokenBodies = 0;          ///< Bodies that a budget wakes to give detail back.
   std::uint32_t iterationsLeftOut = 0;    ///< Of the solver, for want of budget.
   std::uint32_t blockedTries = 0;         ///< Switches that were not safe.
   std::uint32_t separationQueries = 0;    ///< Direct queries, for switches and for audits of credit.

@@ -416,9 +416,12 @@ void btHybridDynamicsWorld::solveConstraints(btContactSolverInfo& info)
 
 void btHybridDynamicsWorld::updateActivationState(btScalar timeStep)
 {
-	if (m_planner && m_pairSwitching.m_earlyRest && m_hybrids.size() > 0)
+	const bool plans = m_planner && m_hybrids.size() > 0;
+	if (plans && m_pairSwitching.m_earlyRest)
 		m_planner->takeResting(
 		    btHybridEarlyRest::hasten(m_nonStaticRigidBodies, m_narrowphase->getObjects(), *m_planner, timeStep));
+	if (plans && m_pairSwitching.m_wakesForDetail)
+		m_planner->wakeOwed();
 	btDiscreteDynamicsWorld::updateActivationState(timeStep);
 }
 

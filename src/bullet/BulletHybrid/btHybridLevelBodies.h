@@ -49,6 +49,11 @@ public:
 		return m_object->hasContactResponse();
 	}
 
+	virtual bool isMovable() const
+	{
+		return !m_object->isStaticOrKinematicObject();
+	}
+
 	/// The object's own level in a pair that is at `pairLevel`: bodies with fewer levels take part with their finest.
 	int getLevelIn(int pairLevel) const;
 

@@ -188,6 +188,13 @@ void btHybridPlanner::findSolved(btDispatcher* dispatcher)
 	}
 }
 
+void btHybridPlanner::wakeOwed()
+{
+	Planner::findOwed(m_owed);
+	for (const scatter::pairs::PlannedBody* body : m_owed)
+		objectOf(*body)->activate();
+}
+
 btHybridPairView btHybridPlanner::viewPair(int index) const
 {
 	btHybridPairView view;

@@ -22,7 +22,8 @@ class btHybridPlanner : public scatter::pairs::Planner, private scatter::pairs::
 	std::string m_mistake;
 	std::vector<btPersistentManifold*> m_solved;  ///< those of bodies that are awake
 	btHybridReducedContacts m_reduced;
-	int m_leftOut;  ///< of the solver's iterations
+	int m_leftOut;                                     ///< of the solver's iterations
+	std::vector<scatter::pairs::PlannedBody*> m_owed;  ///< inside wakeOwed()
 
 	void settleSolver(btDispatcher* dispatcher, const scatter::lod::SolverWork& solver);
 	void findSolved(btDispatcher* dispatcher);
@@ -74,6 +75,9 @@ public:
 	{
 		m_reduced.show();
 	}
+
+	/// After a step: wakes what sleeps without detail that the budget has room for by now.
+	void wakeOwed();
 
 	btHybridPairView viewPair(int pair) const;
 

@@ -40,6 +40,7 @@ void addPairCounts(const btHybridPairStepInfo& info, StepCounters& counters) {
   counters.reusedPairs = count(info.reusedPairs);
   counters.hiddenContacts = count(info.hiddenContacts);
   counters.restingBodies = count(info.restingBodies);
+  counters.wokenBodies = count(info.wokenBodies);
   counters.iterationsLeftOut = count(info.iterationsLeftOut);
   counters.costUnits = whole(info.units);
   counters.plannedUnits = whole(info.plannedUnits);

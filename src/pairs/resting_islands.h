@@ -1,0 +1,41 @@
+#pragma once
+
+#include <unordered_map>
+#include <vector>
+
+#include "pairs/planned_body.h"
+
+namespace scatter::pairs {
+
+/// Bodies that are asleep, and touch each other: if one of them wakes, so does its whole island. In memory
+/// that it keeps. Deterministic.
+class RestingIslands {
+ public:
+  void clear();
+
+  /// A pair of bodies that touch; what cannot be moved joins no islands. `units`: what it takes in a step
+  /// when it is awake; `isOwed`: the island is to wake if it can.
+  void add(PlannedBody& a, PlannedBody& b, double units, bool isOwed);
+
+  /// Wakes islands with a pair that is owed something, in the order in which they were added, as long as what
+  /// they take fits into so many units. Their bodies, as isWoken() knows them from then on.
+  void wake(double room, std::vector<PlannedBody*>& bodies);
+  [[nodiscard]] bool isWoken(const PlannedBody& body) const;
+
+ private:
+  struct Island {
+    int root;  ///< Of the island that it has become part of.
+    double units = 0.0;
+    bool isOwed = false;
+    bool isWoken = false;
+  };
+
+  int numberOf(PlannedBody& body);
+  [[nodiscard]] int rootOf(int number) const;
+
+  std::unordered_map<const PlannedBody*, int> numbers_;
+  std::vector<PlannedBody*> bodies_;  ///< By number.
+  std::vector<Island> islands_;       ///< Each begins as one body.
+};
+
+}  // namespace scatter::pairs
