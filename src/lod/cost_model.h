@@ -96,8 +96,8 @@ class CostModel {
 
   /// After a pair was processed at `level` of `finest`, 1 <= level <= finest: takes in what it cost, and what
   /// of that it would have cost at any level, and what its contacts are going to cost again. A pair that was
-  /// left out of a step because it sleeps cost 0: say so, or it counts as dear as before. (0 does not count
-  /// in what is known of other pairs.)
+  /// left without a look because it is far apart cost 0. (0 does not count in what is known of other pairs.)
+  /// What was learned of one that falls asleep stays, for when it wakes.
   void learn(PairCost& cost, int level, int finest, bool touching, double units, double common = 0.0,
              double contacts = 0.0);
 

@@ -136,6 +136,11 @@ double predict(const PlannedPair& pair, const CostModel& costs, int level) {
   return costs.predict(pair.cost, level, view.level, view.finest, view.touching);
 }
 
+/// What a pair is going to take if it stays at its level: nothing if it rests, whatever it did take before.
+double predictNext(const PlannedPair& pair, const CostModel& costs) {
+  return pair.rests ? 0.0 : predict(pair, costs, pair.view.level);
+}
+
 }  // namespace
 
 void Governor::plan(std::span<PlannedPair> pairs, const CostModel& costs, double fixed, double budget) {
@@ -195,7 +200,7 @@ void Governor::grantAll(std::span<PlannedPair> pairs, const CostModel& costs, do
     const bool mustWait = level > 0 && level < highest(pair) && room <= 0.0;
     pair.target = static_cast<std::uint8_t>(mustWait ? std::max(level, lowest(pair)) : highest(pair));
     pair.byBudget = pair.mustSave = false;
-    pair.expected = static_cast<float>(predict(pair, costs, pair.target));
+    pair.expected = pair.rests ? 0.0F : static_cast<float>(predict(pair, costs, pair.target));
     if (pair.target > level && level > 0 && !pair.rests)
       room -= correction_ * (freshSwitchUnits(costs) + static_cast<double>(pair.expected));
     predicted_ += static_cast<double>(pair.expected);
@@ -210,7 +215,7 @@ double Governor::survey(std::span<PlannedPair> pairs, const CostModel& costs) {
   for (PlannedPair& pair : pairs) {
     pair.expected = 0.0F;
     if (pair.view.level == 0) continue;
-    const double units = predict(pair, costs, pair.view.level);
+    const double units = predictNext(pair, costs);
     predicted_ += units;
     pair.expected = static_cast<float>(units);
     if (pair.rests || (!pair.view.touching && !pair.view.credited)) continue;
@@ -237,7 +242,7 @@ void Governor::foreseeFloor(std::span<const PlannedPair> pairs, const CostModel&
   double middle = 0.0;
   for (const PlannedPair& pair : pairs) {
     const int level = pair.view.level;
-    if (level == 0) continue;
+    if (level == 0 || pair.rests) continue;
     const int low = std::min(lowest(pair), level);
     const int between = std::min(std::max(middleOf(pair, def_.creditLevel), low), level);
     coarsest += predict(pair, costs, low);
@@ -259,7 +264,7 @@ void Governor::weighStakes(std::span<const PlannedPair> pairs, const CostModel& 
   int all = 0;
   stake_ = 0.0;
   for (const PlannedPair& pair : pairs) {
-    if (pair.view.level == 0 || highest(pair) <= lowest(pair)) continue;
+    if (pair.view.level == 0 || pair.rests || highest(pair) <= lowest(pair)) continue;
     ++all;
     touching += pair.view.touching ? 1.0 : 0.0;
     (pair.view.touching ? stake_ : apart) += stakeOf(pair, costs);
@@ -370,7 +375,8 @@ void Governor::planPair(PlannedPair& pair, const CostModel& costs) {
   const int high = highest(pair);
   int target = std::clamp<int>(view.level, low, high);
   // Credit that does not pay.
-  const bool isDear = view.credited && view.touching && pair.blockedSteps == 0 && target < high &&
+  const bool isDear = !pair.rests && view.credited && view.touching && pair.blockedSteps == 0 &&
+                      target < high &&
                       finestUnits(pair, costs) + kWorthwhile < predict(pair, costs, view.level);
   if (isDear) target = high;
   pair.mustSave = isDear;

@@ -30,7 +30,6 @@ struct PlannedPair {
   std::uint8_t target = 0;   ///< The plan: the level that the pair should have; 0: not planned yet.
   bool mustSave = false;     ///< The finer target is the cheaper one: not to be put off for want of budget.
   bool hasContacts = false;  ///< In its last step, however far apart their points are.
-  float awake = 0.0F;        ///< Of one that rests: units a step at its finest level, when it was awake.
   bool rests = false;  ///< The last step left it out, as it is asleep or does not collide: it cannot switch.
   bool byBudget = false;  ///< The governor, not a policy, took detail away.
 };

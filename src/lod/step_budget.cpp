@@ -7,14 +7,6 @@
 
 namespace scatter::lod {
 
-namespace {
-
-// What wakes falls and slides a little, and takes more than it did when it had come to rest. With 1 in the
-// place of 1.5 wheels on a box lose their detail again and are awake for half as long again (docs/budget.md).
-constexpr double kWakes = 1.5;
-
-}  // namespace
-
 StepBudget::StepBudget()
     : costs_(CostWeights()), governor_(GovernorDef()), contacts_(costs_.weights().hiddenContact) {}
 
@@ -83,17 +75,6 @@ void StepBudget::learn(PlannedPair& pair, bool touching, const PairUnits& units)
   if (!isLimited()) return;
   costs_.learn(pair.cost, pair.view.level, pair.view.finest, touching, units.all, units.common,
                units.contacts);
-}
-
-// What is learned of pairs that rest is that they take nothing.
-void StepBudget::rest(PlannedPair& pair) {
-  if (!pair.rests) pair.awake = static_cast<float>(governor_.finestUnits(pair, costs_));
-  pair.rests = true;
-  learn(pair, pair.view.touching, {});
-}
-
-double StepBudget::unitsAwake(const PlannedPair& pair) const {
-  return kWakes * static_cast<double>(pair.awake) + costs_.weights().awakeBody;
 }
 
 void StepBudget::takeLoose(const LooseContacts& contacts) {

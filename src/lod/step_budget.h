@@ -89,13 +89,12 @@ class StepBudget {
   /// A pair went to the finer level that it has now, which did cost so much in this step; before learn().
   void learnFiner(const PlannedPair& pair, double units) { governor_.learnFiner(pair, costs_, units); }
 
-  /// What a pair that rests may take if it wakes with its bodies, to have its finest level; and units that
-  /// the last plan has left for that.
-  [[nodiscard]] double unitsAwake(const PlannedPair& pair) const;
+  /// What a pair that rests would take at its finest level if it woke with its bodies; and units that the
+  /// last plan has left for that.
+  [[nodiscard]] double unitsAwake(const PlannedPair& pair) const {
+    return governor_.finestUnits(pair, costs_) + costs_.weights().awakeBody;
+  }
   [[nodiscard]] double roomToWake() const { return governor_.room(); }
-
-  /// A pair was left out of the step.
-  void rest(PlannedPair& pair);
 
   /// After the narrowphase: contacts that belong to no pair.
   void takeLoose(const LooseContacts& contacts);

@@ -430,11 +430,7 @@ void Planner::finishPair(std::size_t pair) {
     for (PlannedBody* body : known_[pair].bodies) body->wakefulStep_ = step_;
   }
   counts_.requests += known_[pair].request.stands ? 1 : 0;
-  if (known_[pair].step != step_ && planned.view.level > 0) {
-    budget_.rest(planned);
-  } else {
-    planned.rests = false;
-  }
+  planned.rests = known_[pair].step != step_ && planned.view.level > 0;
   numOwed_ += restsOwed(pair) ? 1 : 0;
 }
 
@@ -455,7 +451,9 @@ void Planner::findOwed(std::vector<PlannedBody*>& bodies) {
   resting_.wake(budget_.roomToWake(), bodies);
   for (std::size_t i = 0; i < planned_.size(); ++i) {
     const bool isWoken = resting_.isWoken(*known_[i].bodies[0]) || resting_.isWoken(*known_[i].bodies[1]);
-    if (isWoken && restsOwed(i)) known_[i].isOwed = false;
+    if (!isWoken) continue;
+    if (restsOwed(i)) known_[i].isOwed = false;
+    planned_[i].rests = false;
   }
   lastCounts_.wokenBodies = static_cast<int>(bodies.size());
 }

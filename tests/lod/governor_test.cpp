@@ -193,6 +193,19 @@ TEST(Governor, ExpectsWhatThePairsCostNow) {
   EXPECT_NEAR(governor.planned(), 590.0, 20.0);
 }
 
+TEST(Governor, ExpectsNothingOfPairsThatRestAndAllOfThoseThatWake) {
+  CostModel costs{CostWeights{}};
+  Governor governor({});
+  std::vector<PlannedPair> pairs = knownPairs(costs, 10, 3);
+  for (const bool rests : {false, true, false}) {
+    for (PlannedPair& pair : pairs) pair.rests = rests;
+    for (const double budget : {1000.0, kNoBudget}) {
+      governor.plan(pairs, costs, 50.0, budget);
+      EXPECT_NEAR(governor.planned(), rests ? 50.0 : 150.0, 1e-3);
+    }
+  }
+}
+
 TEST(Governor, PromisesHoldWhateverTheBudget) {
   CostModel costs{CostWeights{}};
   Governor governor({});
