@@ -20,11 +20,14 @@ int RestingIslands::numberOf(PlannedBody& body) {
   return known->second;
 }
 
-int RestingIslands::rootOf(int number) const {
-  int root = number;
-  while (islands_[static_cast<std::size_t>(root)].root != root)
-    root = islands_[static_cast<std::size_t>(root)].root;
-  return root;
+// Shortens the way for the next time.
+int RestingIslands::rootOf(int number) {
+  const auto rootAt = [this](int i) -> int& { return islands_[static_cast<std::size_t>(i)].root; };
+  while (rootAt(number) != number) {
+    rootAt(number) = rootAt(rootAt(number));
+    number = rootAt(number);
+  }
+  return number;
 }
 
 void RestingIslands::add(PlannedBody& a, PlannedBody& b, double units, bool isOwed) {
@@ -49,6 +52,7 @@ void RestingIslands::add(PlannedBody& a, PlannedBody& b, double units, bool isOw
 void RestingIslands::wake(double room, std::vector<PlannedBody*>& bodies) {
   for (std::size_t i = 0; i < islands_.size(); ++i) {
     Island& island = islands_[i];
+    island.root = rootOf(static_cast<int>(i));
     if (island.root != static_cast<int>(i) || !island.isOwed || island.units > room) continue;
     room -= island.units;
     island.isWoken = true;
@@ -60,7 +64,8 @@ void RestingIslands::wake(double room, std::vector<PlannedBody*>& bodies) {
 
 bool RestingIslands::isWoken(const PlannedBody& body) const {
   const auto known = numbers_.find(&body);
-  return known != numbers_.end() && islands_[static_cast<std::size_t>(rootOf(known->second))].isWoken;
+  return known != numbers_.end() &&
+         islands_[static_cast<std::size_t>(islands_[static_cast<std::size_t>(known->second)].root)].isWoken;
 }
 
 }  // namespace scatter::pairs

@@ -7,8 +7,8 @@
 
 namespace scatter::pairs {
 
-/// Bodies that are asleep, and touch each other: if one of them wakes, so does its whole island. In memory
-/// that it keeps. Deterministic.
+/// Bodies that are asleep, and touch each other: if one of them wakes, so does its whole island.
+/// Deterministic.
 class RestingIslands {
  public:
   void clear();
@@ -24,14 +24,14 @@ class RestingIslands {
 
  private:
   struct Island {
-    int root;  ///< Of the island that it has become part of.
+    int root;  ///< One that it has become part of: not a later one.
     double units = 0.0;
     bool isOwed = false;
     bool isWoken = false;
   };
 
   int numberOf(PlannedBody& body);
-  [[nodiscard]] int rootOf(int number) const;
+  int rootOf(int number);
 
   std::unordered_map<const PlannedBody*, int> numbers_;
   std::vector<PlannedBody*> bodies_;  ///< By number.

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <vector>
 
 #include "pairs/fake_body.h"
@@ -45,6 +46,17 @@ TEST_F(RestingIslandsTest, AWholeIslandWakesHoweverItsPairsCameTogether) {
   EXPECT_THAT(wake(4.0), UnorderedElementsAre(&a, &b, &c, &d));
   EXPECT_TRUE(islands.isWoken(b));
   EXPECT_FALSE(islands.isWoken(e));
+}
+
+TEST_F(RestingIslandsTest, AChainOfManyBodiesIsOneIsland) {
+  constexpr int kMany = 20000;
+  std::vector<std::unique_ptr<FakeBody>> chain;
+  for (int i = 0; i < kMany; ++i) chain.push_back(std::make_unique<FakeBody>());
+  // Numbered one way, joined the other.
+  for (const auto& body : chain) islands.add(*body, floor, 0.0, false);
+  for (std::size_t i = chain.size() - 1; i > 0; --i) islands.add(*chain[i], *chain[i - 1], 1.0, i == 1);
+  EXPECT_THAT(wake(kMany - 2.0), IsEmpty());
+  EXPECT_EQ(wake(kMany).size(), chain.size());
 }
 
 TEST_F(RestingIslandsTest, AFloorJoinsNobodyAndDoesNotWake) {
