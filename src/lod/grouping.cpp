@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "graph/union_find.h"
+
 namespace scatter::lod {
 namespace {
 
@@ -42,21 +44,13 @@ std::uint32_t Grouping::groupOf(const PairView& pair) const {
   return a == kNone ? b : kNone;
 }
 
-std::uint32_t Grouping::rootOf(std::uint32_t body) {
-  while (parent_[body] != body) {
-    parent_[body] = parent_[parent_[body]];
-    body = parent_[body];
-  }
-  return body;
-}
-
 void Grouping::connect(const Situation& situation) {
   parent_.resize(situation.bodies.size());
   std::iota(parent_.begin(), parent_.end(), 0U);
   for (const PairView& pair : situation.pairs) {
     assert(pair.a < parent_.size() && pair.b < parent_.size());
     if (!connects(situation, pair)) continue;
-    const auto [low, high] = std::minmax({rootOf(pair.a), rootOf(pair.b)});
+    const auto [low, high] = std::minmax({graph::rootOf(parent_, pair.a), graph::rootOf(parent_, pair.b)});
     parent_[high] = low;
   }
 }
@@ -67,10 +61,10 @@ void Grouping::number(std::size_t bodies) {
   groups_.clear();
   groupOf_.assign(bodies, kNone);
   for (std::uint32_t body = 0; body < bodies; ++body) {
-    if (const std::uint32_t root = rootOf(body); root != body) groupOf_[root] = kHasCompany;
+    if (const std::uint32_t root = graph::rootOf(parent_, body); root != body) groupOf_[root] = kHasCompany;
   }
   for (std::uint32_t body = 0; body < bodies; ++body) {
-    const std::uint32_t root = rootOf(body);
+    const std::uint32_t root = graph::rootOf(parent_, body);
     if (root == body && groupOf_[body] == kNone) continue;
     if (root == body) {
       groupOf_[body] = static_cast<std::uint32_t>(groups_.size());

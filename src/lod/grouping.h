@@ -55,7 +55,6 @@ class Grouping {
   [[nodiscard]] std::uint32_t groupOf(const PairView& pair) const;
 
  private:
-  std::uint32_t rootOf(std::uint32_t body);
   void connect(const Situation& situation);
   void number(std::size_t bodies);
   void listMembers();

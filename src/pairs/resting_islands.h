@@ -24,18 +24,17 @@ class RestingIslands {
 
  private:
   struct Island {
-    int root;  ///< One that it has become part of: not a later one.
     double units = 0.0;
     bool isOwed = false;
     bool isWoken = false;
   };
 
   int numberOf(PlannedBody& body);
-  int rootOf(int number);
 
   std::unordered_map<const PlannedBody*, int> numbers_;
   std::vector<PlannedBody*> bodies_;  ///< By number.
   std::vector<Island> islands_;       ///< Each begins as one body.
+  std::vector<int> parents_;          ///< Of an island, one that it has become part of: not a later one.
 };
 
 }  // namespace scatter::pairs

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "graph/union_find.h"
+
 namespace scatter::solver {
 
 void IslandGroups::group(int bodies, std::span<const Link> links, std::span<const int> apart, int share) {
@@ -17,20 +19,11 @@ void IslandGroups::group(int bodies, std::span<const Link> links, std::span<cons
   sortLinks(chooseGroups(share));
 }
 
-int IslandGroups::rootOf(int body) {
-  auto at = static_cast<std::size_t>(body);
-  while (parents_[at] != static_cast<int>(at)) {
-    parents_[at] = parents_[static_cast<std::size_t>(parents_[at])];
-    at = static_cast<std::size_t>(parents_[at]);
-  }
-  return static_cast<int>(at);
-}
-
 void IslandGroups::unite(std::span<const Link> links) {
   for (const Link& link : links) {
     if (link.b == kNone) continue;
-    const int a = rootOf(link.a);
-    const int b = rootOf(link.b);
+    const int a = graph::rootOf(parents_, link.a);
+    const int b = graph::rootOf(parents_, link.b);
     parents_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
   }
   // A parent comes before its children, so that one pass leads all to their roots.

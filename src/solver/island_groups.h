@@ -29,7 +29,6 @@ class IslandGroups {
   [[nodiscard]] std::span<const int> linksOf(int group) const;
 
  private:
-  [[nodiscard]] int rootOf(int body);
   void unite(std::span<const Link> links);
   [[nodiscard]] int chooseGroups(int share);
   void sortLinks(int groups);
