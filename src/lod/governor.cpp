@@ -114,6 +114,13 @@ double lot(std::uint32_t identity) {
 // How much more cheap pairs are preferred than they are cheaper.
 constexpr double kThrift = 3.0;
 
+// What a pair takes in the step in which it goes finer, in what it takes in others, as much as the dearest
+// do: each of its parts is looked at, and from nothing. Pairs of hundreds of parts take 1.4 to 3.1, those of
+// few what firstLook_ has learned. Of ten scenes of rooms (`scatter bench budget --families rooms --scale
+// 0.5`, seeds 11 to 15 and 21 to 25), without, with 2, with 3, 0.07, 0.04, 0.02 % of the frames are
+// over 1.05, and with 1.2 floors 81, 82, 82 of a hundred touching pairs are at their finest level.
+constexpr double kFirstLook = 3.0;
+
 // Keeps ratios finite.
 constexpr double kLeastKindUnits = 0.01;
 
@@ -313,6 +320,12 @@ void Governor::learnFiner(const PlannedPair& pair, const CostModel& costs, doubl
   constexpr double kMemory = 1.0 / 16.0;
   const double usual = predict(pair, costs, pair.view.level);
   firstLook_ += kMemory * (std::max(units - usual, 0.0) - firstLook_);
+}
+
+bool Governor::isShortOfFiner(const PlannedPair& pair, const CostModel& costs) const {
+  if (isVain()) return false;
+  const double usual = std::max(predict(pair, costs, pair.view.level), predict(pair, costs, pair.target));
+  return isShort(std::max(firstLook_, kFirstLook * usual - static_cast<double>(pair.expected)));
 }
 
 void Governor::learnKind(const PlannedPair& pair, double units) {

@@ -75,8 +75,8 @@ class Governor {
   /// Whether it comes to more than the budget itself, of which a little is kept as long as it may be.
   [[nodiscard]] bool isOver() const { return comesTo() > budget_; }
 
-  /// Whether it would if a pair went finer.
-  [[nodiscard]] bool isShortOfFiner() const { return !isVain() && isShort(firstLook_); }
+  /// Whether it would if a pair took the finer level that is its target.
+  [[nodiscard]] bool isShortOfFiner(const PlannedPair& pair, const CostModel& costs) const;
 
   /// After each planned step: what it did cost, fixed units included, to correct the next plans.
   void learn(double actualUnits);

@@ -58,7 +58,10 @@ class StepBudget {
   /// Whether the step under way is about to exceed its budget, if so many units more are spent.
   [[nodiscard]] bool isShort(double more = 0.0) const { return governor_.isShort(more); }
 
-  [[nodiscard]] bool isShortOfFiner() const { return governor_.isShortOfFiner(); }
+  /// Whether it would if a pair took the finer level that is its target.
+  [[nodiscard]] bool isShortOfFiner(const PlannedPair& pair) const {
+    return governor_.isShortOfFiner(pair, costs_);
+  }
 
   /// Whether it would be if so many more queries about separation are made.
   [[nodiscard]] bool isShortAfterQueries(int queries) const;

@@ -152,11 +152,24 @@ TEST(Governor, KnowsWhatAPairTakesThatGoesFiner) {
     governor.spend(420.0);
   };
   fill();
-  EXPECT_FALSE(governor.isShortOfFiner());
+  EXPECT_FALSE(governor.isShortOfFiner(pairs[0], costs));
   for (int i = 0; i < 100; ++i) governor.learnFiner(pairs[0], costs, 110.0);
   fill();
   EXPECT_FALSE(governor.isShort());
-  EXPECT_TRUE(governor.isShortOfFiner());
+  EXPECT_TRUE(governor.isShortOfFiner(pairs[0], costs));
+}
+
+TEST(Governor, LetsADearPairWaitForRoomForItsFirstLook) {
+  CostModel costs{CostWeights{}};
+  Governor governor({});
+  std::vector<PlannedPair> pairs = knownPairs(costs, 50, 3);
+  PlannedPair& dear = pairs[0];
+  dear.cost.units[0] = 100.0F;
+  governor.plan(pairs, costs, 0.0, 1000.0);
+  EXPECT_FALSE(governor.isShortOfFiner(dear, costs));
+  governor.spend(300.0);
+  EXPECT_TRUE(governor.isShortOfFiner(dear, costs));
+  EXPECT_FALSE(governor.isShortOfFiner(pairs[1], costs));
 }
 
 TEST(Governor, TakesAWorldWithoutPairs) {
