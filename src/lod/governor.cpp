@@ -322,8 +322,9 @@ void Governor::learnFiner(const PlannedPair& pair, const CostModel& costs, doubl
   firstLook_ += kMemory * (std::max(units - usual, 0.0) - firstLook_);
 }
 
-bool Governor::isShortOfFiner(const PlannedPair& pair, const CostModel& costs) const {
+bool Governor::isShortOfFiner(const PlannedPair& pair, const CostModel& costs, bool fromNothing) const {
   if (isVain()) return false;
+  if (!fromNothing) return isShort(firstLook_);
   const double usual = std::max(predict(pair, costs, pair.view.level), predict(pair, costs, pair.target));
   return isShort(std::max(firstLook_, kFirstLook * usual - static_cast<double>(pair.expected)));
 }

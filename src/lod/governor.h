@@ -75,8 +75,9 @@ class Governor {
   /// Whether it comes to more than the budget itself, of which a little is kept as long as it may be.
   [[nodiscard]] bool isOver() const { return comesTo() > budget_; }
 
-  /// Whether it would if a pair took the finer level that is its target.
-  [[nodiscard]] bool isShortOfFiner(const PlannedPair& pair, const CostModel& costs) const;
+  /// Whether it would if a pair took the finer level that is its target. `fromNothing`: nothing of what the
+  /// pair knows of its parts is kept, as of a body and its ground.
+  [[nodiscard]] bool isShortOfFiner(const PlannedPair& pair, const CostModel& costs, bool fromNothing) const;
 
   /// After each planned step: what it did cost, fixed units included, to correct the next plans.
   void learn(double actualUnits);

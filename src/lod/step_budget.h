@@ -58,9 +58,9 @@ class StepBudget {
   /// Whether the step under way is about to exceed its budget, if so many units more are spent.
   [[nodiscard]] bool isShort(double more = 0.0) const { return governor_.isShort(more); }
 
-  /// Whether it would if a pair took the finer level that is its target.
-  [[nodiscard]] bool isShortOfFiner(const PlannedPair& pair) const {
-    return governor_.isShortOfFiner(pair, costs_);
+  /// As Governor has it.
+  [[nodiscard]] bool isShortOfFiner(const PlannedPair& pair, bool fromNothing) const {
+    return governor_.isShortOfFiner(pair, costs_, fromNothing);
   }
 
   /// Whether it would be if so many more queries about separation are made.

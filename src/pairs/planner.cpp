@@ -274,8 +274,9 @@ PairPlan Planner::planPair(int index) {
   plan.view = planned.view;
   const bool canWait =
       plan.target > plan.view.level && plan.view.level >= planned.wish.atLeast && !planned.mustSave;
-  const bool isPutOff = plan.view.level > 0 &&
-                        (planned.blockedSteps > 0 || (canWait && plans_ && budget_.isShortOfFiner(planned)));
+  const bool isPutOff =
+      plan.view.level > 0 && (planned.blockedSteps > 0 ||
+                              (canWait && plans_ && budget_.isShortOfFiner(planned, known_[i].isGround)));
   plan.tries = plan.target != plan.view.level && !isPutOff;
   plan.rules = rulesOf(i);
   plan.auditDistance = settings_.auditDistance;

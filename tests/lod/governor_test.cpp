@@ -152,11 +152,11 @@ TEST(Governor, KnowsWhatAPairTakesThatGoesFiner) {
     governor.spend(420.0);
   };
   fill();
-  EXPECT_FALSE(governor.isShortOfFiner(pairs[0], costs));
+  EXPECT_FALSE(governor.isShortOfFiner(pairs[0], costs, false));
   for (int i = 0; i < 100; ++i) governor.learnFiner(pairs[0], costs, 110.0);
   fill();
   EXPECT_FALSE(governor.isShort());
-  EXPECT_TRUE(governor.isShortOfFiner(pairs[0], costs));
+  EXPECT_TRUE(governor.isShortOfFiner(pairs[0], costs, false));
 }
 
 TEST(Governor, LetsADearPairWaitForRoomForItsFirstLook) {
@@ -166,10 +166,11 @@ TEST(Governor, LetsADearPairWaitForRoomForItsFirstLook) {
   PlannedPair& dear = pairs[0];
   dear.cost.units[0] = 100.0F;
   governor.plan(pairs, costs, 0.0, 1000.0);
-  EXPECT_FALSE(governor.isShortOfFiner(dear, costs));
+  EXPECT_FALSE(governor.isShortOfFiner(dear, costs, true));
   governor.spend(300.0);
-  EXPECT_TRUE(governor.isShortOfFiner(dear, costs));
-  EXPECT_FALSE(governor.isShortOfFiner(pairs[1], costs));
+  EXPECT_TRUE(governor.isShortOfFiner(dear, costs, true));
+  EXPECT_FALSE(governor.isShortOfFiner(dear, costs, false));
+  EXPECT_FALSE(governor.isShortOfFiner(pairs[1], costs, true));
 }
 
 TEST(Governor, TakesAWorldWithoutPairs) {
