@@ -114,11 +114,11 @@ double lot(std::uint32_t identity) {
 // How much more cheap pairs are preferred than they are cheaper.
 constexpr double kThrift = 3.0;
 
-// What a pair takes in the step in which it goes finer, in what it takes in others, as much as the dearest
-// do: each of its parts is looked at, and from nothing. Pairs of hundreds of parts take 1.4 to 3.1, those of
-// few what firstLook_ has learned. Without, with 2, with 3, `scatter bench budget --families rooms --scale
-// 0.5` has 5, 4, 3 frames over 1.05 in 11520 of seeds 1 to 6, and 14, 7, 4 in 19200 of 11 to 15 and 21 to 25,
-// with as many touching pairs at their finest level, or more.
+// What a body and its ground may take in the step in which it goes finer, in what they take in others: each
+// of its parts is looked at, and from nothing. Of hundreds of parts it is 1.4 to 3.1, of few what firstLook_
+// has learned. Without and with it `scatter bench budget --families rooms --scale 0.5` has 5 and 3 frames
+// over 1.05 in 11520 of seeds 1 to 6, 14 and 4 in 19200 of 11 to 15 and 21 to 25. Two bodies keep more of
+// what they know: if they wait as well, slabs of 64 bricks never get back the detail that they could afford.
 constexpr double kFirstLook = 3.0;
 
 // Keeps ratios finite.
