@@ -231,31 +231,33 @@ class PartPair {
   [[nodiscard]] float skin() const;
   void wakeAfter(ChildPair& child, float separation, float threshold) const;
 
+  // What staysQuiet() reads is first: of most pairs of a pile a step reads no more.
+  Frame frameB_;
+  Vec3 listedCenter_{0.0F};  ///< Of a ball around those of B in the list, in its frame.
+  float listedRadius_ = 0.0F;
+  double quietUntil_ = 0.0;    ///< Nothing can be in contact while the bodies' travels add up to less.
+  double listSlack_ = -1.0;    ///< Nor, of parts that were apart, while the bodies have moved less against
+  double listedSlack_ = -1.0;  ///< each other since the last look, and the parts in the list less than this.
+  float turnSince_ = 0.0F;
+  bool touches_ = false;  ///< There were others at the last look.
+  bool followsWhole_ = false;
+  bool listed_ = false;
+  bool motionBound_ = true;
+
   Children children_;
   std::pmr::vector<WakefulChild> wakeful_;
   double wakefulUntil_ = std::numeric_limits<double>::lowest();  ///< A motion of the listed parts.
   double othersWake_ = 0.0;  ///< The least ChildPair::wake of those that are not wakeful.
-  Frame frameB_;
-  float threshold_ = 0.0F;
-  float rounding_ = 0.0F;  ///< Taken off every proven distance.
-  float lastMotion_ = 0.0F;
-  int jumps_ = 0;  ///< Of both bodies, at the last advance().
-  bool listed_ = false;
-  bool motionBound_ = true;
   double motion_ = 0.0;
   double listedMotion_ = 0.0;  ///< Of the parts in the list alone: they are near each other, and all of the
                                ///< body may move far more where it turns.
-  Vec3 listedCenter_{0.0F};    ///< Of a ball around those of B, in its frame.
-  float listedRadius_ = 0.0F;
-  bool followsWhole_ = false;
   double listEnd_ = 0.0;       ///< The list is complete while the motion is less.
-  double quietUntil_ = 0.0;    ///< Nothing can be in contact while the bodies' travels add up to less.
-  double listSlack_ = -1.0;    ///< Nor, of parts that were apart, while the bodies have moved less against
-  double listedSlack_ = -1.0;  ///< each other since the last look, and the parts in the list less than this.
-  bool touches_ = false;       ///< There were others at the last look.
-  float turn_ = 0.0F;          ///< At the last look.
-  float turnSince_ = 0.0F;
-  Frame frameA_;  ///< A's, at the last advance().
+  Frame frameA_;               ///< A's, at the last advance().
+  float threshold_ = 0.0F;
+  float rounding_ = 0.0F;  ///< Taken off every proven distance.
+  float lastMotion_ = 0.0F;
+  float turn_ = 0.0F;  ///< At the last look.
+  int jumps_ = 0;      ///< Of both bodies, at the last advance().
 };
 
 }  // namespace scatter

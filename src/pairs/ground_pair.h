@@ -45,7 +45,6 @@ struct GroundPair {
 
   /// Of the step under way, until it has been made use of. Has no contacts.
   Foresight* foresight = nullptr;
-  StepAhead* ahead = nullptr;  ///< Or it has been made already.
 
   /// Calls `use(manifold)` for all, which may be changed.
   template <class Use>

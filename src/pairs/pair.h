@@ -54,23 +54,23 @@ enum class ContactOrigin : std::uint8_t {
 /// Two bodies whose bounds overlap, and what they know of each other from step to step. Its level, and what
 /// is wanted of it, is the planner's. Owns its manifolds; they are the engine's to free, which must have
 /// happened before its end.
-struct Pair {
+struct alignas(64) Pair {
   /// Nothing can be in contact while the bodies' travels add up to less than `quietUntil`, and neither has
   /// jumped. Here, as most pairs are left with no look at more.
   double quietUntil = kAwake;
   int jumps = 0;
   int versions[2]{kNoParts, kNoParts};  ///< Of the bodies' parts that the child pairs are of.
-
-  PartPair parts{};  ///< At the pair's level.
-  CreditState credit{};
-  HeldContacts held{};
   ContactOrigin origin = ContactOrigin::kFound;
   bool hasFallenBack = false;  ///< The engine's own algorithm collides the bodies.
   bool restarted = false;      ///< It began without contacts when it last looked for some.
 
   /// Of the step under way, until it has been made use of: what was found out about it.
   Foresight* foresight = nullptr;
-  StepAhead* ahead = nullptr;  ///< Or it has been made already.
+
+  PartPair parts{};  ///< At the pair's level.
+
+  CreditState credit{};
+  HeldContacts held{};
 
   static constexpr double kAwake = -1e18;
   static constexpr int kNoParts = -1;

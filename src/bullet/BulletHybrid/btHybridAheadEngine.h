@@ -69,9 +69,10 @@ public:
 /// Tells the dispatcher of the manifolds of a pair's step that was made ahead, and gives the pair those for which
 /// others stood in.
 template <class Pair>
-void btHybridAdopt(Pair& pair, btDispatcher* dispatcher, const btCollisionObject* a, const btCollisionObject* b)
+void btHybridAdopt(Pair& pair, const std::vector<scatter::pairs::ManifoldNote>& notes, btDispatcher* dispatcher,
+                   const btCollisionObject* a, const btCollisionObject* b)
 {
-	const btHybridAdoption adoption(dispatcher, a, b, pair.ahead->notes);
+	const btHybridAdoption adoption(dispatcher, a, b, notes);
 	if (!adoption.empty())
 		pair.forEachContact([&adoption](void*& manifold) { manifold = adoption.find(manifold); });
 }

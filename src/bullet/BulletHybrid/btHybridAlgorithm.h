@@ -8,11 +8,35 @@
 #include "btHybridLookahead.h"
 #include "btHybridStepMemory.h"
 
+class btHybridNarrowphase;
+
+/// What has been found out about the step of a pair before it comes.
+struct btHybridForeseen
+{
+	enum Kind : unsigned char
+	{
+		NOTHING,
+		IN_PART,  ///< what needs nothing of Bullet; its step makes use of it
+		QUIET,    ///< its bodies stay apart
+		COUNTED,  ///< and it has been counted as such
+		MADE      ///< it has been made, which is m_made
+	};
+	Kind m_kind;
+	const scatter::pairs::StepAhead* m_made;
+
+	btHybridForeseen(Kind kind = NOTHING, const scatter::pairs::StepAhead* made = 0) : m_kind(kind), m_made(made)
+	{
+	}
+};
+
 /// The narrowphase of a pair of objects of which at least one is a list of convex parts, owned by their broadphase
 /// pair.
 class btHybridAlgorithm : public btCollisionAlgorithm
 {
+	int m_place;  ///< among the pairs of the step under way, if it is foreseen
+
 protected:
+	btHybridNarrowphase* const m_narrowphase;
 	btHybridFallback m_fallback;
 
 	/// Adds the manifolds of the fallback, which have no credit.
@@ -28,8 +52,25 @@ protected:
 	}
 
 public:
-	explicit btHybridAlgorithm(const btCollisionAlgorithmConstructionInfo& info) : btCollisionAlgorithm(info)
+	btHybridAlgorithm(const btCollisionAlgorithmConstructionInfo& info, btHybridNarrowphase* narrowphase)
+	    : btCollisionAlgorithm(info), m_place(0), m_narrowphase(narrowphase)
 	{
+	}
+
+	/// A pair cache may hold pairs of a narrowphase that another one has replaced.
+	bool isOf(const btHybridNarrowphase& narrowphase) const
+	{
+		return m_narrowphase == &narrowphase;
+	}
+
+	/// Where btHybridForesight has it; only this can tell whether that is of the step under way.
+	void setPlace(int place)
+	{
+		m_place = place;
+	}
+	int getPlace() const
+	{
+		return m_place;
 	}
 
 	/// Whether its step is likely to be one that can be foreseen. Changes nothing.
@@ -42,10 +83,16 @@ public:
 	virtual void fetch(btHybridLookahead::Stage stage) const = 0;
 
 	/// Finds out about its step what needs nothing of Bullet, or makes it. Any number of pairs at once.
-	virtual void foresee(btHybridAhead& ahead, btHybridStepMemory& memory) = 0;
+	virtual btHybridForeseen foresee(btHybridAhead& ahead, btHybridStepMemory& memory) = 0;
+
+	/// Its step has come, which is quiet or made: that is its end.
+	virtual void takeForeseen(const btHybridForeseen& foreseen) = 0;
+
+	/// Fetches memory that takeForeseen() is going to need soon.
+	virtual void fetchForeseen() const = 0;
 
 	/// Its step has not come, or has made use of what was found out.
-	virtual void endForesight() = 0;
+	virtual void endForesight(const btHybridForeseen& foreseen) = 0;
 
 	/// In the planner; -1 if the pair does not switch.
 	virtual int getPlanIndex() const = 0;

@@ -3,6 +3,8 @@
 
 #include <BulletCollision/BroadphaseCollision/btOverlappingPairCache.h>
 
+class btHybridForesight;
+
 /// The overlapping pairs of a world as its dispatcher sees them, without those that need nothing of it: whose bodies
 /// the pair algorithm proves to be apart, in a pile three quarters, and those whose step has been made already. Bullet
 /// takes longer to get to them than they take. For dispatchers whose near callback is Bullet's: no other could tell.
@@ -10,13 +12,15 @@
 class btHybridAwakePairs : public btOverlappingPairCache
 {
 	btOverlappingPairCache* m_pairs;
+	btHybridForesight* m_foresight;
 
 	btHybridAwakePairs(const btHybridAwakePairs&);
 	btHybridAwakePairs& operator=(const btHybridAwakePairs&);
 
 public:
-	/// The pair cache must outlive it.
-	explicit btHybridAwakePairs(btOverlappingPairCache* pairs) : m_pairs(pairs)
+	/// Both must outlive it.
+	btHybridAwakePairs(btOverlappingPairCache* pairs, btHybridForesight* foresight)
+	    : m_pairs(pairs), m_foresight(foresight)
 	{
 	}
 

@@ -13,6 +13,7 @@
 #include "btHybridContactGroups.h"
 #include "btHybridContactVerifier.h"
 #include "btHybridEarlyRest.h"
+#include "btHybridManifolds.h"
 #include "btHybridNarrowphase.h"
 #include "btHybridNeighbourhood.h"
 #include "btHybridPlanner.h"
@@ -346,7 +347,7 @@ void btHybridDynamicsWorld::performDiscreteCollisionDetection()
 		BT_PROFILE("dispatchAllCollisionPairs");
 		m_narrowphase->getObjects().setDispatching(true);
 		m_narrowphase->getForesight().begin(*m_narrowphase, static_cast<btCollisionDispatcher*>(getDispatcher()),
-		                                    getDispatchInfo());
+		                                    *m_broadphasePairCache->getOverlappingPairCache(), getDispatchInfo());
 		dispatchPairs();
 		m_narrowphase->getForesight().end(*m_narrowphase);
 		m_narrowphase->getObjects().setDispatching(false);
@@ -365,7 +366,7 @@ void btHybridDynamicsWorld::performDiscreteCollisionDetection()
 void btHybridDynamicsWorld::dispatchPairs()
 {
 	btOverlappingPairCache* pairs = m_broadphasePairCache->getOverlappingPairCache();
-	btHybridAwakePairs awake(pairs);
+	btHybridAwakePairs awake(pairs, &m_narrowphase->getForesight());
 	const bool isUsual =
 	    btHybridAheadRules::isDispatchSure(static_cast<btCollisionDispatcher*>(m_dispatcher1), getDispatchInfo(), 0);
 	m_dispatcher1->dispatchAllCollisionPairs(isUsual && m_narrowphase->getForesight().isAtWork() ? &awake : pairs,
@@ -425,9 +426,13 @@ void btHybridDynamicsWorld::updateActivationState(btScalar timeStep)
 	btDiscreteDynamicsWorld::updateActivationState(timeStep);
 }
 
-// All at once, so that a solver of ours can share them out.
+// All at once, so that a solver of ours can share them out. Bullet first asks every manifold for its objects, in an
+// order that no cache foresees.
 void btHybridDynamicsWorld::solveIslands(btContactSolverInfo& info)
 {
+	btPersistentManifold** manifolds = m_dispatcher1->getInternalManifoldPointer();
+	for (int i = 0; i < m_dispatcher1->getNumManifolds(); i++)
+		btHybridContacts::prefetchObjects(manifolds[i]);
 	btHybridContactSolver* solver = dynamic_cast<btHybridContactSolver*>(m_constraintSolver);
 	if (!solver)
 	{

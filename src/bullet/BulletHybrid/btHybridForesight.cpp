@@ -1,13 +1,16 @@
 #include "btHybridForesight.h"
 
+#include <BulletCollision/BroadphaseCollision/btOverlappingPairCache.h>
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
 
 #include <algorithm>
 #include <chrono>
+#include <typeinfo>
 
 #include "btHybridAheadEngine.h"
-#include "btHybridAlgorithm.h"
+#include "btHybridGroundAlgorithm.h"
 #include "btHybridNarrowphase.h"
+#include "btHybridPairAlgorithm.h"
 
 namespace
 {
@@ -20,10 +23,23 @@ const int c_fewestBlocks = 16;
 /// threads together: to hand it over, and to ask all pairs, takes longer than it saves. How long it takes seldom
 /// changes from step to step. A stack of 20 wheels, with 0.2 ms a step, saves a quarter of its detection on two threads
 /// (`scatter run` of wheel_stack-41 in `lean`, collision_detection_ms).
-const int c_fewestPairs = 32;
+const size_t c_fewestPairs = 32;
 const double c_leastMilliseconds = 0.15;
 const int c_pause = 16;
 
+/// Pairs ahead whose memory is fetched while pairs are passed by, in the order in which it is needed: time for one to
+/// come.
+const size_t c_algorithmsAhead = 8;
+const size_t c_pairsAhead = 4;
+
+btHybridAlgorithm* ownOf(btCollisionAlgorithm* algorithm, const btHybridNarrowphase& narrowphase)
+{
+	if (!algorithm ||
+	    (typeid(*algorithm) != typeid(btHybridPairAlgorithm) && typeid(*algorithm) != typeid(btHybridGroundAlgorithm)))
+		return 0;
+	btHybridAlgorithm* own = static_cast<btHybridAlgorithm*>(algorithm);
+	return own->isOf(narrowphase) ? own : 0;
+}
 }  // namespace
 
 // Calls work(first, last) for blocks of indices.
@@ -62,61 +78,72 @@ void btHybridForesight::lookAhead(int index, int first, int last) const
 		const int by = int(btHybridLookahead::aheadBy(btHybridLookahead::Stage(stage)));
 		const int end = std::min(last, index + by + 1);
 		for (int i = index == first ? first : index + by; i < end; ++i)
-			if (m_chosen[i])
+			if (m_pairs[i])
 				m_pairs[i]->fetch(btHybridLookahead::Stage(stage));
 	}
 }
 
+// Bodies are shared by pairs, and a shape may turn out to have changed: they follow on one thread.
+void btHybridForesight::choose(const btHybridNarrowphase& narrowphase, btCollisionDispatcher* dispatcher,
+                               btOverlappingPairCache& overlaps)
+{
+	const btBroadphasePair* pairs = overlaps.getOverlappingPairArrayPtr();
+	forEachBlock(int(m_pairs.size()),
+	             [this, pairs, &narrowphase](int first, int last)
+	             {
+		             for (int i = first; i < last; ++i)
+		             {
+			             btHybridAlgorithm* pair = ownOf(pairs[i].m_algorithm, narrowphase);
+			             m_pairs[i] = pair && pair->mayBeForeseen() ? pair : 0;
+		             }
+	             });
+	for (btHybridAlgorithm*& pair : m_pairs)
+		if (pair && !pair->follow(dispatcher))
+			pair = 0;
+}
+
+void btHybridForesight::foresee(int first, int last)
+{
+	btHybridStepMemory* memory = borrow();
+	const auto begin = std::chrono::steady_clock::now();
+	for (int i = first; i < last; ++i)
+	{
+		lookAhead(i, first, last);
+		if (!m_pairs[i])
+			continue;
+		m_foreseen[i] = m_pairs[i]->foresee(m_ahead, *memory);
+		m_pairs[i]->setPlace(i);
+	}
+	memory->m_milliseconds +=
+	    std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+	giveBack(memory);
+}
+
 void btHybridForesight::begin(btHybridNarrowphase& narrowphase, btCollisionDispatcher* dispatcher,
-                              const btDispatcherInfo& info)
+                              btOverlappingPairCache& overlaps, const btDispatcherInfo& info)
 {
 	m_pairs.clear();
-	if (!m_threads->areMany() || m_pause-- > 0 || !btHybridAheadRules::isDispatchSure(dispatcher, info, m_promises))
+	const size_t own = narrowphase.countPairs() + size_t(narrowphase.getGrounds().count());
+	if (!m_threads->areMany() || m_pause-- > 0 || own < c_fewestPairs ||
+	    !btHybridAheadRules::isDispatchSure(dispatcher, info, m_promises))
 		return;
 	m_pause = 0;
-	narrowphase.collectOwners(m_pairs);
-	if (int(m_pairs.size()) < c_fewestPairs)
-	{
-		m_pairs.clear();
-		return;
-	}
 	m_ahead.m_info = &info;
 	m_ahead.m_mayStep = btHybridAheadRules::mayStep();
 	m_ahead.m_mayAdd = btHybridAheadRules::mayAdd(m_promises);
-	m_chosen.assign(m_pairs.size(), 0);
-	const int count = int(m_pairs.size());
-	forEachBlock(count,
-	             [this](int first, int last)
-	             {
-		             for (int i = first; i < last; ++i)
-			             m_chosen[i] = m_pairs[i]->mayBeForeseen();
-	             });
-	// Bodies are shared by pairs, and a shape may turn out to have changed.
-	for (int i = 0; i < count; ++i)
-		m_chosen[i] = m_chosen[i] && m_pairs[i]->follow(dispatcher);
-	forEachBlock(count,
-	             [this](int first, int last)
-	             {
-		             btHybridStepMemory* memory = borrow();
-		             const auto begin = std::chrono::steady_clock::now();
-		             for (int i = first; i < last; ++i)
-		             {
-			             lookAhead(i, first, last);
-			             if (m_chosen[i])
-				             m_pairs[i]->foresee(m_ahead, *memory);
-		             }
-		             memory->m_milliseconds +=
-		                 std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-		             giveBack(memory);
-	             });
+	const int count = overlaps.getNumOverlappingPairs();
+	m_pairs.resize(count);
+	m_foreseen.assign(count, btHybridForeseen::NOTHING);
+	choose(narrowphase, dispatcher, overlaps);
+	forEachBlock(count, [this](int first, int last) { foresee(first, last); });
 }
 
 // Pairs that are left out all the same have not made use of what was found out.
 void btHybridForesight::end(btHybridNarrowphase& narrowphase)
 {
 	for (size_t i = 0; i < m_pairs.size(); ++i)
-		if (m_pairs[i] && m_chosen[i])
-			m_pairs[i]->endForesight();
+		if (m_foreseen[i].m_kind != btHybridForeseen::NOTHING)
+			m_pairs[i]->endForesight(m_foreseen[i]);
 	double milliseconds = 0;
 	for (const auto& memory : m_memories)
 	{
@@ -129,8 +156,39 @@ void btHybridForesight::end(btHybridNarrowphase& narrowphase)
 	m_pairs.clear();
 }
 
-void btHybridForesight::forget(const btHybridAlgorithm* pair)
+// Whether takeForeseen() is going to be called.
+bool btHybridForesight::isTaken(size_t place) const
 {
-	std::replace(m_pairs.begin(), m_pairs.end(), const_cast<btHybridAlgorithm*>(pair),
-	             static_cast<btHybridAlgorithm*>(0));
+	if (place >= m_pairs.size())
+		return false;
+	const btHybridForeseen::Kind kind = m_foreseen[place].m_kind;
+	return kind == btHybridForeseen::QUIET || kind == btHybridForeseen::MADE;
+}
+
+void btHybridForesight::fetchAfter(size_t place) const
+{
+#if defined(__GNUC__)
+	const size_t far = place + c_algorithmsAhead;
+	const size_t near = place + c_pairsAhead;
+	if (isTaken(far))
+		__builtin_prefetch(m_pairs[far]);
+	if (isTaken(far) && m_foreseen[far].m_made)
+		btHybridLookahead::fetch(m_foreseen[far].m_made, sizeof(scatter::pairs::StepAhead));
+	if (isTaken(near))
+		m_pairs[near]->fetchForeseen();
+#else
+	(void)place;
+#endif
+}
+
+void btHybridForesight::forget(btHybridAlgorithm* pair)
+{
+	const size_t place = pair->getPlace();
+	if (place >= m_pairs.size() || m_pairs[place] != pair)
+		return;
+	const btHybridForeseen foreseen = m_foreseen[place];
+	m_foreseen[place] = btHybridForeseen::NOTHING;
+	m_pairs[place] = 0;
+	if (foreseen.m_kind != btHybridForeseen::NOTHING)
+		pair->endForesight(foreseen);
 }

@@ -1,17 +1,20 @@
 #ifndef BT_HYBRID_FORESIGHT_H
 #define BT_HYBRID_FORESIGHT_H
 
+#include <BulletCollision/BroadphaseCollision/btCollisionAlgorithm.h>
+
 #include <memory>
 #include <mutex>
 #include <vector>
 
+#include "btHybridAlgorithm.h"
 #include "btHybridStepMemory.h"
 #include "btHybridThreads.h"
 
 class btCollisionDispatcher;
 struct btDispatcherInfo;
 class btHybridNarrowphase;
-class btHybridAlgorithm;
+class btOverlappingPairCache;
 
 /// Makes on several threads, before the pairs of a step are dispatched, the steps of those that need nothing of Bullet
 /// but manifolds; of others, it finds out the neighbours and distances of their parts. What Bullet is asked or told
@@ -19,8 +22,9 @@ class btHybridAlgorithm;
 class btHybridForesight
 {
 	std::shared_ptr<btHybridThreads> m_threads;
-	std::vector<btHybridAlgorithm*> m_pairs;  ///< of the step
-	std::vector<char> m_chosen;
+	std::vector<btHybridAlgorithm*> m_pairs;  ///< of the step, in Bullet's order; 0 where nothing is to be foreseen
+	std::vector<btHybridForeseen>
+	    m_foreseen;  ///< of each, side by side: most need no look at the pair when their turn comes
 	btHybridAhead m_ahead;
 	int m_promises;  ///< of the program, see btHybridPromises
 	std::mutex m_mutex;
@@ -33,7 +37,11 @@ class btHybridForesight
 
 	template <class Work>
 	void forEachBlock(int count, const Work& work) const;
+	void choose(const btHybridNarrowphase& narrowphase, btCollisionDispatcher* dispatcher,
+	            btOverlappingPairCache& overlaps);
+	void foresee(int first, int last);
 	void lookAhead(int index, int first, int last) const;
+	bool isTaken(size_t place) const;
 	btHybridStepMemory* borrow();
 	void giveBack(btHybridStepMemory* memory);
 
@@ -64,8 +72,9 @@ public:
 			m_threads->expectWork();
 	}
 
-	/// Around the dispatch of a step's pairs.
-	void begin(btHybridNarrowphase& narrowphase, btCollisionDispatcher* dispatcher, const btDispatcherInfo& info);
+	/// Around the dispatch of a step's pairs, which `overlaps` has.
+	void begin(btHybridNarrowphase& narrowphase, btCollisionDispatcher* dispatcher, btOverlappingPairCache& overlaps,
+	           const btDispatcherInfo& info);
 	void end(btHybridNarrowphase& narrowphase);
 
 	/// Whether something has been found out about the pairs of the step under way.
@@ -74,8 +83,25 @@ public:
 		return !m_pairs.empty();
 	}
 
-	/// Of a pair that is gone.
-	void forget(const btHybridAlgorithm* pair);
+	/// The turn of a pair has come, which was at `place` among the step's. Whether its step has been made already, or
+	/// its bodies are known to stay apart: it is done then. `algorithm` may be anyone's.
+	bool passBy(size_t place, const btCollisionAlgorithm* algorithm)
+	{
+		if (place >= m_pairs.size() || m_pairs[place] != algorithm ||
+		    m_foreseen[place].m_kind < btHybridForeseen::QUIET)
+			return false;
+		const btHybridForeseen foreseen = m_foreseen[place];
+		m_foreseen[place] = btHybridForeseen::NOTHING;
+		if (foreseen.m_kind != btHybridForeseen::COUNTED)
+			m_pairs[place]->takeForeseen(foreseen);
+		return true;
+	}
+
+	/// Fetches memory that passBy() is going to need for the pairs after `place`.
+	void fetchAfter(size_t place) const;
+
+	/// Of a pair that goes.
+	void forget(btHybridAlgorithm* pair);
 };
 
 #endif  // BT_HYBRID_FORESIGHT_H

@@ -20,7 +20,7 @@ btHybridGroundAlgorithm::btHybridGroundAlgorithm(const btCollisionAlgorithmConst
                                                  btHybridNarrowphase* narrowphase,
                                                  const btCollisionObjectWrapper* body0Wrap,
                                                  const btCollisionObjectWrapper* body1Wrap, int side)
-    : btHybridAlgorithm(info), m_narrowphase(narrowphase), m_bodies(0), m_ground(0), m_index(-1), m_planIndex(-1)
+    : btHybridAlgorithm(info, narrowphase), m_bodies(0), m_ground(0), m_index(-1), m_planIndex(-1)
 {
 	const btCollisionObjectWrapper* wraps[2] = {body0Wrap, body1Wrap};
 	btHybridObjects& objects = m_narrowphase->getObjects();
@@ -30,7 +30,7 @@ btHybridGroundAlgorithm::btHybridGroundAlgorithm(const btCollisionAlgorithmConst
 	m_bodies = new btHybridGroundBodies(body, wraps[1 - side]->getCollisionObject(), side, switches);
 	m_bodies->take(body->getNumLevels(), objects);
 	m_narrowphase->addUser();
-	m_narrowphase->addGround(this, &m_index);
+	m_narrowphase->getGrounds().add(&m_index);
 	shareGround();
 	if (!switches)
 		return;
@@ -58,11 +58,13 @@ void btHybridGroundAlgorithm::shareGround()
 // What is freed here was got from the dispatcher, whichever call was under way.
 btHybridGroundAlgorithm::~btHybridGroundAlgorithm()
 {
-	endForesight();
+	m_narrowphase->getForesight().forget(this);
 	for (const GroundContact& contact : getPair().contacts)
 		m_dispatcher->releaseManifold(btHybridContacts::at(contact.manifold));
 	m_fallback.release(m_dispatcher);
-	m_narrowphase->removeGround(this, m_index);
+	// What it shares is looked up anew after the last pair that has it.
+	getPair().region.forget();
+	m_narrowphase->getGrounds().remove(m_index);
 	if (m_ground)
 	{
 		m_narrowphase->getPlanner()->removePair(m_planIndex);
@@ -172,7 +174,7 @@ public:
 };
 }  // namespace
 
-void btHybridGroundAlgorithm::foresee(btHybridAhead& ahead, btHybridStepMemory& memory)
+btHybridForeseen btHybridGroundAlgorithm::foresee(btHybridAhead& ahead, btHybridStepMemory& memory)
 {
 	GroundPair& pair = getPair();
 	const scatter::pairs::PlacedBody placed = getPlaced();
@@ -183,7 +185,7 @@ void btHybridGroundAlgorithm::foresee(btHybridAhead& ahead, btHybridStepMemory& 
 	                                                            m_bodies->m_groundObject, ahead.m_info->m_timeStep)
 	                                         : scatter::Vec3(0);
 	if (pair.quietUntil >= 0 && scatter::pairs::staysQuiet(pair, placed, ground, version, glm::length(way)))
-		return;
+		return btHybridForeseen::NOTHING;
 	CallAhead call(*m_bodies, *ahead.m_info);
 	scatter::pairs::StepAhead& step = memory.m_foresight.takeStep();
 	AheadEngine engine(ahead.m_meshes, memory, step.notes, static_cast<btCollisionDispatcher*>(m_dispatcher),
@@ -194,10 +196,11 @@ void btHybridGroundAlgorithm::foresee(btHybridAhead& ahead, btHybridStepMemory& 
 		isDecided = scatter::pairs::foresee(pair, placed, ground, steps, engine, memory.m_step.ground.region,
 		                                    memory.m_foresight);
 	if (!isDecided || !btHybridAheadRules::mayStep(ahead, m_bodies->m_object->getObject(), m_bodies->m_groundObject))
-		return;
+		return btHybridForeseen::IN_PART;
 	stepAhead(step, engine, memory);
 	// The step has made use of it: the next pair may have its memory.
 	memory.m_foresight.used = used;
+	return btHybridForeseen(btHybridForeseen::MADE, &step);
 }
 
 // As the dispatcher's near callback calls it, and processCollision() the pair.
@@ -210,21 +213,32 @@ void btHybridGroundAlgorithm::stepAhead(scatter::pairs::StepAhead& step, btHybri
 		                                          engine, memory.m_step, step.work);
 	else
 		scatter::pairs::collideGround(getPair(), m_bodies->m_level, steps, engine, memory.m_step, step.work);
-	getPair().ahead = &step;
 }
 
-void btHybridGroundAlgorithm::takeAhead()
+void btHybridGroundAlgorithm::takeAhead(const scatter::pairs::StepAhead& step)
 {
-	GroundPair& pair = getPair();
-	btHybridAdopt(pair, m_dispatcher, m_bodies->m_object->getObject(), m_bodies->m_groundObject);
-	m_narrowphase->takeAhead(*pair.ahead, m_planIndex);
-	pair.ahead = 0;
+	if (!step.notes.empty())
+		btHybridAdopt(getPair(), step.notes, m_dispatcher, m_bodies->m_object->getObject(), m_bodies->m_groundObject);
+	m_narrowphase->takeAhead(step, m_planIndex);
 }
 
-void btHybridGroundAlgorithm::endForesight()
+void btHybridGroundAlgorithm::takeForeseen(const btHybridForeseen& foreseen)
 {
-	if (getPair().ahead)
-		takeAhead();
+	takeAhead(*foreseen.m_made);
+}
+
+void btHybridGroundAlgorithm::fetchForeseen() const
+{
+#if defined(__GNUC__)
+	if (m_planIndex >= 0)
+		__builtin_prefetch(&m_narrowphase->getPlanner()->pair(m_planIndex));
+#endif
+}
+
+void btHybridGroundAlgorithm::endForesight(const btHybridForeseen& foreseen)
+{
+	if (foreseen.m_made)
+		takeAhead(*foreseen.m_made);
 	getPair().foresight = 0;
 }
 
@@ -232,9 +246,9 @@ void btHybridGroundAlgorithm::processCollision(const btCollisionObjectWrapper* b
                                                const btCollisionObjectWrapper* body1Wrap,
                                                const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut)
 {
-	if (getPair().ahead)
-		return takeAhead();
 	btHybridNarrowphase& shared = *m_narrowphase;
+	if (shared.getForesight().passBy(getPlace(), this))
+		return;
 	btHybridPlanner* planner = m_planIndex >= 0 ? shared.getPlanner() : 0;
 	const bool isFirst = m_bodies->m_side == 0;
 	const btHybridGroundCall call = {isFirst ? body0Wrap : body1Wrap, isFirst ? body1Wrap : body0Wrap, dispatchInfo,

@@ -5,14 +5,11 @@
 #include "btHybridGroundEngine.h"
 #include "pairs/ground_pair.h"
 
-class btHybridNarrowphase;
-
 /// The narrowphase of a list of convex parts and what it may lie on: hands Bullet's calls to the pair in the
 /// narrowphase's table. As in Bullet, each part has one manifold for all of the ground, with the part's body first.
 /// Small, because Bullet's pool takes algorithms of any size without looking.
 class btHybridGroundAlgorithm : public btHybridAlgorithm
 {
-	btHybridNarrowphase* m_narrowphase;
 	btHybridGroundBodies* m_bodies;
 	btHybridLevelBodies* m_ground;  ///< for the planner; 0 if the pair does not switch
 	int m_index;                    ///< of the pair, in its table
@@ -22,7 +19,7 @@ class btHybridGroundAlgorithm : public btHybridAlgorithm
 	scatter::pairs::PlacedBody getPlaced() const;
 	void shareGround();
 	void stepAhead(scatter::pairs::StepAhead& step, btHybridGroundEngine& engine, btHybridStepMemory& memory);
-	void takeAhead();
+	void takeAhead(const scatter::pairs::StepAhead& step);
 	bool staysQuiet(btHybridGroundEngine& engine) const;
 
 public:
@@ -44,8 +41,10 @@ public:
 	virtual void fetch(btHybridLookahead::Stage) const
 	{
 	}
-	virtual void foresee(btHybridAhead& ahead, btHybridStepMemory& memory);
-	virtual void endForesight();
+	virtual btHybridForeseen foresee(btHybridAhead& ahead, btHybridStepMemory& memory);
+	virtual void takeForeseen(const btHybridForeseen& foreseen);
+	virtual void fetchForeseen() const;
+	virtual void endForesight(const btHybridForeseen& foreseen);
 
 	virtual void processCollision(const btCollisionObjectWrapper* body0Wrap, const btCollisionObjectWrapper* body1Wrap,
 	                              const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut);

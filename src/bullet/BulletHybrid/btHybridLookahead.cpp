@@ -10,23 +10,15 @@ const size_t c_line = 64;
 
 // Pairs ahead at which each stage is fetched. Twice or half as many change implosions of 400 ships by less than runs
 // differ.
-const size_t c_ahead[btHybridLookahead::NUM_STAGES] = {14, 10, 6, 3};
+const size_t c_ahead[btHybridLookahead::NUM_STAGES] = {18, 14, 10, 6, 3};
+
+// Of a pair: what most are asked for.
+const size_t c_headBytes = 2 * c_line;
 
 // Of a pair: more would push out what is needed first.
 const size_t c_mostWakefulBytes = 8 * c_line;
 const size_t c_mostAwakeChildren = 16;
 const size_t c_mostContacts = 6;
-
-void fetch(const void* from, size_t bytes)
-{
-#if defined(__GNUC__)
-	for (size_t i = 0; i < bytes; i += c_line)
-		__builtin_prefetch(static_cast<const char*>(from) + i, 1);
-#else
-	(void)from;
-	(void)bytes;
-#endif
-}
 
 bool isLikelyQuiet(const scatter::pairs::Pair& pair)
 {
@@ -36,7 +28,7 @@ bool isLikelyQuiet(const scatter::pairs::Pair& pair)
 void fetchWakeful(const scatter::pairs::Pair& pair)
 {
 	const auto wakeful = pair.parts.lastWakeful();
-	fetch(wakeful.data(), std::min(wakeful.size_bytes(), c_mostWakefulBytes));
+	btHybridLookahead::fetch(wakeful.data(), std::min(wakeful.size_bytes(), c_mostWakefulBytes));
 }
 
 // Calls use(child) for the first of those that are likely to be looked at.
@@ -57,7 +49,8 @@ void forEachAwake(const scatter::pairs::Pair& pair, size_t most, const Use& use)
 
 void fetchChildren(const scatter::pairs::Pair& pair)
 {
-	forEachAwake(pair, c_mostAwakeChildren, [](const scatter::ChildPair& child) { fetch(&child, sizeof(child)); });
+	forEachAwake(pair, c_mostAwakeChildren,
+	             [](const scatter::ChildPair& child) { btHybridLookahead::fetch(&child, sizeof(child)); });
 }
 
 void fetchContacts(const scatter::pairs::Pair& pair)
@@ -71,6 +64,17 @@ void fetchContacts(const scatter::pairs::Pair& pair)
 }
 }  // namespace
 
+void btHybridLookahead::fetch(const void* from, size_t bytes)
+{
+#if defined(__GNUC__)
+	for (size_t i = 0; i < bytes; i += c_line)
+		__builtin_prefetch(static_cast<const char*>(from) + i, 1);
+#else
+	(void)from;
+	(void)bytes;
+#endif
+}
+
 size_t btHybridLookahead::aheadBy(Stage stage)
 {
 	return c_ahead[stage];
@@ -78,14 +82,12 @@ size_t btHybridLookahead::aheadBy(Stage stage)
 
 void btHybridLookahead::fetch(const scatter::pairs::Pair& pair, Stage stage)
 {
-	if (stage == PAIR)
-		return ::fetch(&pair, sizeof(pair));
+	if (stage == HEAD)
+		return fetch(&pair, c_headBytes);
 	if (isLikelyQuiet(pair))
 		return;
-	if (pair.ahead && stage == WAKEFUL)
-		::fetch(pair.ahead, sizeof(*pair.ahead));
-	if (pair.ahead)
-		return;
+	if (stage == PAIR)
+		return fetch(reinterpret_cast<const char*>(&pair) + c_headBytes, sizeof(pair) - c_headBytes);
 	if (stage == WAKEFUL)
 		fetchWakeful(pair);
 	else if (stage == CHILDREN)
@@ -134,14 +136,14 @@ void btHybridLookahead::visit(const void* algorithm, int index, const scatter::p
 		const bool isThere = place < m_last.size() && m_last[place].m_index < pairs.count();
 		return isThere ? &pairs[m_last[place].m_index] : 0;
 	};
-	if (ahead(c_ahead[PAIR]))
+	if (ahead(c_ahead[HEAD]))
 	{
-		const Visit& next = m_last[m_place + c_ahead[PAIR]];
-		::fetch(next.m_algorithm, 2 * c_line);
+		const Visit& next = m_last[m_place + c_ahead[HEAD]];
+		fetch(next.m_algorithm, 2 * c_line);
 		if (next.m_planned)
-			::fetch(next.m_planned, 2 * c_line);
+			fetch(next.m_planned, 2 * c_line);
 	}
-	for (int stage = PAIR; stage < NUM_STAGES; stage++)
+	for (int stage = HEAD; stage < NUM_STAGES; stage++)
 		if (const scatter::pairs::Pair* pair = ahead(c_ahead[stage]))
 			fetch(*pair, Stage(stage));
 }

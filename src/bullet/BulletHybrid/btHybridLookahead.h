@@ -31,6 +31,7 @@ public:
 	/// What of a pair is fetched, from far ahead to near: each needs what the one before brought.
 	enum Stage
 	{
+		HEAD,  ///< what a quiet one is asked for
 		PAIR,
 		WAKEFUL,
 		CHILDREN,
@@ -39,6 +40,9 @@ public:
 	};
 	static size_t aheadBy(Stage stage);
 	static void fetch(const scatter::pairs::Pair& pair, Stage stage);
+
+	/// Some memory that is going to be read or written.
+	static void fetch(const void* from, size_t bytes);
 
 	/// Begins a step. Where nobody says so, in worlds of another kind, it is seen by Bullet coming round.
 	void begin();

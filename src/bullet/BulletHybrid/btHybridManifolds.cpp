@@ -73,7 +73,15 @@ void btHybridContacts::prefetch(const void* manifold)
 	const char* bytes = static_cast<const char*>(manifold);
 	for (size_t i = 0; i < sizeof(btManifoldPoint); i += 64)
 		__builtin_prefetch(bytes + i, 1);
-	__builtin_prefetch(bytes + sizeof(btPersistentManifold) - 64, 1);
+#endif
+	prefetchObjects(manifold);
+}
+
+// Behind its points, in its last 32 bytes.
+void btHybridContacts::prefetchObjects(const void* manifold)
+{
+#if defined(__GNUC__)
+	__builtin_prefetch(static_cast<const char*>(manifold) + sizeof(btPersistentManifold) - 32, 1);
 #else
 	(void)manifold;
 #endif

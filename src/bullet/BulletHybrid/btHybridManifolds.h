@@ -32,6 +32,9 @@ public:
 	static float carry(btPersistentManifold* manifold, const btCollisionObject* a, const btCollisionObject* b);
 	static void prefetch(const void* manifold);
 
+	/// Of the same, what says whose it is.
+	static void prefetchObjects(const void* manifold);
+
 	/// Whether any point is going to be left by refreshContactPoints(), with the bodies where they are. Changes
 	/// nothing.
 	static bool wouldOutlast(const btPersistentManifold& manifold);

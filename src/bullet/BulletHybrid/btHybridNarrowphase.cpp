@@ -28,47 +28,6 @@ void btHybridNarrowphase::removeUser()
 		delete this;
 }
 
-void btHybridNarrowphase::addPair(btHybridAlgorithm* owner, bool switches, int* index)
-{
-	getPairs(switches).add(index);
-	m_owners[switches].push_back(owner);
-}
-
-// As tables do: the last one takes its place.
-static void removeOwner(std::vector<btHybridAlgorithm*>& owners, int index)
-{
-	owners[index] = owners.back();
-	owners.pop_back();
-}
-
-void btHybridNarrowphase::removePair(btHybridAlgorithm* owner, bool switches, int index)
-{
-	m_foresight.forget(owner);
-	removeOwner(m_owners[switches], index);
-	getPairs(switches).remove(index);
-}
-
-void btHybridNarrowphase::addGround(btHybridAlgorithm* owner, int* index)
-{
-	m_grounds.add(index);
-	m_groundOwners.push_back(owner);
-}
-
-void btHybridNarrowphase::removeGround(btHybridAlgorithm* owner, int index)
-{
-	m_foresight.forget(owner);
-	removeOwner(m_groundOwners, index);
-	// What it shares is looked up anew after the last pair that has it.
-	m_grounds[index].region.forget();
-	m_grounds.remove(index);
-}
-
-void btHybridNarrowphase::collectOwners(std::vector<btHybridAlgorithm*>& owners) const
-{
-	for (const std::vector<btHybridAlgorithm*>* some : {&m_owners[1], &m_groundOwners, &m_owners[0]})
-		owners.insert(owners.end(), some->begin(), some->end());
-}
-
 void btHybridNarrowphase::beginStep()
 {
 	m_objects.beginStep();

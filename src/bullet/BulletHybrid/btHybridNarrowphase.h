@@ -14,7 +14,6 @@
 #include "pairs/pair_step.h"
 #include "pairs/pair_table.h"
 
-class btHybridAlgorithm;
 class btHybridPlanner;
 
 /// What the pair algorithms of a dispatcher share: the pairs, their objects, settings, counts. Counted by its owner and
@@ -30,9 +29,6 @@ class btHybridNarrowphase
 	scatter::pairs::PairTable m_plainPairs;
 	scatter::pairs::GroundTable m_grounds;
 	btHybridWholeGrounds m_wholeGrounds;
-	std::vector<btHybridAlgorithm*>
-	    m_owners[2];  ///< of the pairs that do not switch, and of those that do, as in their tables
-	std::vector<btHybridAlgorithm*> m_groundOwners;
 	btHybridForesight m_foresight;
 	btHybridLookahead m_lookahead;
 	std::vector<std::unique_ptr<scatter::pairs::StepScratch>> m_scratches;
@@ -112,15 +108,6 @@ public:
 	{
 		return size_t(m_pairs.count()) + size_t(m_plainPairs.count());
 	}
-
-	/// Adds a pair to its table, whose index it keeps in `index`.
-	void addPair(btHybridAlgorithm* owner, bool switches, int* index);
-	void removePair(btHybridAlgorithm* owner, bool switches, int index);
-	void addGround(btHybridAlgorithm* owner, int* index);
-	void removeGround(btHybridAlgorithm* owner, int index);
-
-	/// Adds the owners of all pairs.
-	void collectOwners(std::vector<btHybridAlgorithm*>& owners) const;
 
 	btHybridForesight& getForesight()
 	{

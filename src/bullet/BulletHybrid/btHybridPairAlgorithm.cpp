@@ -20,18 +20,16 @@ btHybridPairAlgorithm::btHybridPairAlgorithm(const btCollisionAlgorithmConstruct
                                              btHybridNarrowphase* narrowphase,
                                              const btCollisionObjectWrapper* body0Wrap,
                                              const btCollisionObjectWrapper* body1Wrap)
-    : btHybridAlgorithm(info),
-      m_narrowphase(narrowphase),
+    : btHybridAlgorithm(info, narrowphase),
       m_bodies(narrowphase->getObjects().acquire(body0Wrap->getCollisionObject(), narrowphase->getPlanner()),
                narrowphase->getObjects().acquire(body1Wrap->getCollisionObject(), narrowphase->getPlanner())),
       m_index(-1),
       m_planIndex(-1),
       m_switches(m_narrowphase->getPlanner() &&
-                 btMax(m_bodies.m_objects[0]->getNumLevels(), m_bodies.m_objects[1]->getNumLevels()) > 0),
-      m_foreseen(NOTHING)
+                 btMax(m_bodies.m_objects[0]->getNumLevels(), m_bodies.m_objects[1]->getNumLevels()) > 0)
 {
 	m_narrowphase->addUser();
-	m_narrowphase->addPair(this, m_switches, &m_index);
+	m_narrowphase->getPairs(m_switches).add(&m_index);
 	if (m_switches)
 		m_narrowphase->getPlanner()->addPair(m_bodies.m_objects[0], m_bodies.m_objects[1], &m_planIndex);
 	m_bodies.take(btMax(m_bodies.m_objects[0]->getNumLevels(), m_bodies.m_objects[1]->getNumLevels()),
@@ -41,7 +39,7 @@ btHybridPairAlgorithm::btHybridPairAlgorithm(const btCollisionAlgorithmConstruct
 // What is freed here was got from the dispatcher, whichever call was under way.
 btHybridPairAlgorithm::~btHybridPairAlgorithm()
 {
-	endForesight();
+	m_narrowphase->getForesight().forget(this);
 	btManifoldArray own;
 	getPair().forEachManifold([&own](void* manifold) { own.push_back(static_cast<btPersistentManifold*>(manifold)); });
 	for (int i = 0; i < own.size(); i++)
@@ -49,7 +47,7 @@ btHybridPairAlgorithm::~btHybridPairAlgorithm()
 	m_fallback.release(m_dispatcher);
 	if (m_switches)
 		m_narrowphase->getPlanner()->removePair(m_planIndex);
-	m_narrowphase->removePair(this, m_switches, m_index);
+	m_narrowphase->getPairs(m_switches).remove(m_index);
 	for (int i = 0; i < 2; i++)
 		m_narrowphase->getObjects().release(m_bodies.m_objects[i]);
 	m_narrowphase->removeUser();
@@ -86,34 +84,27 @@ void btHybridPairAlgorithm::takeQuiet()
 }
 
 // Where nothing plans all pairs cost the same, so that their order is of no matter.
-void btHybridPairAlgorithm::foreseeQuiet(btHybridStepMemory& memory)
+btHybridForeseen btHybridPairAlgorithm::foreseeQuiet(btHybridStepMemory& memory) const
 {
 	const btHybridPlanner& planner = *m_narrowphase->getPlanner();
-	m_foreseen = planner.plans() ? QUIET : COUNTED;
 	if (planner.plans())
-		return;
+		return btHybridForeseen::QUIET;
 	memory.m_quiet.all++;
 	memory.m_quiet.atFinest += planner.isAtFinest(m_planIndex) ? 1 : 0;
+	return btHybridForeseen::COUNTED;
 }
 
-// Whether the step is done.
-bool btHybridPairAlgorithm::passBy()
+void btHybridPairAlgorithm::takeForeseen(const btHybridForeseen& foreseen)
 {
-	const Foreseen foreseen = m_foreseen;
-	m_foreseen = NOTHING;
-	if (foreseen == MADE)
-		takeAhead();
-	else if (foreseen == QUIET)
+	if (foreseen.m_made)
+		takeAhead(*foreseen.m_made);
+	else
 		takeQuiet();
-	return foreseen != NOTHING;
 }
 
-void btHybridPairAlgorithm::fetchNext() const
+void btHybridPairAlgorithm::fetchForeseen() const
 {
 #if defined(__GNUC__)
-	if (m_foreseen == COUNTED)
-		return;
-	__builtin_prefetch(&getPair());
 	if (m_switches)
 		__builtin_prefetch(&m_narrowphase->getPlanner()->pair(m_planIndex));
 #endif
@@ -199,31 +190,30 @@ void btHybridPairAlgorithm::fetch(btHybridLookahead::Stage stage) const
 	btHybridLookahead::fetch(getPair(), stage);
 }
 
-void btHybridPairAlgorithm::foresee(btHybridAhead& ahead, btHybridStepMemory& memory)
+btHybridForeseen btHybridPairAlgorithm::foresee(btHybridAhead& ahead, btHybridStepMemory& memory)
 {
 	Pair& pair = getPair();
 	const scatter::pairs::PlacedBodies bodies = getPlaced();
 	if (m_switches && staysQuiet(bodies))
-	{
-		foreseeQuiet(memory);
-		return;
-	}
+		return foreseeQuiet(memory);
 	if (!scatter::pairs::isForeseeable(pair, bodies))
-		return;
+		return btHybridForeseen::NOTHING;
 	const size_t used = memory.m_foresight.used;
 	const ManifoldPeek peek(m_bodies, ahead.m_mayStep);
 	const bool isDecided =
 	    scatter::pairs::foresee(pair, bodies, m_narrowphase->getSteps(), peek, ahead.m_locks, memory.m_foresight);
 	if (!isDecided ||
 	    !btHybridAheadRules::mayStep(ahead, m_bodies.m_objects[0]->getObject(), m_bodies.m_objects[1]->getObject()))
-		return;
-	stepAhead(ahead, memory);
+		return btHybridForeseen::IN_PART;
+	const scatter::pairs::StepAhead* made = stepAhead(ahead, memory);
 	// The step has made use of it: the next pair may have its memory.
 	memory.m_foresight.used = used;
+	return btHybridForeseen(btHybridForeseen::MADE, made);
 }
 
 // As the dispatcher's near callback calls it, and processCollision() the pair.
-void btHybridPairAlgorithm::stepAhead(const btHybridAhead& ahead, btHybridStepMemory& memory)
+const scatter::pairs::StepAhead* btHybridPairAlgorithm::stepAhead(const btHybridAhead& ahead,
+                                                                  btHybridStepMemory& memory)
 {
 	btHybridNarrowphase& shared = *m_narrowphase;
 	const btCollisionObject* objects[2] = {m_bodies.m_objects[0]->getObject(), m_bodies.m_objects[1]->getObject()};
@@ -243,24 +233,22 @@ void btHybridPairAlgorithm::stepAhead(const btHybridAhead& ahead, btHybridStepMe
 		                                        engine, memory.m_step, step.work);
 	else
 		scatter::pairs::collidePair(pair, m_bodies.m_level, shared.getSteps(), engine, memory.m_step, step.work);
-	pair.ahead = &step;
-	m_foreseen = MADE;
+	return &step;
 }
 
-void btHybridPairAlgorithm::takeAhead()
+void btHybridPairAlgorithm::takeAhead(const scatter::pairs::StepAhead& step)
 {
-	Pair& pair = getPair();
-	btHybridAdopt(pair, m_dispatcher, m_bodies.m_objects[0]->getObject(), m_bodies.m_objects[1]->getObject());
-	m_narrowphase->takeAhead(*pair.ahead, m_planIndex);
-	pair.ahead = 0;
+	if (!step.notes.empty())
+		btHybridAdopt(getPair(), step.notes, m_dispatcher, m_bodies.m_objects[0]->getObject(),
+		              m_bodies.m_objects[1]->getObject());
+	m_narrowphase->takeAhead(step, m_planIndex);
 }
 
-void btHybridPairAlgorithm::endForesight()
+void btHybridPairAlgorithm::endForesight(const btHybridForeseen& foreseen)
 {
 	Pair& pair = getPair();
-	if (m_foreseen == MADE)
-		takeAhead();
-	m_foreseen = NOTHING;
+	if (foreseen.m_made)
+		takeAhead(*foreseen.m_made);
 	if (!pair.foresight)
 		return;
 	for (void* manifold : pair.foresight->dropped)
@@ -272,9 +260,9 @@ void btHybridPairAlgorithm::processCollision(const btCollisionObjectWrapper* bod
                                              const btCollisionObjectWrapper* body1Wrap,
                                              const btDispatcherInfo& dispatchInfo, btManifoldResult* resultOut)
 {
-	if (passBy())
-		return;
 	btHybridNarrowphase& shared = *m_narrowphase;
+	if (shared.getForesight().passBy(getPlace(), this))
+		return;
 	btHybridPlanner* planner = m_switches ? shared.getPlanner() : 0;
 	shared.getLookahead().visit(this, m_index, shared.getPairs(m_switches), shared.countPairs(),
 	                            planner ? &planner->pair(m_planIndex) : 0);
