@@ -95,7 +95,6 @@ class BatchBuilder {
       buildNormal(rows_.normals[batch_.first + static_cast<std::size_t>(i)]);
       buildFriction(batch_.first + static_cast<std::size_t>(i));
     }
-    warmStart();
   }
 
  private:
@@ -209,31 +208,6 @@ class BatchBuilder {
     row.impulse = zero;
   }
 
-  void warmStart() {
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      BodyVelocity a = rows_.velocities[static_cast<std::size_t>(batch_.a[lane])];
-      BodyVelocity b = rows_.velocities[static_cast<std::size_t>(batch_.b[lane])];
-      for (int i = 0; i < batch_.count; ++i) {
-        const NormalRow& row = rows_.normals[batch_.first + static_cast<std::size_t>(i)];
-        if (!(row.impulse[lane] != 0.0F)) continue;
-        add(a, row.direction * batch_.massA, row.spinA, row.impulse[lane], lane);
-        add(b, -(row.direction * batch_.massB), row.spinB, row.impulse[lane], lane);
-      }
-      if (batch_.a[lane] >= kLanes) rows_.velocities[static_cast<std::size_t>(batch_.a[lane])] = a;
-      if (batch_.b[lane] >= kLanes) rows_.velocities[static_cast<std::size_t>(batch_.b[lane])] = b;
-    }
-  }
-
-  static void add(BodyVelocity& to, const LaneVector& linear, const LaneVector& angular, float impulse,
-                  std::size_t lane) {
-    to.linear.x += linear.x[lane] * impulse;
-    to.linear.y += linear.y[lane] * impulse;
-    to.linear.z += linear.z[lane] * impulse;
-    to.angular.x += angular.x[lane] * impulse;
-    to.angular.y += angular.y[lane] * impulse;
-    to.angular.z += angular.z[lane] * impulse;
-  }
-
   const ContactProblem& problem_;
   const PairBatch& pairs_;
   const ContactSettings& settings_;
@@ -250,11 +224,41 @@ class BatchBuilder {
   Lanes speed_{};         ///< Of it, along the normal.
 };
 
+void add(BodyVelocity& to, const LaneVector& linear, const LaneVector& angular, float impulse,
+         std::size_t lane) {
+  to.linear.x += linear.x[lane] * impulse;
+  to.linear.y += linear.y[lane] * impulse;
+  to.linear.z += linear.z[lane] * impulse;
+  to.angular.x += angular.x[lane] * impulse;
+  to.angular.y += angular.y[lane] * impulse;
+  to.angular.z += angular.z[lane] * impulse;
+}
+
+// Gives the bodies what the rows begin with. Of a body in several batches, the order decides about the bits.
+void warmStart(const BatchRows& batch, const std::vector<NormalRow>& normals,
+               std::vector<BodyVelocity>& velocities) {
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    BodyVelocity a = velocities[static_cast<std::size_t>(batch.a[lane])];
+    BodyVelocity b = velocities[static_cast<std::size_t>(batch.b[lane])];
+    for (int i = 0; i < batch.count; ++i) {
+      const NormalRow& row = normals[batch.first + static_cast<std::size_t>(i)];
+      if (!(row.impulse[lane] != 0.0F)) continue;
+      add(a, row.direction * batch.massA, row.spinA, row.impulse[lane], lane);
+      add(b, -(row.direction * batch.massB), row.spinB, row.impulse[lane], lane);
+    }
+    if (batch.a[lane] >= kLanes) velocities[static_cast<std::size_t>(batch.a[lane])] = a;
+    if (batch.b[lane] >= kLanes) velocities[static_cast<std::size_t>(batch.b[lane])] = b;
+  }
+}
+
 }  // namespace
 
-void ContactRows::build(const ContactProblem& problem, const Colouring& colouring,
-                        const ContactSettings& settings) {
-  frictionDirections = settings.frictionDirections;
+void shareWithNobody(int count, const std::function<void(int)>& work) {
+  for (int i = 0; i < count; ++i) work(i);
+}
+
+// Room for the rows of all batches.
+void ContactRows::place(const Colouring& colouring) {
   batches.resize(colouring.batches().size());
   std::size_t count = 0;
   for (std::size_t i = 0; i < batches.size(); ++i) {
@@ -267,10 +271,18 @@ void ContactRows::build(const ContactProblem& problem, const Colouring& colourin
   }
   normals.resize(count);
   frictions.resize(count * static_cast<std::size_t>(frictionDirections));
+}
+
+void ContactRows::build(const ContactProblem& problem, const Colouring& colouring,
+                        const ContactSettings& settings, const Share& share) {
+  frictionDirections = settings.frictionDirections;
+  place(colouring);
   velocities.assign(problem.bodies.size() + kIdle, {});
   pushes.assign(problem.bodies.size() + kIdle, {});
-  for (std::size_t i = 0; i < batches.size(); ++i)
+  shareBatches(batches.size(), share, [&](std::size_t i) {
     BatchBuilder(problem, colouring.batches()[i], settings, *this, batches[i]).run();
+  });
+  for (const BatchRows& batch : batches) warmStart(batch, normals, velocities);
 }
 
 }  // namespace scatter::solver

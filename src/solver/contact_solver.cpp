@@ -149,9 +149,10 @@ void ContactProblem::clear() {
   order.clear();
 }
 
-void ContactSolver::begin(const ContactProblem& problem, const ContactSettings& settings) {
+void ContactSolver::begin(const ContactProblem& problem, const ContactSettings& settings,
+                          const Share& share) {
   colouring_.colour(problem);
-  rows_.build(problem, colouring_, settings);
+  rows_.build(problem, colouring_, settings, share);
   takeTurns();
   clampsFriction_ = settings.clampsFriction;
   pushes_ = std::any_of(rows_.batches.begin(), rows_.batches.end(),
@@ -206,7 +207,8 @@ std::span<BodyVelocity> ContactSolver::pushVelocities() {
   return std::span(rows_.pushes).subspan(ContactRows::kIdle);
 }
 
-ContactSolver::Impulse ContactSolver::impulseOf(std::size_t row, int lane) const {
+ContactSolver::Impulse ContactSolver::impulseAt(const Place& place) const {
+  const auto [row, lane] = place;
   Impulse impulse{rows_.normals[row].impulse[lane], {0.0F, 0.0F}, {}};
   const auto directions = static_cast<std::size_t>(rows_.frictionDirections);
   for (std::size_t i = 0; i < directions; ++i) {

@@ -21,8 +21,10 @@ class ContactSolver {
     Quad directions[2];  ///< Of friction, on body a.
   };
 
-  /// Makes rows and starts with the impulses that the points come with.
-  void begin(const ContactProblem& problem, const ContactSettings& settings);
+  /// Makes rows and starts with the impulses that the points come with. Threads that share the work make no
+  /// difference to the bits.
+  void begin(const ContactProblem& problem, const ContactSettings& settings,
+             const Share& share = shareWithNobody);
 
   /// One iteration. Returns the square of the most that it has changed any row's speed by, as Bullet's
   /// residual: (metres per second)².
@@ -39,15 +41,22 @@ class ContactSolver {
   [[nodiscard]] std::span<BodyVelocity> velocities();
   [[nodiscard]] std::span<BodyVelocity> pushVelocities();
 
-  /// Calls `take(point, impulse)` for every point of the problem that begin() was given.
-  template <class Take>
-  void forEachImpulse(const ContactProblem& problem, Take take) const;
+  /// Where the rows of a point are.
+  struct Place {
+    std::size_t row;
+    int lane;
+  };
+
+  /// Calls `use(point, place)` for every point of the problem that begin() was given, in a batch of pairs.
+  template <class Use>
+  void forEachPoint(const ContactProblem& problem, std::size_t batch, Use use) const;
+  [[nodiscard]] std::size_t countBatches() const { return rows_.batches.size(); }
+
+  [[nodiscard]] Impulse impulseAt(const Place& place) const;
 
   [[nodiscard]] const Colouring& colouring() const { return colouring_; }
 
  private:
-  [[nodiscard]] Impulse impulseOf(std::size_t row, int lane) const;
-
   /// A share of a batch's rows: the one at `first`, and every `step`-th from there.
   struct Turn {
     int batch;
@@ -63,18 +72,15 @@ class ContactSolver {
   bool pushes_ = false;
 };
 
-template <class Take>
-void ContactSolver::forEachImpulse(const ContactProblem& problem, Take take) const {
-  for (std::size_t i = 0; i < rows_.batches.size(); ++i) {
-    const PairBatch& batch = colouring_.batches()[i];
-    for (int lane = 0; lane < kLanes; ++lane) {
-      const int index = batch.pairs[static_cast<std::size_t>(lane)];
-      if (index == PairBatch::kNoPair) continue;
-      const ContactPair& pair = problem.pairs[static_cast<std::size_t>(index)];
-      for (int k = 0; k < pair.count; ++k)
-        take(problem.order[static_cast<std::size_t>(pair.first) + static_cast<std::size_t>(k)],
-             impulseOf(rows_.batches[i].first + static_cast<std::size_t>(k), lane));
-    }
+template <class Use>
+void ContactSolver::forEachPoint(const ContactProblem& problem, std::size_t batch, Use use) const {
+  for (int lane = 0; lane < kLanes; ++lane) {
+    const int index = colouring_.batches()[batch].pairs[static_cast<std::size_t>(lane)];
+    if (index == PairBatch::kNoPair) continue;
+    const ContactPair& pair = problem.pairs[static_cast<std::size_t>(index)];
+    for (int k = 0; k < pair.count; ++k)
+      use(problem.order[static_cast<std::size_t>(pair.first) + static_cast<std::size_t>(k)],
+          Place{rows_.batches[batch].first + static_cast<std::size_t>(k), lane});
   }
 }
 

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
+#include <vector>
 
 namespace scatter::solver {
 namespace {
@@ -126,7 +128,9 @@ TEST(ContactSolver, TellsItsImpulsesAndDirections) {
   ContactSolver solver;
   solve(solver, problem, {.timeStep = kStep, .frictionDirections = 2}, 10);
   int told = 0;
-  solver.forEachImpulse(problem, [&](int point, const ContactSolver::Impulse& impulse) {
+  ASSERT_EQ(solver.countBatches(), 1U);
+  solver.forEachPoint(problem, 0, [&](int point, const ContactSolver::Place& place) {
+    const ContactSolver::Impulse impulse = solver.impulseAt(place);
     EXPECT_EQ(point, 0);
     EXPECT_NEAR(impulse.normal, 2 * 0.2F, 1e-5F);
     EXPECT_NEAR(impulse.friction[0], -2 * 0.4F * 0.2F, 1e-5F);
@@ -183,6 +187,34 @@ TEST(ContactSolver, BearsAStackInOneStep) {
     const float fall = 1 - solver.velocities()[k].linear.y / (9.81F * kStep);
     EXPECT_LT(fall, 0.2F) << "body " << k << " keeps this share of a step's fall";
   }
+}
+
+/// The velocities after some iterations, and the impulses of all points.
+std::vector<float> solvedBy(const ContactProblem& problem, const Share& share) {
+  ContactSolver solver;
+  solver.begin(problem, {.timeStep = kStep}, share);
+  for (int i = 0; i < 10; ++i) solver.solveVelocities();
+  std::vector<float> all;
+  for (const BodyVelocity& body : solver.velocities()) all.insert(all.end(), {body.linear.y, body.angular.x});
+  for (std::size_t batch = 0; batch < solver.countBatches(); ++batch) {
+    solver.forEachPoint(problem, batch, [&](int, const ContactSolver::Place& place) {
+      all.push_back(solver.impulseAt(place).normal);
+    });
+  }
+  return all;
+}
+
+TEST(ContactSolver, HasTheSameBitsInWhicheverOrderRowsAreMade) {
+  OwnProblem problem = stackOf(200);
+  for (std::size_t i = 0; i < problem.own.size(); ++i)
+    problem.own[i].law.x = 0.001F * static_cast<float>(i % 7);
+  int parts = 0;
+  const auto backwards = [&parts](int count, const std::function<void(int)>& work) {
+    for (int i = count; i-- > 0;) work(i);
+    parts = count;
+  };
+  EXPECT_EQ(solvedBy(problem, shareWithNobody), solvedBy(problem, backwards));
+  EXPECT_GT(parts, 2) << "there was nothing to share";
 }
 
 TEST(ContactSolver, IsEmptyWithoutContacts) {

@@ -4,6 +4,7 @@
 
 using scatter::solver::IslandGroups;
 using scatter::solver::PairBatch;
+using scatter::solver::Share;
 
 namespace
 {
@@ -15,6 +16,16 @@ const int c_shareOfGroup = 256;
 
 // With fewer contacts, which take some 30 microseconds, all are solved before another thread has woken up.
 const size_t c_fewestContacts = 256;
+
+// A group with so many times the contacts of all others is solved first, and threads share its rows and impulses, which
+// take two fifths of its time (perf of `scatter run fleet --world lean`): two threads save a fifth, and lose what one
+// of them would have solved meanwhile.
+const int c_loneliness = 4;
+
+// With fewer contacts, to wake threads twice takes as long as they save. Where every other step shared, it took longer
+// than those beside it up to 1700 contacts, and from 3000 on a fifth less (`scatter run` of fleet and implosion-21 in
+// `lean` on two threads, contact_constraints_ms).
+const size_t c_fewestOfPile = 2048;
 }  // namespace
 
 btHybridContactGroups::btHybridContactGroups() : m_threads(new btHybridThreads), m_bulletManifolds(0)
@@ -26,7 +37,7 @@ btHybridContactGroups::btHybridContactGroups() : m_threads(new btHybridThreads),
 void btHybridContactGroups::clear()
 {
 	// Their number hardly changes from step to step.
-	if (m_points.sources().size() >= c_fewestContacts)
+	if (hasManyContacts() && !hasPile())
 		m_threads->expectWork();
 	m_points.clear();
 	m_members.clear();
@@ -35,6 +46,16 @@ void btHybridContactGroups::clear()
 	m_bulletManifolds = 0;
 	for (const auto& problem : m_problems)
 		problem->clear();
+}
+
+bool btHybridContactGroups::hasManyContacts() const
+{
+	return m_points.sources().size() >= c_fewestContacts;
+}
+
+bool btHybridContactGroups::hasPile() const
+{
+	return m_points.sources().size() >= c_fewestOfPile;
 }
 
 bool btHybridContactGroups::add(btPersistentManifold* manifold, Side side0, Side side1, const btContactSolverInfo& info)
@@ -65,6 +86,9 @@ void btHybridContactGroups::add(const Member& member)
 
 void btHybridContactGroups::group(const btAlignedObjectArray<btSolverBody>& bodies)
 {
+	// To take so many has taken longer than threads look for work.
+	if (hasPile())
+		m_threads->expectWork();
 	m_groups.group(bodies.size(), m_links, m_joined, c_shareOfGroup);
 	m_places.assign(bodies.size(), IslandGroups::kNone);
 	while (int(m_problems.size()) < m_groups.count())
@@ -82,17 +106,30 @@ void btHybridContactGroups::beginJoined(const btAlignedObjectArray<btSolverBody>
 {
 	take(0);
 	if (!joined().empty())
-		joined().begin(m_points, bodies, info, settings.m_clampsFriction, settings.m_reduction);
+		joined().begin(m_points, bodies, info, settings.m_clampsFriction, settings.m_reduction, pileThreads());
+}
+
+void btHybridContactGroups::finishJoined(btAlignedObjectArray<btSolverBody>& bodies, const btContactSolverInfo& info)
+{
+	joined().finish(bodies, info, pileThreads());
+}
+
+// Threads that share the rows and impulses of a group, if it may be one that is worth it.
+Share btHybridContactGroups::pileThreads() const
+{
+	if (!hasPile())
+		return scatter::solver::shareWithNobody;
+	return [this](int count, const std::function<void(int)>& work) { m_threads->run(count, work); };
 }
 
 void btHybridContactGroups::solveOne(int group, btAlignedObjectArray<btSolverBody>& bodies,
-                                     const btContactSolverInfo& info, const Settings& settings)
+                                     const btContactSolverInfo& info, const Settings& settings, const Share& share)
 {
 	btHybridContactProblem& problem = *m_problems[group];
 	take(group);
-	problem.begin(m_points, bodies, info, settings.m_clampsFriction, settings.m_reduction);
+	problem.begin(m_points, bodies, info, settings.m_clampsFriction, settings.m_reduction, share);
 	problem.solve(info);
-	problem.finish(bodies, info);
+	problem.finish(bodies, info, share);
 }
 
 int btHybridContactGroups::countContacts(int group) const
@@ -112,16 +149,29 @@ void btHybridContactGroups::sortGroups()
 	std::sort(m_order.begin(), m_order.end());
 }
 
+// Threads that have solved all others would wait for it longer than they take to help with it.
+bool btHybridContactGroups::isLargestAlone() const
+{
+	int others = 0;
+	for (size_t i = 1; i < m_order.size(); ++i)
+		others -= m_order[i].first;
+	return !m_order.empty() && c_loneliness * others < -m_order[0].first;
+}
+
 void btHybridContactGroups::solve(btAlignedObjectArray<btSolverBody>& bodies, const btContactSolverInfo& info,
                                   const Settings& settings)
 {
 	sortGroups();
-	const auto solve = [&](int i) { solveOne(m_order[i].second, bodies, info, settings); };
-	if (m_points.sources().size() >= c_fewestContacts)
-		m_threads->run(int(m_order.size()), solve);
+	const int first = hasPile() && isLargestAlone() ? 1 : 0;
+	if (first)
+		solveOne(m_order[0].second, bodies, info, settings, pileThreads());
+	const auto solve = [&](int i)
+	{ solveOne(m_order[i + first].second, bodies, info, settings, scatter::solver::shareWithNobody); };
+	const int count = int(m_order.size()) - first;
+	if (hasManyContacts())
+		m_threads->run(count, solve);
 	else
-		for (size_t i = 0; i < m_order.size(); ++i)
-			solve(int(i));
+		scatter::solver::shareWithNobody(count, solve);
 }
 
 void btHybridContactGroups::addTo(btHybridContactSolverInfo& info) const

@@ -41,12 +41,15 @@ public:
 	/// After all manifolds: finds the groups.
 	void group(const btAlignedObjectArray<btSolverBody>& bodies);
 
-	/// All groups but the joined one, on all threads, from the contacts to their impulses.
+	/// All groups but the joined one, on all threads, from the contacts to their impulses. Of a pile that is almost all
+	/// there is, what is independent of the order of iterations.
 	void solve(btAlignedObjectArray<btSolverBody>& bodies, const btContactSolverInfo& info, const Settings& settings);
 
 	/// Takes the contacts of the joined one, and begins to solve it.
 	void beginJoined(const btAlignedObjectArray<btSolverBody>& bodies, const btContactSolverInfo& info,
 	                 const Settings& settings);
+	/// Ends what was begun.
+	void finishJoined(btAlignedObjectArray<btSolverBody>& bodies, const btContactSolverInfo& info);
 	btHybridContactProblem& joined()
 	{
 		return *m_problems[0];
@@ -67,12 +70,16 @@ private:
 		Side m_b;
 	};
 
+	bool hasManyContacts() const;
+	bool hasPile() const;
 	void add(const Member& member);
 	int countContacts(int group) const;
 	void sortGroups();
 	void take(int group);
+	bool isLargestAlone() const;
+	scatter::solver::Share pileThreads() const;
 	void solveOne(int group, btAlignedObjectArray<btSolverBody>& bodies, const btContactSolverInfo& info,
-	              const Settings& settings);
+	              const Settings& settings, const scatter::solver::Share& share);
 
 	btHybridContactPoints m_points;
 	std::vector<Member> m_members;

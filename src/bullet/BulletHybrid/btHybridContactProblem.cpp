@@ -11,6 +11,7 @@ using scatter::solver::ContactSettings;
 using scatter::solver::ContactSolver;
 using scatter::solver::ProblemPoint;
 using scatter::solver::ReducibleContact;
+using scatter::solver::Share;
 
 namespace
 {
@@ -173,7 +174,7 @@ void btHybridContactProblem::reduce(ContactPair& pair, int mostAlike)
 
 void btHybridContactProblem::begin(btHybridContactPoints& points, const btAlignedObjectArray<btSolverBody>& bodies,
                                    const btContactSolverInfo& info, bool clampsFriction,
-                                   const btHybridContactReductionInfo* reduction)
+                                   const btHybridContactReductionInfo* reduction, const Share& share)
 {
 	m_points = &points;
 	m_problem.points = points.points();
@@ -185,7 +186,7 @@ void btHybridContactProblem::begin(btHybridContactPoints& points, const btAligne
 		if (reduction && pair.count >= btMax(reduction->m_leastContacts, 1))
 			reduce(pair, btMax(reduction->m_mostAlike, 1));
 	}
-	m_solver.begin(m_problem, settingsOf(info, clampsFriction));
+	m_solver.begin(m_problem, settingsOf(info, clampsFriction), share);
 }
 
 // As Bullet's solver does it, islands of at least 128 contacts at a time: these stop when nothing in them changes any
@@ -253,27 +254,54 @@ void btHybridContactProblem::addVelocities(const btAlignedObjectArray<btSolverBo
 	}
 }
 
-void btHybridContactProblem::finish(btAlignedObjectArray<btSolverBody>& bodies, const btContactSolverInfo& info)
+// Many points of a pile have left the cache since their rows were made.
+void btHybridContactProblem::fetchPoints(size_t batch) const
+{
+#if defined(__GNUC__)
+	if (batch >= m_solver.countBatches())
+		return;
+	m_solver.forEachPoint(m_problem, batch,
+	                      [this](int index, const ContactSolver::Place&)
+	                      {
+		                      const btManifoldPoint* point = m_points->sources()[index].m_point;
+		                      __builtin_prefetch(&point->m_appliedImpulse, 1);
+		                      __builtin_prefetch(&point->m_lateralFrictionDir2, 1);
+	                      });
+#else
+	(void)batch;
+#endif
+}
+
+void btHybridContactProblem::giveImpulse(int index, const ContactSolver::Impulse& impulse,
+                                         const btContactSolverInfo& info) const
+{
+	const bool two = (info.m_solverMode & SOLVER_USE_2_FRICTION_DIRECTIONS) != 0;
+	const btHybridContactPoints::Source& source = m_points->sources()[index];
+	btManifoldPoint& point = *source.m_point;
+	const btScalar sign = source.m_isSwapped ? btScalar(-1) : btScalar(1);
+	point.m_lateralFrictionDir1 = sign * btHybridVectorOf(impulse.directions[0]);
+	if (two)
+		point.m_lateralFrictionDir2 = sign * btHybridVectorOf(impulse.directions[1]);
+	if (!(info.m_solverMode & SOLVER_USE_WARMSTARTING))
+		return;
+	point.m_appliedImpulse = impulse.normal;
+	point.m_appliedImpulseLateral1 = impulse.friction[0];
+	if (two)
+		point.m_appliedImpulseLateral2 = impulse.friction[1];
+}
+
+void btHybridContactProblem::finish(btAlignedObjectArray<btSolverBody>& bodies, const btContactSolverInfo& info,
+                                    const Share& share)
 {
 	giveVelocities(bodies);
 	if (info.m_splitImpulse)
 		givePushes(bodies);
-	const bool warm = (info.m_solverMode & SOLVER_USE_WARMSTARTING) != 0;
-	const bool two = (info.m_solverMode & SOLVER_USE_2_FRICTION_DIRECTIONS) != 0;
-	m_solver.forEachImpulse(m_problem,
-	                        [&](int index, const ContactSolver::Impulse& impulse)
-	                        {
-		                        const btHybridContactPoints::Source& source = m_points->sources()[index];
-		                        btManifoldPoint& point = *source.m_point;
-		                        const btScalar sign = source.m_isSwapped ? btScalar(-1) : btScalar(1);
-		                        point.m_lateralFrictionDir1 = sign * btHybridVectorOf(impulse.directions[0]);
-		                        if (two)
-			                        point.m_lateralFrictionDir2 = sign * btHybridVectorOf(impulse.directions[1]);
-		                        if (!warm)
-			                        return;
-		                        point.m_appliedImpulse = impulse.normal;
-		                        point.m_appliedImpulseLateral1 = impulse.friction[0];
-		                        if (two)
-			                        point.m_appliedImpulseLateral2 = impulse.friction[1];
-	                        });
+	scatter::solver::shareBatches(m_solver.countBatches(), share,
+	                              [&](size_t batch)
+	                              {
+		                              fetchPoints(batch + 1);
+		                              m_solver.forEachPoint(m_problem, batch,
+		                                                    [&](int index, const ContactSolver::Place& place)
+		                                                    { giveImpulse(index, m_solver.impulseAt(place), info); });
+	                              });
 }

@@ -37,16 +37,18 @@ public:
 	void add(const btHybridContactPoints::Range& range, Side a, Side b, std::vector<int>& places);
 
 	/// After all contacts, of these points: takes the bodies, and begins to solve. `reduction`: what is left out; 0:
-	/// nothing.
+	/// nothing. `share`: threads that help; they make no difference to the bits.
 	void begin(btHybridContactPoints& points, const btAlignedObjectArray<btSolverBody>& bodies,
-	           const btContactSolverInfo& info, bool clampsFriction, const btHybridContactReductionInfo* reduction);
+	           const btContactSolverInfo& info, bool clampsFriction, const btHybridContactReductionInfo* reduction,
+	           const scatter::solver::Share& share);
 
 	/// All iterations, where nothing but these contacts moves the bodies.
 	void solve(const btContactSolverInfo& info);
 
 	/// Gives the bodies all that they have been moved by, and writes impulses and friction directions into the
 	/// manifolds' points.
-	void finish(btAlignedObjectArray<btSolverBody>& bodies, const btContactSolverInfo& info);
+	void finish(btAlignedObjectArray<btSolverBody>& bodies, const btContactSolverInfo& info,
+	            const scatter::solver::Share& share);
 
 	/// What has been added to the velocities of the solver bodies; give() to them, take() from them, with what others
 	/// have added.
@@ -103,6 +105,9 @@ private:
 	void order();
 	void reduce(scatter::solver::ContactPair& pair, int mostAlike);
 	void leaveOut(int index, int kept);
+	void fetchPoints(size_t batch) const;
+	void giveImpulse(int index, const scatter::solver::ContactSolver::Impulse& impulse,
+	                 const btContactSolverInfo& info) const;
 
 	std::vector<int> m_bodies;  ///< the solver body of each of the problem's
 	std::vector<int> m_moving;  ///< of those, the problem's that move

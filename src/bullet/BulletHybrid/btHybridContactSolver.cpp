@@ -180,7 +180,7 @@ btScalar btHybridContactSolver::solveGroupCacheFriendlyFinish(btCollisionObject*
                                                               const btContactSolverInfo& info)
 {
 	if (!m_groups->joined().empty())
-		m_groups->joined().finish(m_tmpSolverBodyPool, info);
+		m_groups->finishJoined(m_tmpSolverBodyPool, info);
 	return btSequentialImpulseConstraintSolver::solveGroupCacheFriendlyFinish(bodies, numBodies, info);
 }
 

@@ -27,10 +27,11 @@ const size_t c_fewestPairs = 32;
 const double c_leastMilliseconds = 0.15;
 const int c_pause = 16;
 
-/// Pairs ahead whose memory is fetched while pairs are passed by, in the order in which it is needed: time for one to
-/// come.
+/// Pairs ahead whose memory is fetched while one thread goes through all pairs, in the order in which it is needed:
+/// time for one to come.
 const size_t c_algorithmsAhead = 8;
 const size_t c_pairsAhead = 4;
+const size_t c_algorithmBytes = sizeof(btHybridPairAlgorithm);
 
 btHybridAlgorithm* ownOf(btCollisionAlgorithm* algorithm, const btHybridNarrowphase& narrowphase)
 {
@@ -83,23 +84,33 @@ void btHybridForesight::lookAhead(int index, int first, int last) const
 	}
 }
 
-// Bodies are shared by pairs, and a shape may turn out to have changed: they follow on one thread.
-void btHybridForesight::choose(const btHybridNarrowphase& narrowphase, btCollisionDispatcher* dispatcher,
-                               btOverlappingPairCache& overlaps)
+// Each round fetches what the next one needs of all pairs.
+void btHybridForesight::choose(const btBroadphasePair* pairs, int first, int last,
+                               const btHybridNarrowphase& narrowphase)
 {
-	const btBroadphasePair* pairs = overlaps.getOverlappingPairArrayPtr();
-	forEachBlock(int(m_pairs.size()),
-	             [this, pairs, &narrowphase](int first, int last)
-	             {
-		             for (int i = first; i < last; ++i)
-		             {
-			             btHybridAlgorithm* pair = ownOf(pairs[i].m_algorithm, narrowphase);
-			             m_pairs[i] = pair && pair->mayBeForeseen() ? pair : 0;
-		             }
-	             });
-	for (btHybridAlgorithm*& pair : m_pairs)
-		if (pair && !pair->follow(dispatcher))
-			pair = 0;
+	for (int i = first; i < last; ++i)
+		btHybridLookahead::fetch(pairs[i].m_algorithm, c_algorithmBytes);
+	for (int i = first; i < last; ++i)
+	{
+		m_pairs[i] = ownOf(pairs[i].m_algorithm, narrowphase);
+		if (m_pairs[i])
+			m_pairs[i]->fetchForeseen();
+	}
+	for (int i = first; i < last; ++i)
+		if (m_pairs[i] && !m_pairs[i]->mayBeForeseen())
+			m_pairs[i] = 0;
+}
+
+// Bodies are shared by pairs, and a shape may turn out to have changed: on one thread.
+void btHybridForesight::follow(btCollisionDispatcher* dispatcher)
+{
+	for (size_t i = 0; i < m_pairs.size(); ++i)
+	{
+		if (i + c_algorithmsAhead < m_pairs.size())
+			btHybridLookahead::fetch(m_pairs[i + c_algorithmsAhead], c_algorithmBytes);
+		if (m_pairs[i] && !m_pairs[i]->follow(dispatcher))
+			m_pairs[i] = 0;
+	}
 }
 
 void btHybridForesight::foresee(int first, int last)
@@ -134,7 +145,9 @@ void btHybridForesight::begin(btHybridNarrowphase& narrowphase, btCollisionDispa
 	const int count = overlaps.getNumOverlappingPairs();
 	m_pairs.resize(count);
 	m_foreseen.assign(count, btHybridForeseen::NOTHING);
-	choose(narrowphase, dispatcher, overlaps);
+	const btBroadphasePair* pairs = overlaps.getOverlappingPairArrayPtr();
+	forEachBlock(count, [&](int first, int last) { choose(pairs, first, last, narrowphase); });
+	follow(dispatcher);
 	forEachBlock(count, [this](int first, int last) { foresee(first, last); });
 }
 
@@ -167,18 +180,14 @@ bool btHybridForesight::isTaken(size_t place) const
 
 void btHybridForesight::fetchAfter(size_t place) const
 {
-#if defined(__GNUC__)
 	const size_t far = place + c_algorithmsAhead;
 	const size_t near = place + c_pairsAhead;
 	if (isTaken(far))
-		__builtin_prefetch(m_pairs[far]);
+		btHybridLookahead::fetch(m_pairs[far], c_algorithmBytes);
 	if (isTaken(far) && m_foreseen[far].m_made)
 		btHybridLookahead::fetch(m_foreseen[far].m_made, sizeof(scatter::pairs::StepAhead));
 	if (isTaken(near))
 		m_pairs[near]->fetchForeseen();
-#else
-	(void)place;
-#endif
 }
 
 void btHybridForesight::forget(btHybridAlgorithm* pair)

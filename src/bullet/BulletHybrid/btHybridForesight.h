@@ -15,6 +15,7 @@ class btCollisionDispatcher;
 struct btDispatcherInfo;
 class btHybridNarrowphase;
 class btOverlappingPairCache;
+struct btBroadphasePair;
 
 /// Makes on several threads, before the pairs of a step are dispatched, the steps of those that need nothing of Bullet
 /// but manifolds; of others, it finds out the neighbours and distances of their parts. What Bullet is asked or told
@@ -37,8 +38,8 @@ class btHybridForesight
 
 	template <class Work>
 	void forEachBlock(int count, const Work& work) const;
-	void choose(const btHybridNarrowphase& narrowphase, btCollisionDispatcher* dispatcher,
-	            btOverlappingPairCache& overlaps);
+	void choose(const btBroadphasePair* pairs, int first, int last, const btHybridNarrowphase& narrowphase);
+	void follow(btCollisionDispatcher* dispatcher);
 	void foresee(int first, int last);
 	void lookAhead(int index, int first, int last) const;
 	bool isTaken(size_t place) const;

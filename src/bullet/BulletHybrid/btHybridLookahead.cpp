@@ -10,10 +10,7 @@ const size_t c_line = 64;
 
 // Pairs ahead at which each stage is fetched. Twice or half as many change implosions of 400 ships by less than runs
 // differ.
-const size_t c_ahead[btHybridLookahead::NUM_STAGES] = {18, 14, 10, 6, 3};
-
-// Of a pair: what most are asked for.
-const size_t c_headBytes = 2 * c_line;
+const size_t c_ahead[btHybridLookahead::NUM_STAGES] = {14, 10, 6, 3};
 
 // Of a pair: more would push out what is needed first.
 const size_t c_mostWakefulBytes = 8 * c_line;
@@ -82,12 +79,10 @@ size_t btHybridLookahead::aheadBy(Stage stage)
 
 void btHybridLookahead::fetch(const scatter::pairs::Pair& pair, Stage stage)
 {
-	if (stage == HEAD)
-		return fetch(&pair, c_headBytes);
+	if (stage == PAIR)
+		return fetch(&pair, sizeof(pair));
 	if (isLikelyQuiet(pair))
 		return;
-	if (stage == PAIR)
-		return fetch(reinterpret_cast<const char*>(&pair) + c_headBytes, sizeof(pair) - c_headBytes);
 	if (stage == WAKEFUL)
 		fetchWakeful(pair);
 	else if (stage == CHILDREN)
@@ -136,14 +131,14 @@ void btHybridLookahead::visit(const void* algorithm, int index, const scatter::p
 		const bool isThere = place < m_last.size() && m_last[place].m_index < pairs.count();
 		return isThere ? &pairs[m_last[place].m_index] : 0;
 	};
-	if (ahead(c_ahead[HEAD]))
+	if (ahead(c_ahead[PAIR]))
 	{
-		const Visit& next = m_last[m_place + c_ahead[HEAD]];
+		const Visit& next = m_last[m_place + c_ahead[PAIR]];
 		fetch(next.m_algorithm, 2 * c_line);
 		if (next.m_planned)
 			fetch(next.m_planned, 2 * c_line);
 	}
-	for (int stage = HEAD; stage < NUM_STAGES; stage++)
+	for (int stage = PAIR; stage < NUM_STAGES; stage++)
 		if (const scatter::pairs::Pair* pair = ahead(c_ahead[stage]))
 			fetch(*pair, Stage(stage));
 }

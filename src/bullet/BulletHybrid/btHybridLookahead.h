@@ -31,7 +31,6 @@ public:
 	/// What of a pair is fetched, from far ahead to near: each needs what the one before brought.
 	enum Stage
 	{
-		HEAD,  ///< what a quiet one is asked for
 		PAIR,
 		WAKEFUL,
 		CHILDREN,

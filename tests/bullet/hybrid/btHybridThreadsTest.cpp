@@ -62,9 +62,11 @@ class Crowd : public PairTestWorld {
     box->setWorldTransform(btTransform(btQuaternion(btVector3(0, 0, 1), 0.05F), btVector3(0, -1.6F, 0)));
   }
 
+  void useWideSolver() { world.setConstraintSolver(&wide_); }
+
   /// With joints, and with contacts that are Bullet's own business, besides.
   void solveWide() {
-    world.setConstraintSolver(&wide_);
+    useWideSolver();
     for (std::size_t i = 0; i + 9 < bodies.size(); i += 16)
       join<btPoint2PointConstraint>(*bodies[i], *bodies[i + 1], btVector3(0, 1, 0), btVector3(0, -1, 0));
     for (std::size_t i = 5; i < bodies.size(); i += 16) bodies[i]->setRollingFriction(0.1F);
@@ -195,6 +197,12 @@ void solveWideOnGrounds(Crowd& crowd, int step) {
   layGrounds(crowd, step);
 }
 
+// Without joints and grounds it is one island.
+void solveWideInAPile(Crowd& crowd, int step) {
+  if (step == 0) crowd.useWideSolver();
+  recycle(crowd, step);
+}
+
 void throwFarAway(Crowd& crowd, int step) {
   if (step % 30 != 20) return;
   btTransform pose = crowd.bodies[5]->getWorldTransform();
@@ -214,6 +222,7 @@ INSTANTIATE_TEST_SUITE_P(Ways, Threads,
                                          Way{.name = "RecycledOnGrounds", .act = recycleOnGrounds},
                                          Way{.name = "ThrownAtGrounds", .act = throwAtGrounds},
                                          Way{.name = "WideOnGrounds", .act = solveWideOnGrounds},
+                                         Way{.name = "WideInAPile", .act = solveWideInAPile},
                                          Way{.name = "FarAway", .act = throwFarAway}),
                          [](const auto& way) { return way.param.name; });
 
@@ -235,6 +244,20 @@ TEST(Threads, HaveIslandsToShare) {
   EXPECT_GT(most, 1);
   EXPECT_GT(points, 256);
   EXPECT_TRUE(hasBullets);
+}
+
+// There is a pile whose rows are made on all threads.
+TEST(Threads, HaveAPileToShare) {
+  Crowd crowd(11);
+  crowd.world.setNumThreads(3);
+  int points = 0;
+  for (int step = 0; step < 120; ++step) {
+    solveWideInAPile(crowd, step);
+    crowd.pull();
+    const btHybridContactSolverInfo info = crowd.solved();
+    if (info.m_groups == 1) points = std::max(points, info.m_points);
+  }
+  EXPECT_GT(points, 256);
 }
 
 void handOn(btBroadphasePair& pair, btCollisionDispatcher& dispatcher, const btDispatcherInfo& info) {
