@@ -253,10 +253,6 @@ void warmStart(const BatchRows& batch, const std::vector<NormalRow>& normals,
 
 }  // namespace
 
-void shareWithNobody(int count, const std::function<void(int)>& work) {
-  for (int i = 0; i < count; ++i) work(i);
-}
-
 // Room for the rows of all batches.
 void ContactRows::place(const Colouring& colouring) {
   batches.resize(colouring.batches().size());

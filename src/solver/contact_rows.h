@@ -1,31 +1,12 @@
 #pragma once
 
-#include <algorithm>
-#include <functional>
 #include <vector>
 
 #include "solver/colouring.h"
 #include "solver/contact_problem.h"
+#include "solver/share.h"
 
 namespace scatter::solver {
-
-/// Calls work(i) once for every i from 0 to `count` - 1, on any thread and in any order, and returns when all
-/// have returned.
-using Share = std::function<void(int count, const std::function<void(int)>& work)>;
-
-/// Calls all of them here.
-void shareWithNobody(int count, const std::function<void(int)>& work);
-
-/// Calls `use(i)` once for every i from 0 to `count` - 1, some of them one after another: batches, which take
-/// a microsecond, as long as it takes to hand one over.
-template <class Use>
-void shareBatches(std::size_t count, const Share& share, const Use& use) {
-  constexpr std::size_t kBlock = 16;
-  share(static_cast<int>((count + kBlock - 1) / kBlock), [&](int block) {
-    const std::size_t first = static_cast<std::size_t>(block) * kBlock;
-    for (std::size_t i = first; i < std::min(count, first + kBlock); ++i) use(i);
-  });
-}
 
 /// Velocities of a body, or changes of them.
 struct alignas(32) BodyVelocity {
