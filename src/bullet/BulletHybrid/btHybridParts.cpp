@@ -298,12 +298,25 @@ btHybridParts::Mark::Mark(const btCollisionShape* shape, const btTransform& tran
 	m_numPoints = hull->getNumPoints();
 }
 
+// Bullet's own comparison takes in the fourth number, which nobody sets: some shapes leave it as it was in the bounds
+// that they find.
+static bool isSame(const btVector3& a, const btVector3& b)
+{
+	return a.x() == b.x() && a.y() == b.y() && a.z() == b.z();
+}
+
+static bool isSame(const btTransform& a, const btTransform& b)
+{
+	return isSame(a.getBasis()[0], b.getBasis()[0]) && isSame(a.getBasis()[1], b.getBasis()[1]) &&
+	       isSame(a.getBasis()[2], b.getBasis()[2]) && isSame(a.getOrigin(), b.getOrigin());
+}
+
 bool btHybridParts::Mark::operator==(const Mark& other) const
 {
 	return m_shape == other.m_shape && m_index == other.m_index && m_type == other.m_type &&
 	       m_points == other.m_points && m_numPoints == other.m_numPoints && m_features == other.m_features &&
-	       m_transform == other.m_transform && m_scaling == other.m_scaling && m_min == other.m_min &&
-	       m_max == other.m_max && m_margin == other.m_margin;
+	       isSame(m_transform, other.m_transform) && isSame(m_scaling, other.m_scaling) && isSame(m_min, other.m_min) &&
+	       isSame(m_max, other.m_max) && m_margin == other.m_margin;
 }
 
 // A compound before those that are in it.
@@ -332,7 +345,7 @@ btHybridParts::btHybridParts(const btCollisionShape* shape)
 // A compound that is the same still has the compounds that it had; of one that has changed they may be gone.
 bool btHybridParts::isCurrent(bool thorough) const
 {
-	if (!(m_scaling == m_shape->getLocalScaling()) || m_margin != m_shape->getMargin())
+	if (!isSame(m_scaling, m_shape->getLocalScaling()) || m_margin != m_shape->getMargin())
 		return false;
 	for (int i = 0; i < m_revisions.size(); i++)
 		if (m_revisions[i].m_compound->getUpdateRevision() != m_revisions[i].m_revision ||

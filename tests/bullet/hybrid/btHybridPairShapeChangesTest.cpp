@@ -470,5 +470,31 @@ TEST_P(PairShapeChanges, CreateFunctionsThatAProgramRegistersAfterTheWorldAreUse
   EXPECT_EQ(creates[1].calls, 2);
 }
 
+/// Leaves something else in the fourth number of its bounds every time, as shapes of Bullet's do that leave
+/// there what was in memory.
+class UntidySphere : public btSphereShape {
+ public:
+  using btSphereShape::btSphereShape;
+  void getAabb(const btTransform& pose, btVector3& low, btVector3& high) const override {
+    btSphereShape::getAabb(pose, low, high);
+    low[3] = high[3] = static_cast<float>(++calls_);
+  }
+
+ private:
+  mutable int calls_ = 0;
+};
+
+TEST(ShapeChanges, AreNotSeenInNumbersThatNobodySets) {
+  Twins twins;
+  twins.addHybrid(twins.cube(), at(btVector3(0, 0, 0)));
+  auto* untidy = twins.shapes.make<UntidySphere>(0.2F);
+  // Its bounds meet those of the cube, its parts are far from it.
+  twins.addOther(twins.compound({{untidy, btVector3(1.5F, 0, 0)}, {untidy, btVector3(0, 1.5F, 0)}}),
+                 at(btVector3(0, 0, 0)));
+  for (int step = 0; step < 4; ++step) twins.detect();
+  EXPECT_EQ(twins.pairs(), 1);
+  EXPECT_EQ(twins.ours.world.getCollisionCounts().pairsSkipped, 1);
+}
+
 }  // namespace
 }  // namespace scatter::test
