@@ -18,7 +18,7 @@ namespace {
 using scatter::Result;
 using scatter::lab::SceneRun;
 
-struct Options {
+struct InTurnOptions {
   std::string scene = "fleet";
   std::vector<std::string> worlds{"lean", "lean@2threads"};
   int frames = 0;  ///< 0: the scene's.
@@ -29,12 +29,12 @@ struct Options {
 constexpr double kLoads[] = {0, 100, 500, 2000, 4000};
 
 /// Of one frame of one repeat.
-struct Sample {
+struct InTurnSample {
   double contacts = 0.0;  ///< In the first world.
   double ratio = 0.0;     ///< Milliseconds of the physics by those of the first world.
 };
 
-Result<std::vector<std::unique_ptr<SceneRun>>> makeRuns(const Options& options) {
+Result<std::vector<std::unique_ptr<SceneRun>>> makeRunsInTurn(const InTurnOptions& options) {
   scatter::app::RunArguments arguments;
   arguments.scene = options.scene;
   if (options.frames > 0) arguments.frames = options.frames;
@@ -52,7 +52,7 @@ Result<std::vector<std::unique_ptr<SceneRun>>> makeRuns(const Options& options) 
 }
 
 // Each is the first in turn, as what steps after another finds less of its own in the cache.
-Result<void> stepAll(std::vector<std::unique_ptr<SceneRun>>& runs) {
+Result<void> stepInTurn(std::vector<std::unique_ptr<SceneRun>>& runs) {
   const int frames = runs.front()->options().frames;
   for (int frame = 0; frame < frames; ++frame) {
     for (std::size_t k = 0; k < runs.size(); ++k) {
@@ -69,7 +69,8 @@ Result<void> stepAll(std::vector<std::unique_ptr<SceneRun>>& runs) {
   return {};
 }
 
-void collect(const std::vector<std::unique_ptr<SceneRun>>& runs, std::vector<std::vector<Sample>>& samples) {
+void collectRatios(const std::vector<std::unique_ptr<SceneRun>>& runs,
+                   std::vector<std::vector<InTurnSample>>& samples) {
   const auto& first = runs.front()->table();
   for (std::size_t k = 1; k < runs.size(); ++k) {
     for (std::size_t i = 0; i < first.frames(); ++i) {
@@ -79,11 +80,11 @@ void collect(const std::vector<std::unique_ptr<SceneRun>>& runs, std::vector<std
   }
 }
 
-void report(const std::string& world, const std::vector<Sample>& samples) {
+void reportLoads(const std::string& world, const std::vector<InTurnSample>& samples) {
   for (std::size_t i = 0; i < std::size(kLoads); ++i) {
     const double end = i + 1 < std::size(kLoads) ? kLoads[i + 1] : std::numeric_limits<double>::infinity();
     std::vector<double> ratios;
-    for (const Sample& sample : samples)
+    for (const InTurnSample& sample : samples)
       if (sample.contacts >= kLoads[i] && sample.contacts < end) ratios.push_back(sample.ratio);
     if (ratios.empty()) continue;
     std::sort(ratios.begin(), ratios.end());
@@ -93,29 +94,29 @@ void report(const std::string& world, const std::vector<Sample>& samples) {
   }
 }
 
-int refuse(const std::string& why) {
+int refuseInTurn(const std::string& why) {
   std::fprintf(stderr, "in_turn: %s\n", why.c_str());
   return 2;
 }
 
-int run(const Options& options) {
-  std::vector<std::vector<Sample>> samples(options.worlds.size());
+int runInTurn(const InTurnOptions& options) {
+  std::vector<std::vector<InTurnSample>> samples(options.worlds.size());
   for (int i = 0; i < options.repeat; ++i) {
-    auto runs = makeRuns(options);
-    if (!runs) return refuse(runs.error().message);
-    if (const auto stepped = stepAll(*runs); !stepped) return refuse(stepped.error().message);
-    collect(*runs, samples);
+    auto runs = makeRunsInTurn(options);
+    if (!runs) return refuseInTurn(runs.error().message);
+    if (const auto stepped = stepInTurn(*runs); !stepped) return refuseInTurn(stepped.error().message);
+    collectRatios(*runs, samples);
   }
   std::printf("%s: wall time of the physics, as ratios to %s in the same frame, medians of %d repeats\n",
               options.scene.c_str(), options.worlds.front().c_str(), options.repeat);
-  for (std::size_t k = 1; k < samples.size(); ++k) report(options.worlds[k], samples[k]);
+  for (std::size_t k = 1; k < samples.size(); ++k) reportLoads(options.worlds[k], samples[k]);
   return 0;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  Options options;
+  InTurnOptions options;
   CLI::App app("What worlds take of each other's time, frame by frame: they step in turn.");
   app.add_option("--scene", options.scene, "a scene's name, or a file")->capture_default_str();
   app.add_option("--worlds", options.worlds, "as `scatter compare` takes them; others by the first")
@@ -124,5 +125,5 @@ int main(int argc, char** argv) {
   app.add_option("--frames", options.frames, "steps of 1/60 s a repeat")->check(CLI::PositiveNumber);
   app.add_option("--repeat", options.repeat, "repeats")->check(CLI::PositiveNumber)->capture_default_str();
   CLI11_PARSE(app, argc, argv);
-  return run(options);
+  return runInTurn(options);
 }
