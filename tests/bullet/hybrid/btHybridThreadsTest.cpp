@@ -246,7 +246,41 @@ TEST(Threads, HaveIslandsToShare) {
   EXPECT_TRUE(hasBullets);
 }
 
-// There is a pile whose rows are made on all threads.
+/// So many boxes that one island has the contacts from which on threads share its rows and impulses.
+class Wall : public PairTestWorld {
+ public:
+  explicit Wall(int threads) : PairTestWorld(BT_HYBRID_PAIR_SWITCHING, 1) {
+    EXPECT_STREQ(world.setNumThreads(threads), nullptr);
+    world.setConstraintSolver(&wide_);
+    world.setGravity(btVector3(0, -10, 0));
+    add(0, shape<btBoxShape>(btVector3(60, 1, 60)), btVector3(0, -1, 0));
+    for (int i = 0; i < 900; ++i) {
+      const auto across = static_cast<float>(i % 30);
+      add(1, shape<btBoxShape>(btVector3(0.5F, 0.5F, 0.5F)),
+          btVector3(across, 0.5F + static_cast<float>(i / 30), 0.01F * across));
+    }
+  }
+  ~Wall() { world.setConstraintSolver(&solver); }
+
+  [[nodiscard]] btHybridContactSolverInfo solved() const { return wide_.getContactSolverInfo(); }
+
+ private:
+  btHybridContactSolver wide_;
+};
+
+TEST(Threads, GiveTheSameBitsToALargePile) {
+  Wall one(1);
+  Wall many(3);
+  for (int step = 0; step < 5; ++step) {
+    one.step();
+    many.step();
+    ASSERT_EQ(many.bits(), one.bits()) << "step " << step;
+  }
+  EXPECT_GE(many.solved().m_points, 2048) << "there was nothing to share";
+  EXPECT_EQ(many.solved().m_groups, 1);
+}
+
+// There is a pile, in one group.
 TEST(Threads, HaveAPileToShare) {
   Crowd crowd(11);
   crowd.world.setNumThreads(3);
