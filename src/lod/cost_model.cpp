@@ -164,6 +164,7 @@ void UnitTime::learn(double units, double milliseconds) {
   if (units < kAlmostNone || !(milliseconds > 0.0)) return;
   perUnit_.add(milliseconds / units);
   lately_.add(milliseconds / units);
+  last_ = milliseconds / units;
 }
 
 double UnitTime::unitsIn(double milliseconds) const {
@@ -176,8 +177,14 @@ double UnitTime::millisecondsPerUnit() const {
   // become slower is believed after five steps, one that has become faster after sixteen.
   constexpr double kUsual = 0.5;
   constexpr double kSlow = 0.95;
-  constexpr double kSlowest = 1.08;
-  return std::min(perUnit_.at(kSlow), kSlowest * std::max(perUnit_.at(kUsual), lately_.at(kUsual)));
+  constexpr double kSlowest = 1.06;
+  // A slow step is rarely alone: the next may be slower by as much again. What is very slow happens once.
+  constexpr double kAgain = 1.05;
+  constexpr double kOdd = 1.5;
+  const double usual = std::max(perUnit_.at(kUsual), lately_.at(kUsual));
+  if (!(usual > 0.0)) return 0.0;
+  const double last = std::clamp(last_, usual, kOdd * usual);
+  return std::max(std::min(perUnit_.at(kSlow), kSlowest * usual), last * std::min(last / usual, kAgain));
 }
 
 }  // namespace scatter::lod

@@ -168,8 +168,9 @@ class CostModel {
   std::uint32_t learned_ = 0;
 };
 
-/// What a unit takes on this machine, learned from measured steps: a robust quantile over the last ones,
-/// because reacting to single steps overshoots. The only place where the clock comes in.
+/// What a unit takes on this machine, learned from measured steps: a robust quantile over the last ones, and
+/// more for the step after a slow one, as what slows steps down stays for a few. The only place where the
+/// clock comes in.
 class UnitTime {
  public:
   /// `milliseconds` is what a step of `units` took. Steps with almost no units tell nothing and are ignored.
@@ -183,6 +184,7 @@ class UnitTime {
  private:
   RecentQuantile<31> perUnit_;
   RecentQuantile<9> lately_;
+  double last_ = 0.0;  ///< Milliseconds per unit.
 };
 
 }  // namespace scatter::lod

@@ -206,12 +206,24 @@ TEST(UnitTime, KnowsNothingAtFirst) {
   EXPECT_EQ(time.millisecondsPerUnit(), 0.0);
 }
 
-TEST(UnitTime, IsNotImpressedBySingleSteps) {
+TEST(UnitTime, IsNotImpressedForLongBySingleSteps) {
   UnitTime time;
   for (int i = 0; i < 40; ++i) time.learn(1000.0, i % 5 == 4 ? 20.0 : 2.0);
+  EXPECT_LE(time.millisecondsPerUnit(), 0.0036) << "right after one of ten times the others";
+  time.learn(1000.0, 2.0);
   EXPECT_GE(time.millisecondsPerUnit(), 0.002);
   EXPECT_LE(time.millisecondsPerUnit(), 0.0023);
   EXPECT_DOUBLE_EQ(time.unitsIn(5.0), 5.0 / time.millisecondsPerUnit());
+}
+
+TEST(UnitTime, ExpectsASlowStepToBeFollowedByAnother) {
+  UnitTime time;
+  for (int i = 0; i < 40; ++i) time.learn(1000.0, 2.0);
+  EXPECT_DOUBLE_EQ(time.millisecondsPerUnit(), 0.002);
+  time.learn(1000.0, 2.4);
+  EXPECT_GE(time.millisecondsPerUnit(), 0.0024);
+  time.learn(1000.0, 2.0);
+  EXPECT_DOUBLE_EQ(time.millisecondsPerUnit(), 0.002);
 }
 
 TEST(UnitTime, FollowsAMachineThatBecomesSlower) {
