@@ -127,7 +127,7 @@ TEST_P(Threads, GiveTheSameBits) {
   for (const std::uint64_t seed : seeds(11, 2)) {
     Crowd one(seed, GetParam().mode);
     std::vector<std::unique_ptr<Crowd>> others;
-    for (const int threads : {2, 3, 8}) {
+    for (const int threads : trials<int>({3, 2, 8})) {
       others.push_back(std::make_unique<Crowd>(seed, GetParam().mode));
       ASSERT_STREQ(others.back()->world.setNumThreads(threads), nullptr);
     }
