@@ -164,7 +164,6 @@ void UnitTime::learn(double units, double milliseconds) {
   if (units < kAlmostNone || !(milliseconds > 0.0)) return;
   perUnit_.add(milliseconds / units);
   lately_.add(milliseconds / units);
-  last_ = milliseconds / units;
 }
 
 double UnitTime::unitsIn(double milliseconds) const {
@@ -183,7 +182,7 @@ double UnitTime::millisecondsPerUnit() const {
   constexpr double kOdd = 1.5;
   const double usual = std::max(perUnit_.at(kUsual), lately_.at(kUsual));
   if (!(usual > 0.0)) return 0.0;
-  const double last = std::clamp(last_, usual, kOdd * usual);
+  const double last = std::clamp(perUnit_.last(), usual, kOdd * usual);
   return std::max(std::min(perUnit_.at(kSlow), kSlowest * usual), last * std::min(last / usual, kAgain));
 }
 

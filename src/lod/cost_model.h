@@ -184,7 +184,6 @@ class UnitTime {
  private:
   RecentQuantile<31> perUnit_;
   RecentQuantile<9> lately_;
-  double last_ = 0.0;  ///< Milliseconds per unit.
 };
 
 }  // namespace scatter::lod

@@ -17,6 +17,11 @@ class RecentQuantile {
     count_ = std::min(count_ + 1, kValues);
   }
 
+  /// The value that was added last; 0 without values.
+  [[nodiscard]] double last() const {
+    return count_ == 0 ? 0.0 : values_[static_cast<std::size_t>((next_ + kValues - 1) % kValues)];
+  }
+
   /// The smallest value that at least this share of the values (0 to 1) does not exceed; 0 without values.
   [[nodiscard]] double at(double share) const {
     if (count_ == 0) return 0.0;
