@@ -1,4 +1,5 @@
 #include <scatter/lab/budget_study.h>
+#include <scatter/lab/recorded_machine.h>
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -23,6 +24,7 @@ struct BenchBudgetArguments {
   std::vector<double> floors{1.2, 1.5, 2.0, 3.0};
   std::string world = "hybrid";
   bool byClock = false;
+  std::optional<std::string> machine;
   double cut = 0.0;
   int cutFrames = 0;
   std::optional<std::string> over;
@@ -59,9 +61,16 @@ Result<BudgetStudyOptions> makeStudy(const BenchBudgetArguments& arguments,
     return tl::unexpected(scenes.error());
   }
   BudgetStudyOptions options{.floors = arguments.floors,
-                             .byClock = arguments.byClock,
+                             .byClock = arguments.byClock || arguments.machine,
                              .cut = arguments.cut,
                              .cutFrames = arguments.cutFrames};
+  if (arguments.machine) {
+    auto machine = readMachine(*arguments.machine);
+    if (!machine) {
+      return fail("--machine: " + machine.error().message);
+    }
+    options.machine = std::move(*machine);
+  }
   for (const std::string& scene : *scenes) {
     auto governed = makeBenchRun(arguments.bench, scene, arguments.world);
     if (!governed) {
@@ -80,8 +89,12 @@ Result<BudgetStudyOptions> makeStudy(const BenchBudgetArguments& arguments,
 }
 
 Result<void> checkMeaning(const CLI::App& command, const BenchBudgetArguments& arguments) {
-  if (arguments.byClock && arguments.cut > 0.0) {
-    return fail("--cut has no meaning with --clock: it is for budgets in units");
+  if (arguments.byClock && arguments.machine) {
+    return fail("--machine is in the place of the --clock; give one of them");
+  }
+  if ((arguments.byClock || arguments.machine) && arguments.cut > 0.0) {
+    return fail(std::string("--cut has no meaning with ") + (arguments.byClock ? "--clock" : "--machine") +
+                ": it is for budgets in units");
   }
   if (arguments.cutFrames > 0 && !(arguments.cut > 0.0)) {
     return fail("--cut-frames says how long --cut holds; give both");
@@ -148,6 +161,11 @@ Command addBenchBudgetCommand(CLI::App& bench) {
       ->capture_default_str();
   command->add_flag("--clock", arguments->byClock,
                     "Budgets of milliseconds [of units, the same run after run]");
+  command
+      ->add_option("--machine", arguments->machine,
+                   "Budgets of milliseconds on a machine that was recorded, in the place of the clock, the "
+                   "same run after run: a CSV file with ms_per_unit, or the frames.csv of a run")
+      ->type_name("FILE");
   command->add_option("--cut", arguments->cut, "From the middle of each run on its budget is divided by this")
       ->check(CLI::Range(1.0, 1000.0))
       ->type_name("X");

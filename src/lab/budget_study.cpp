@@ -19,18 +19,37 @@ using Cells = std::vector<std::string>;
 constexpr double kOver2 = 1.02;
 constexpr double kOver5 = 1.05;
 
-const std::vector<double>& costsOf(const Run& run, bool byClock) {
-  return run.table.values(byClock ? "physics_cpu_ms" : "cost_units");
+const char* measured(const BudgetStudyOptions& options) {
+  return options.byClock && options.machine.empty() ? "physics_cpu_ms" : "cost_units";
 }
 
-double floorOf(const Run& run, bool byClock) {
+/// What a frame takes: units, or milliseconds by the clock or on the machine, which has a step where there
+/// are units.
+std::vector<double> costsOf(const Run& run, const BudgetStudyOptions& options) {
+  std::vector<double> costs = run.table.values(measured(options));
+  std::size_t step = 0;
+  for (double& cost : costs) {
+    if (options.machine.empty() || !(cost > 0.0)) continue;
+    cost *= options.machine[step++ % options.machine.size()];
+  }
+  return costs;
+}
+
+/// Odd frames are the clock's. On a machine that becomes slower and quicker budgets are to be such that they
+/// can be kept while it is slow.
+double floorOf(const Run& run, const BudgetStudyOptions& options) {
   constexpr double kUsual = 0.99;
-  return nearestRank(costsOf(run, byClock), byClock ? kUsual : 1.0);
+  constexpr double kSlow = 0.9;
+  const bool isGiven = !options.machine.empty();
+  const double share = options.byClock && !isGiven ? kUsual : 1.0;
+  const double dearest = nearestRank(run.table.values(measured(options)), share);
+  return isGiven ? dearest * nearestRank(options.machine, kSlow) : dearest;
 }
 
-BudgetDef constantBudget(double budget, bool byClock) {
+BudgetDef constantBudget(double budget, const BudgetStudyOptions& options) {
   BudgetDef def;
-  (byClock ? def.milliseconds : def.units) = budget;
+  (options.byClock ? def.milliseconds : def.units) = budget;
+  def.machine = options.machine;
   return def;
 }
 
@@ -113,7 +132,7 @@ BudgetOverrun overrunOf(const Run& run, std::size_t frame, double taken) {
 /// `unlimited`: what the frames take without a budget.
 void judge(const Run& run, const std::vector<double>& unlimited, const BudgetStudyOptions& options,
            BudgetTrial& trial) {
-  const auto& costs = costsOf(run, options.byClock);
+  const std::vector<double> costs = costsOf(run, options);
   const auto& units = run.table.values("cost_units");
   const auto& floors = run.table.values("floor_units");
   const auto& touching = run.table.values("touching_pairs");
@@ -151,15 +170,16 @@ class Runner {
     if (!coarsest) {
       return tl::unexpected(coarsest.error());
     }
-    const double floor = floorOf(*coarsest, options_.byClock);
+    const double floor = floorOf(*coarsest, options_);
     if (!(floor > 0.0)) {
-      return fail("the scene " + scene.name + " has nothing to govern: its coarsest world costs nothing");
+      study.idle.push_back(scene.name);
+      return {};
     }
     const auto unlimited = runWith(scene, BudgetDef(), scene.name + ", no budget");
     if (!unlimited) {
       return tl::unexpected(unlimited.error());
     }
-    const std::vector<double>& wanted = costsOf(*unlimited, options_.byClock);
+    const std::vector<double> wanted = costsOf(*unlimited, options_);
     for (const double floors : options_.floors) {
       if (auto added = addTrial(scene, floors, floor * floors, wanted, study); !added) {
         return added;
@@ -174,7 +194,7 @@ class Runner {
     const Cut cut(options_, static_cast<std::size_t>(scene.governed.frames));
     const double held = cut.exists() ? budget / options_.cut : budget;
     const std::string name = scene.name + ", " + lab::readableNumber(floors) + " floors";
-    const BudgetDef constant = constantBudget(budget, options_.byClock);
+    const BudgetDef constant = constantBudget(budget, options_);
     const auto done = runWith(scene, cut.exists() ? cutBudget(budget, held, cut) : constant, name);
     if (!done) {
       return tl::unexpected(done.error());
@@ -226,6 +246,12 @@ std::string verdictOf(const BudgetStudy& study) {
          std::to_string(impossible) + " frames what could not be given up was more than the budget.";
 }
 
+std::string idleScenes(const BudgetStudy& study) {
+  std::string names;
+  for (const std::string& name : study.idle) names += (names.empty() ? "" : ", ") + name;
+  return "nothing to govern, as the coarsest world costs nothing, in " + names;
+}
+
 }  // namespace
 
 Result<BudgetStudy> studyBudgets(const BudgetStudyOptions& options,
@@ -239,6 +265,9 @@ Result<BudgetStudy> studyBudgets(const BudgetStudyOptions& options,
     if (auto added = runner.addScene(scene, study); !added) {
       return tl::unexpected(added.error());
     }
+  }
+  if (study.trials.empty()) {
+    return fail(idleScenes(study) + "; name scenes with hybrids");
   }
   return study;
 }
@@ -265,7 +294,8 @@ std::string formatBudgets(const BudgetStudy& study) {
                   ? std::string(" Back: frames after the cut until as many touching pairs are at their "
                                 "finest level as without one.")
                   : std::string()) +
-             "\n" + verdictOf(study));
+             "\n" + verdictOf(study) +
+             (study.idle.empty() ? std::string() : "\nLeft out: " + idleScenes(study) + "."));
 }
 
 std::string budgetsCsv(const BudgetStudy& study) {

@@ -110,11 +110,16 @@ class StepBudget {
   /// Ends a step; `isPlanned`: plan() was called in it.
   void finish(bool isPlanned);
 
-  /// After a step: of processor time.
+  /// After a step: of processor time, measured.
   void takeTime(double milliseconds) {
-    budget_.learn(units_, milliseconds, restUnits() - contacts_.saved() - iterationUnits_);
+    budget_.learn(units_, budget_.timeOf(units_, milliseconds),
+                  restUnits() - contacts_.saved() - iterationUnits_);
   }
-  [[nodiscard]] bool isExceededBy(double milliseconds) const { return budget_.isExceededBy(milliseconds); }
+
+  /// Before takeTime().
+  [[nodiscard]] bool isExceededBy(double milliseconds) const {
+    return budget_.isExceededBy(budget_.timeOf(units_, milliseconds));
+  }
 
   [[nodiscard]] double units() const { return units_; }  ///< Of the step under way, or made last.
   [[nodiscard]] double lastUnits() const { return lastUnits_; }

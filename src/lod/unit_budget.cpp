@@ -22,10 +22,11 @@ UnitBudget UnitBudget::ofUnits(double units) {
   return budget;
 }
 
-UnitBudget UnitBudget::ofMilliseconds(double milliseconds) {
+UnitBudget UnitBudget::ofMilliseconds(double milliseconds, std::vector<double> machine) {
   assert(milliseconds > 0.0);
   UnitBudget budget;
   budget.milliseconds_ = milliseconds;
+  budget.machine_ = std::move(machine);
   return budget;
 }
 
@@ -64,11 +65,11 @@ double UnitBudget::settle(const UnitsSoFar& step) {
 
 // What comes after the contacts takes another time for each unit than the whole: it is learned apart.
 double UnitBudget::settleTime(const UnitsSoFar& step) {
-  soFar_ = step.milliseconds;
+  soFar_ = timeOf(step.all - step.rest, step.milliseconds);
   const double known = unitTime_.millisecondsPerUnit();
   const double whole = known > 0.0 ? known : 1.0 / kUnitsPerMillisecond;
   const double ofRest = restTime_.millisecondsPerUnit();
-  const double left = std::max(given_ * whole - step.milliseconds, 0.0);
+  const double left = std::max(given_ * whole - soFar_, 0.0);
   const double room = step.all - step.rest + left / (ofRest > 0.0 ? ofRest : whole);
   return std::clamp(room, kLeastShare * given_, given_);
 }
@@ -87,6 +88,7 @@ double UnitBudget::nextUnits() {
 
 void UnitBudget::learn(double units, double milliseconds, double rest) {
   if (milliseconds_ <= 0.0) return;
+  if (!machine_.empty()) machineStep_ = (machineStep_ + 1) % machine_.size();
   // In a light step most of the time goes into what no unit stands for.
   constexpr double kLight = 0.25;
   const double share = milliseconds_ / shared_;

@@ -11,7 +11,7 @@ namespace scatter::lod {
 struct UnitsSoFar {
   double all = 0.0;           ///< That it is going to cost.
   double rest = 0.0;          ///< Of these, of what has not begun yet.
-  double milliseconds = 0.0;  ///< That it has taken; only a budget that needsTime() asks for them.
+  double milliseconds = 0.0;  ///< That it has taken, measured; only a budget that needsTime() asks for them.
 };
 
 /// What the next step may cost, in units, from what the user has given.
@@ -22,7 +22,9 @@ class UnitBudget {
   [[nodiscard]] static UnitBudget ofUnits(double units);  ///< > 0. Clock-free.
 
   /// > 0. As long as nothing was learned, a unit is taken for a microsecond.
-  [[nodiscard]] static UnitBudget ofMilliseconds(double milliseconds);
+  /// `machine`: milliseconds that a unit takes, each > 0, step by step, and from the first again: what a step
+  /// takes is worked out from its units, clock-free. Empty: what is measured.
+  [[nodiscard]] static UnitBudget ofMilliseconds(double milliseconds, std::vector<double> machine = {});
 
   /// What next() gave in an earlier run, step by step; what is not above 0 is no budget. After the last one
   /// it stays. Empty: no budget. `settled`: likewise of settle(); for steps without one, all that was given.
@@ -41,6 +43,11 @@ class UnitBudget {
 
   /// What the step did cost, for those that share its budget.
   void take(double units) { taken_ += units; }
+
+  /// Of a step that cost so much: what it took, measured or on the machine that was given.
+  [[nodiscard]] double timeOf(double units, double measured) const {
+    return machine_.empty() ? measured : units * machine_[machineStep_];
+  }
 
   /// After a step that cost so much and took so long; `rest`: of the units, what came after settle(). Only a
   /// budget of milliseconds learns.
@@ -67,10 +74,12 @@ class UnitBudget {
   [[nodiscard]] double ofShared(double units);
 
   double milliseconds_ = 0.0;
-  double constant_ = 0.0;  ///< Units.
-  int shared_ = 1;         ///< Steps that share a budget.
-  int left_ = 0;           ///< Of these, to come.
-  double taken_ = 0.0;     ///< Units that those before them did cost.
+  double constant_ = 0.0;        ///< Units.
+  int shared_ = 1;               ///< Steps that share a budget.
+  int left_ = 0;                 ///< Of these, to come.
+  double taken_ = 0.0;           ///< Units that those before them did cost.
+  std::vector<double> machine_;  ///< Milliseconds that a unit takes; empty: measured.
+  std::size_t machineStep_ = 0;  ///< Of these, that of the step under way.
   std::vector<double> units_;
   std::vector<double> settledUnits_;
   std::size_t step_ = 0;

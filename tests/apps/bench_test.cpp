@@ -71,6 +71,18 @@ TEST_F(BenchTest, BudgetGoesThroughScenesAndFamilies) {
   EXPECT_EQ(linesOfCsv("budgets.csv"), 7U);
 }
 
+TEST_F(BenchTest, BudgetsOfMillisecondsAreTheSameEveryTimeOnAMachineThatIsGiven) {
+  std::ofstream(folder / "machine.csv") << "ms_per_unit\n0.001\n0.002\n0.004\n";
+  for (const char* csv : {"one.csv", "other.csv"}) {
+    const std::string output =
+        bench({"budget", "--families", "wheel_stack", "--seeds", "2", "--scale", "0.2", "--frames", "40",
+               "--floors", "1.5", "--machine", "machine.csv", "--csv", csv});
+    EXPECT_THAT(output, ContainsRegex("floors +ms "));
+  }
+  EXPECT_EQ(readText(folder / "one.csv"), readText(folder / "other.csv"));
+  EXPECT_EQ(columnOf(folder / "one.csv", "frames"), (std::vector<std::string>{"40"}));
+}
+
 TEST_F(BenchTest, LevelsAreJudgedBesideThoseOfAProgram) {
   std::string box = "o box\n";
   for (const char* vertex :

@@ -86,6 +86,23 @@ TEST(BudgetStudy, TellsHowMuchIsUsedOfTheBudgetWhereThereIsNotEnough) {
   EXPECT_DOUBLE_EQ(study->trials.front().use, 0.9);
 }
 
+TEST(BudgetStudy, AMachineStandsInForTheClockInFramesThatCostSomething) {
+  std::vector<BudgetDef> budgets;
+  const Costs costs{{80, 0}, {0, 0}, {60, 0}, {90, 0}};
+  const auto study = studyBudgets({.scenes = {{.name = "a",
+                                               .governed = costing(costs, 4, &budgets),
+                                               .coarsest = costing({{10, 0}, {50, 0}}, 2)}},
+                                   .floors = {2.0},
+                                   .byClock = true,
+                                   .machine = {0.5, 1.0}});
+  ASSERT_TRUE(study);
+  EXPECT_TRUE(budgets[0].machine.empty()) << "what it takes without a budget needs no time";
+  EXPECT_EQ(budgets[1].milliseconds, 100.0) << "twice the 50 units, at a millisecond each when it is slow";
+  EXPECT_EQ(budgets[1].machine, (std::vector<double>{0.5, 1.0}));
+  // 40 ms, nothing, 60 ms, 45 ms.
+  EXPECT_DOUBLE_EQ(study->trials.front().worst, 0.6);
+}
+
 TEST(BudgetStudy, ABudgetThatIsCutIsJudgedOnceThereWasTimeForIt) {
   std::vector<BudgetDef> budgets;
   Costs costs(60 + kBudgetWayDown, {180, 0});
@@ -137,11 +154,24 @@ TEST(BudgetStudy, TellsWhenDetailIsBackAfterACut) {
 
 TEST(BudgetStudy, RefusesWhatTellsNothing) {
   EXPECT_FALSE(studyBudgets({}));
-  const auto free = studyBudgets(
-      {.scenes = {{.name = "empty", .governed = costing({{90, 0}}, 2), .coarsest = costing({{0, 0}}, 2)}},
-       .floors = {2.0}});
+  const BudgetScene empty{
+      .name = "empty", .governed = costing({{90, 0}}, 2), .coarsest = costing({{0, 0}}, 2)};
+  const auto free = studyBudgets({.scenes = {empty}, .floors = {2.0}});
   ASSERT_FALSE(free);
-  EXPECT_THAT(free.error().message, HasSubstr("the scene empty has nothing to govern"));
+  EXPECT_THAT(free.error().message,
+              HasSubstr("nothing to govern, as the coarsest world costs nothing, in empty"));
+}
+
+TEST(BudgetStudy, GoesOnWithoutScenesInWhichThereIsNothingToGovern) {
+  const BudgetScene empty{
+      .name = "empty", .governed = costing({{90, 0}}, 2), .coarsest = costing({{0, 0}}, 2)};
+  const BudgetScene full{
+      .name = "full", .governed = costing({{90, 0}}, 2), .coarsest = costing({{50, 0}}, 2)};
+  const auto study = studyBudgets({.scenes = {empty, full}, .floors = {2.0}});
+  ASSERT_TRUE(study);
+  ASSERT_EQ(study->trials.size(), 1U);
+  EXPECT_EQ(study->trials.front().scene, "full");
+  EXPECT_THAT(formatBudgets(*study), HasSubstr("Left out: nothing to govern"));
 }
 
 }  // namespace

@@ -178,6 +178,21 @@ TEST(UnitBudget, FollowsAMachineThatBecomesSlower) {
   EXPECT_GT(budget.next(), 2300.0);
 }
 
+TEST(UnitBudget, AMachineThatIsGivenStandsInForTheClock) {
+  UnitBudget measured = UnitBudget::ofMilliseconds(5.0);
+  UnitBudget given = UnitBudget::ofMilliseconds(5.0, {0.002, 0.003, 0.001});
+  EXPECT_TRUE(given.needsTime()) << "its steps are told apart as those of the clock are";
+  for (int i = 0; i < 50; ++i) {
+    const double perUnit = i % 3 == 0 ? 0.002 : i % 3 == 1 ? 0.003 : 0.001;
+    EXPECT_EQ(given.next(), measured.next()) << i;
+    constexpr UnitsSoFar kLate{.all = 2000.0, .rest = 800.0, .milliseconds = 1e6};
+    EXPECT_EQ(given.settle(kLate), measured.settle({2000.0, 800.0, 1200.0 * perUnit})) << i;
+    EXPECT_EQ(given.timeOf(2000.0, 1e6), 2000.0 * perUnit);
+    measured.learn(2000.0, 2000.0 * perUnit, 800.0);
+    given.learn(2000.0, given.timeOf(2000.0, 1e6), 800.0);
+  }
+}
+
 TEST(UnitBudget, AnEmptyRecordingIsNoBudget) {
   UnitBudget budget = UnitBudget::replay({});
   EXPECT_FALSE(budget.isLimited());

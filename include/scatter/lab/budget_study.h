@@ -22,6 +22,10 @@ struct BudgetStudyOptions {
   std::vector<double> floors{};  ///< Budgets, as multiples of the scene's reachable floor.
   bool byClock = false;          ///< In milliseconds of processor time; otherwise in units, clock-free.
 
+  /// With `byClock`: in the place of the clock, as BudgetDef::machine. Floors are what the dearest frame
+  /// takes in a step that is slower than nine of ten.
+  std::vector<double> machine{};
+
   /// Above 0: from the middle of the run on the budget is divided by this,
   double cut = 0.0;
   /// for so many frames; 0: to the end. After that it is what it was, and it is measured when detail is back.
@@ -72,15 +76,16 @@ inline constexpr int kDetailWindow = 10;
 inline constexpr double kDetailBack = 0.05;
 
 struct BudgetStudy {
-  bool byClock = false;
+  bool byClock = false;  ///< By the clock, or on a machine that was given.
   bool cutEnds = false;
   std::vector<BudgetTrial> trials;  ///< Scene by scene, in the order of the floors.
+  std::vector<std::string> idle{};  ///< Scenes in which there is nothing to govern: no trials.
 };
 
 /// Runs each scene once in its coarsest world, once in its governed world without a budget, and once there
 /// for each budget. The reachable floor is what the dearest frame of the coarsest world takes (by the clock:
-/// dearer than 99 % of them, as odd frames are the machine's). Fails as runScene does, and without a scene or
-/// a floor.
+/// dearer than 99 % of them, as odd frames are the machine's). Scenes whose coarsest world costs nothing are
+/// left out. Fails as runScene does, and without a scene or a floor, or if there is nothing to govern in any.
 [[nodiscard]] Result<BudgetStudy> studyBudgets(
     const BudgetStudyOptions& options, const std::function<void(const CompareProgress&)>& progress = {});
 

@@ -30,7 +30,7 @@ enum class Switching : std::uint8_t {
 
 /// What a step may cost, for pair switching; at most one of the three.
 struct BudgetDef {
-  double milliseconds = 0.0;  ///< Of processor time; 0: no budget. Depends on the clock.
+  double milliseconds = 0.0;  ///< Of processor time; 0: no budget. Depends on the clock, but for `machine`.
   double units = 0.0;         ///< Of predicted cost; 0: no budget. The same run after run.
 
   /// Units a step, as LevelSwitching::budgetUnits() gave them in an earlier run, which is repeated exactly;
@@ -39,6 +39,10 @@ struct BudgetDef {
 
   /// Of the same steps, LevelSwitching::settledUnits(); empty, of a run whose budget was of units: the same.
   std::vector<double> settled{};
+
+  /// Of a budget of milliseconds: those that a unit takes, each above 0, step by step, and after the last from
+  /// the first again. Then the clock is not asked: the same run after run. Empty: as the clock has it.
+  std::vector<double> machine{};
 };
 
 struct SwitchingDef {

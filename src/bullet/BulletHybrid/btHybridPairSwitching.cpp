@@ -43,6 +43,20 @@ const char* btHybridDynamicsWorld::setBudgetMilliseconds(double milliseconds)
 	return mistake;
 }
 
+const char* btHybridDynamicsWorld::setBudgetMilliseconds(double milliseconds, const double* millisecondsPerUnit,
+                                                         int count)
+{
+	const char* mistake = checkPairCall();
+	if (!mistake)
+		mistake = btHybridCheckBudget(milliseconds);
+	if (!mistake)
+		mistake = btHybridCheckMachine(millisecondsPerUnit, count);
+	if (!mistake)
+		m_planner->setBudget(scatter::lod::UnitBudget::ofMilliseconds(
+		    milliseconds, std::vector<double>(millisecondsPerUnit, millisecondsPerUnit + count)));
+	return mistake;
+}
+
 const char* btHybridDynamicsWorld::setBudgetUnits(double units)
 {
 	const char* mistake = checkPairCall();

@@ -76,6 +76,16 @@ const char* btHybridCheckReplay(const double* units, int count)
 	return 0;
 }
 
+const char* btHybridCheckMachine(const double* millisecondsPerUnit, int count)
+{
+	if (!millisecondsPerUnit || count <= 0)
+		return "a machine needs the milliseconds that a unit takes in at least one step";
+	for (int i = 0; i < count; i++)
+		if (!std::isfinite(millisecondsPerUnit[i]) || millisecondsPerUnit[i] <= 0)
+			return "a machine needs a finite number of milliseconds above 0 for a unit of every step";
+	return 0;
+}
+
 const char* btHybridCheckFocus(const btVector3& eye, const btVector3& target, btScalar fieldOfView)
 {
 	if (!btHybridIsFinite(eye) || !btHybridIsFinite(target))

@@ -16,6 +16,7 @@ const char* btHybridCheckThreads(int threads);
 const char* btHybridCheckBudget(double milliseconds);
 const char* btHybridCheckBudgetUnits(double units);
 const char* btHybridCheckReplay(const double* units, int count);
+const char* btHybridCheckMachine(const double* millisecondsPerUnit, int count);
 const char* btHybridCheckFocus(const btVector3& eye, const btVector3& target, btScalar fieldOfView);
 
 #endif  // BT_HYBRID_SETTINGS_H

@@ -49,6 +49,10 @@ bool applyBudget(btHybridDynamicsWorld& world, const BudgetDef& budget) {
                                      isSettled ? budget.settled.data() : nullptr));
   }
   if (budget.units != 0.0) return isDone(world.setBudgetUnits(budget.units));
+  if (budget.milliseconds != 0.0 && !budget.machine.empty()) {
+    return isDone(world.setBudgetMilliseconds(budget.milliseconds, budget.machine.data(),
+                                              static_cast<int>(budget.machine.size())));
+  }
   if (budget.milliseconds != 0.0) return isDone(world.setBudgetMilliseconds(budget.milliseconds));
   return isDone(world.removeBudget());
 }

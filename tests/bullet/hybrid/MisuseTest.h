@@ -70,6 +70,10 @@ using PairCall = std::function<const char*(btHybridDynamicsWorld&)>;
 inline std::vector<PairCall> soundPairCalls() {
   return {
       [](btHybridDynamicsWorld& w) { return w.setBudgetMilliseconds(4); },
+      [](btHybridDynamicsWorld& w) {
+        const double machine[] = {0.001, 0.002};
+        return w.setBudgetMilliseconds(4, machine, 2);
+      },
       [](btHybridDynamicsWorld& w) { return w.setBudgetUnits(4); },
       [](btHybridDynamicsWorld& w) {
         const double units[] = {3, 0, 5};

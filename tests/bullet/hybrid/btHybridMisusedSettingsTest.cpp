@@ -36,6 +36,8 @@ TEST_F(MisuseTest, BudgetsThatMakeNoSenseAreRefused) {
     EXPECT_THAT(w->setBudgetMilliseconds(bad), HasSubstr("finite number of milliseconds")) << bad;
     EXPECT_THAT(w->setBudgetUnits(bad), HasSubstr("finite number of units")) << bad;
     const double units[] = {1, bad};
+    EXPECT_THAT(w->setBudgetMilliseconds(bad, units, 1), HasSubstr("finite number of milliseconds")) << bad;
+    EXPECT_THAT(w->setBudgetMilliseconds(4, units, 2), HasSubstr("above 0 for a unit of every step")) << bad;
     if (bad != 0.0) {
       EXPECT_THAT(w->replayBudget(units, 2), HasSubstr("finite units")) << bad;
     }
@@ -44,6 +46,8 @@ TEST_F(MisuseTest, BudgetsThatMakeNoSenseAreRefused) {
   EXPECT_NE(w->replayBudget(nullptr, 2), nullptr);
   EXPECT_NE(w->replayBudget(sound, 0), nullptr);
   EXPECT_NE(w->replayBudget(sound, -1), nullptr);
+  EXPECT_THAT(w->setBudgetMilliseconds(4, nullptr, 2), HasSubstr("at least one step"));
+  EXPECT_THAT(w->setBudgetMilliseconds(4, sound, 0), HasSubstr("at least one step"));
   w.step();
   EXPECT_EQ(w->getPairStepInfo().budgetUnits, 1234) << "nothing has changed";
 }

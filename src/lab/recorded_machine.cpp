@@ -1,0 +1,49 @@
+#include <scatter/lab/recorded_machine.h>
+
+#include <scatter/lab/frame_csv.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace scatter {
+
+namespace {
+
+constexpr double kLight = 0.25;
+
+Result<std::vector<double>> ratesOfRun(const std::filesystem::path& file) {
+  const auto units = readFrameColumn(file, "cost_units");
+  if (!units) {
+    return tl::unexpected(units.error());
+  }
+  const auto milliseconds = readFrameColumn(file, "physics_cpu_ms");
+  if (!milliseconds) {
+    return tl::unexpected(milliseconds.error());
+  }
+  const double dearest = *std::max_element(units->begin(), units->end());
+  if (!(dearest > 0.0)) {
+    return fail("the run in " + file.string() +
+                " cost no units; record a machine with a hybrid world and pair switching");
+  }
+  std::vector<double> rates;
+  for (std::size_t i = 0; i < units->size(); ++i) {
+    if ((*units)[i] >= kLight * dearest) rates.push_back((*milliseconds)[i] / (*units)[i]);
+  }
+  return rates;
+}
+
+}  // namespace
+
+Result<std::vector<double>> readMachine(const std::filesystem::path& file) {
+  const auto isGiven = hasFrameColumn(file, "ms_per_unit");
+  if (!isGiven) {
+    return tl::unexpected(isGiven.error());
+  }
+  auto rates = *isGiven ? readFrameColumn(file, "ms_per_unit") : ratesOfRun(file);
+  if (rates && std::any_of(rates->begin(), rates->end(), [](double rate) { return !(rate > 0.0); })) {
+    return fail("in " + file.string() + " a unit takes no time in some step; give milliseconds above 0");
+  }
+  return rates;
+}
+
+}  // namespace scatter
