@@ -27,14 +27,14 @@ constexpr double kUnknownApart = 1.0;
 
 // What a pair does shows at other levels too, but less. All changes go through here, so that what is
 // remembered of a level does not drift while others are in use.
-void follow(PairCost& cost, std::size_t slot, double units) {
+void follow(PairCost& cost, std::size_t slot, double units, double rise = kRise) {
   const double before = cost.units[slot];
   if (before <= 0.0) {
     cost.units[slot] = static_cast<float>(std::max(units, kLeastUnits));
     return;
   }
   const double change = units - before;
-  const double now = std::max(before + change * (change > 0.0 ? kRise : kFall), kLeastUnits);
+  const double now = std::max(before + change * (change > 0.0 ? rise : kFall), kLeastUnits);
   const auto scale = static_cast<float>(std::sqrt(now / before));
   for (float& remembered : cost.units) remembered *= scale;
   cost.units[slot] = static_cast<float>(now);
@@ -88,7 +88,9 @@ void CostModel::learn(PairCost& cost, int level, int finest, bool touching, doub
   Kind& kind = kinds_[indexOf(level, finest)];
   const std::size_t slot = PairCost::slotOf(level, finest);
   if (cost.level == level) {
-    follow(cost, slot, units);
+    // The second step at a level is the first that shows what it costs there now.
+    follow(cost, slot, units, cost.isNew ? 1.0 : kRise);
+    cost.isNew = false;
     if (units > 0.0) {
       addToMeans(cost, level, finest, touching, units);
       kind.byTouch[touching ? 1 : 0].common.add(std::min(common, units));
@@ -97,6 +99,7 @@ void CostModel::learn(PairCost& cost, int level, int finest, bool touching, doub
     // The first step at a level makes lists anew: what that takes does not belong to the level. What its
     // contacts take does.
     const double expected = predict(cost, level, cost.level, finest, touching);
+    cost.isNew = cost.level != 0;
     cost.level = static_cast<std::uint8_t>(level);
     follow(cost, slot, std::max(std::min(units, expected), contacts));
   }

@@ -68,6 +68,7 @@ struct PairCost {
   std::array<float, kRemembered> units{};
   std::array<bool, kRemembered> touching{};  ///< When that was learned.
   std::uint8_t level = 0;                    ///< The last one that was learned; 0: nothing was.
+  bool isNew = false;                        ///< There: that was its first step at the level.
 
   [[nodiscard]] static std::size_t slotOf(int level, int finest) {
     return static_cast<std::size_t>(finest - level < kRemembered ? finest - level : kRemembered - 1);

@@ -190,7 +190,7 @@ class Planner {
     std::uint8_t targetBefore = 0;
     bool isOwed = false;  ///< The budget took the detail that it lacks, and it was not woken for it since.
     int step = 0;         ///< The last one in which it was processed.
-    float averageUnits = 0.0F;  ///< What it costs a step while on credit: that comes in bursts.
+    float averageUnits = 0.0F;  ///< What it costs a step on credit below its finest level: audits are bursts.
     float units = 0.0F;         ///< What it took in that step.
   };
 

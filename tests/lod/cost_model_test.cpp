@@ -166,6 +166,21 @@ TEST(CostModel, TheFirstStepAtALevelDoesNotCount) {
   EXPECT_NEAR(costs.predict(cost, 3, 3, 3, kTouching), before, 0.1);
 }
 
+TEST(CostModel, TheSecondStepAtALevelShowsWhatItCostsThereNow) {
+  CostModel costs{CostWeights{}};
+  PairCost cost;
+  for (int i = 0; i < 20; ++i) costs.learn(cost, 3, 3, kTouching, 10.0);
+  for (int i = 0; i < 20; ++i) costs.learn(cost, 2, 3, kTouching, 4.0);
+  costs.learn(cost, 3, 3, kTouching, 60.0);
+  EXPECT_LT(costs.predict(cost, 3, 3, 3, kTouching), 15.0);
+  costs.learn(cost, 3, 3, kTouching, 60.0);
+  EXPECT_NEAR(costs.predict(cost, 3, 3, 3, kTouching), 60.0, 0.1);
+  // One that falls is not believed at once, nor is a later rise.
+  costs.learn(cost, 3, 3, kTouching, 20.0);
+  costs.learn(cost, 3, 3, kTouching, 100.0);
+  EXPECT_NEAR(costs.predict(cost, 3, 3, 3, kTouching), 65.0, 5.0);
+}
+
 TEST(CostModel, OfTheFirstStepWhatItsContactsTakeCounts) {
   const CostModel costs{CostWeights{}};
   const CostWeights weights;

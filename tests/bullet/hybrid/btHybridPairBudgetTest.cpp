@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <map>
+#include <cstdlib>
 #include <set>
 #include <utility>
 #include <vector>
@@ -97,6 +97,31 @@ TEST(Budget, InMillisecondsIsReplayedFromItsUnits) {
   EXPECT_GT(switches, 20);
 }
 
+TEST(Budget, InMillisecondsOfAMachineThatIsGivenIsKeptAndTheSameEveryTime) {
+  // Twice as slow for 60 steps, again and again; the budget is what the scene takes without one, quickly.
+  std::vector<double> machine(120, 0.001);
+  std::fill(machine.begin() + 60, machine.end(), 0.002);
+  Gathering first;
+  Gathering second;
+  double dearest = 0;
+  for (int i = 0; i < 60; ++i) {
+    first.pull();
+    second.pull();
+    dearest = std::max(dearest, first.pairInfo().units);
+  }
+  for (Gathering* w : {&first, &second}) w->world.setBudgetMilliseconds(0.001 * dearest, machine.data(), 120);
+  const Recording one = record(first);
+  expectSame(one, record(second));
+  Gathering replayed;
+  for (int i = 0; i < 60; ++i) replayed.pull();
+  replayed.world.replayBudget(one.units.data(), static_cast<int>(one.units.size()), one.settled.data());
+  expectSame(one, record(replayed));
+  for (int i = 30; i < 60; ++i) {
+    EXPECT_NEAR(one.units[static_cast<std::size_t>(i)], dearest, 1e-9 * dearest) << i;
+    EXPECT_NEAR(one.units[static_cast<std::size_t>(i + 60)], dearest / 2, 1e-9 * dearest) << i;
+  }
+}
+
 TEST(Budget, IsSharedByTheStepsOfACall) {
   Gathering w;
   constexpr double kUnits = 3000;
@@ -169,7 +194,8 @@ TEST(Budget, ContactsAreReusedOnlyWhileItIsExceededAndNeverForAHeldBody) {
 /// Slabs of 64 bricks that lie on each other.
 class Slabs : public PairTestWorld {
  public:
-  Slabs() {
+  /// Metres by which each hangs over the one below.
+  explicit Slabs(float overhang = 0) {
     auto* fine = shape<btCompoundShape>();
     auto* brick = shape<btBoxShape>(btVector3(0.12F, 0.1F, 0.12F));
     for (int i = 0; i < 64; ++i) {
@@ -183,7 +209,8 @@ class Slabs : public PairTestWorld {
     addFloor();
     for (int i = 0; i < 4; ++i) {
       addBody(slab,
-              btTransform(btQuaternion::getIdentity(), btVector3(0, 0.1F + 0.2F * static_cast<float>(i), 0)));
+              btTransform(btQuaternion::getIdentity(), btVector3(overhang * static_cast<float>(i),
+                                                                 0.1F + 0.2F * static_cast<float>(i), 0)));
     }
     for (int i = 0; i < 30; ++i) step();
   }
@@ -208,19 +235,6 @@ class Slabs : public PairTestWorld {
       }
     }
     return counts;
-  }
-
-  /// Of each pair of bodies, contacts that press.
-  [[nodiscard]] std::vector<int> countPressing() const {
-    std::map<std::pair<const void*, const void*>, int> counts;
-    for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
-      const auto both = std::minmax<const void*>(manifoldAt(i).getBody0(), manifoldAt(i).getBody1());
-      for (int k = 0; k < manifoldAt(i).getNumContacts(); ++k)
-        counts[both] += manifoldAt(i).getContactPoint(k).getAppliedImpulse() > 0 ? 1 : 0;
-    }
-    std::vector<int> result;
-    for (const auto& [both, count] : counts) result.push_back(count);
-    return result;
   }
 
   btHybridLevelSet slab;
@@ -345,24 +359,25 @@ TEST(Budget, LeavesNothingOutOfAStepWithoutBodiesThatSwitch) {
   w.world.removeRigidBody(&plain);
 }
 
-// Those of the others are all shown, so that what rests does not tremble.
-TEST(Budget, LeavesContactsOfTheSameBodiesToOthersInEveryStep) {
-  Slabs w;
-  w.setTightBudget();
-  for (int i = 0; i < 150; ++i) w.step();
-  constexpr int kMany = 50;
-  const std::vector<int> pressing = w.countPressing();
-  const auto many = std::ranges::count_if(pressing, [](int count) { return count > kMany; });
-  const auto few = std::ranges::count_if(pressing, [](int count) { return count < kMany / 4; });
-  EXPECT_GT(many, 0);
-  EXPECT_GT(few, 0);
-  EXPECT_EQ(many + few, 4);
-  for (int i = 0; i < 60; ++i) {
-    w.step();
-    const std::vector<int> now = w.countPressing();
-    ASSERT_EQ(now.size(), pressing.size());
-    for (std::size_t k = 0; k < now.size(); ++k) EXPECT_EQ(now[k] > kMany, pressing[k] > kMany) << i;
+// What rests would tremble if it was held by other contacts in every step. How it rests is a matter of
+// chance.
+TEST(Budget, SeldomChangesHowManyContactsItLeavesToOthers) {
+  constexpr int kStepsOfEach = 300;
+  int changes = 0;
+  for (const float overhang : {0.0F, 0.001F, 0.002F, 0.004F, 0.01F}) {
+    Slabs w(overhang);
+    w.setTightBudget();
+    for (int i = 0; i < 150; ++i) w.step();
+    int before = w.pairInfo().hiddenContacts;
+    EXPECT_GT(before, 100);
+    for (int i = 0; i < kStepsOfEach; ++i) {
+      w.step();
+      const int hidden = w.pairInfo().hiddenContacts;
+      changes += std::abs(hidden - before) > 60 ? 1 : 0;
+      before = hidden;
+    }
   }
+  EXPECT_LT(changes, 5 * kStepsOfEach / 20);
 }
 
 TEST(Budget, IsThereAfterItIsSetAndGoneWhenItIsRemoved) {
