@@ -171,7 +171,8 @@ public:
 	const char* setBudgetMilliseconds(double milliseconds);
 
 	/// Clock-free: as if a unit of predicted cost took so many milliseconds, in one step with hybrids after the other,
-	/// and after the last from the first again. The same run after run, on any machine. Refuses 0 steps, and numbers that are not finite and above 0.
+	/// and after the last from the first again. The same run after run, on any machine. Refuses 0 steps, and numbers
+	/// that are not finite and above 0.
 	const char* setBudgetMilliseconds(double milliseconds, const double* millisecondsPerUnit, int count);
 
 	/// Units of predicted cost, about microseconds on a machine of 2020: the same run after run. Refuses what is not
