@@ -1,5 +1,7 @@
 #include "lab/budget_report.h"
 
+#include <scatter/lab/recorded_machine.h>
+
 #include "lab/text.h"
 
 #include <algorithm>
@@ -12,7 +14,7 @@ namespace {
 /// A budget as one number a frame, and what the frame took, in the same unit.
 struct BudgetUse {
   std::vector<double> allowed;
-  const std::vector<double>* taken = nullptr;
+  std::vector<double> taken;
   std::string unit;
 };
 
@@ -33,17 +35,19 @@ bool hasBudget(const PhysicsDef& physics) {
 
 BudgetUse budgetUse(const Run& run) {
   const BudgetDef& budget = run.options.physics.switching.budget;
-  const bool byClock = budget.milliseconds > 0.0;
-  return {.allowed = std::vector<double>(run.table.frames(), byClock ? budget.milliseconds : budget.units),
-          .taken = &run.table.values(byClock ? "physics_cpu_ms" : "cost_units"),
-          .unit = byClock ? " ms" : " units"};
+  const bool isTime = budget.milliseconds > 0.0;
+  const bool isGiven = isTime && !budget.machine.empty();
+  const std::vector<double>& values = run.table.values(isTime && !isGiven ? "physics_cpu_ms" : "cost_units");
+  return {.allowed = std::vector<double>(run.table.frames(), isTime ? budget.milliseconds : budget.units),
+          .taken = isGiven ? timeOnMachine(values, budget.machine) : values,
+          .unit = isTime ? " ms" : " units"};
 }
 
 // What a unit took in the frame is what the floor's units would have taken.
 double floorOf(const Run& run, const BudgetUse& use, std::size_t frame) {
   const double units = run.table.values("floor_units")[frame];
   const double cost = run.table.values("cost_units")[frame];
-  return cost > 0.0 ? std::min(units / cost, 1.0) * (*use.taken)[frame] : 0.0;
+  return cost > 0.0 ? std::min(units / cost, 1.0) * use.taken[frame] : 0.0;
 }
 
 BudgetVerdict verdictOf(const Run& run, std::size_t frame) {
@@ -53,7 +57,7 @@ BudgetVerdict verdictOf(const Run& run, std::size_t frame) {
 Overrun overrunOf(const Run& run, const BudgetUse& use) {
   Overrun overrun;
   for (std::size_t frame = 0; frame < use.allowed.size(); ++frame) {
-    const double taken = (*use.taken)[frame];
+    const double taken = use.taken[frame];
     if (taken <= use.allowed[frame]) {
       continue;
     }

@@ -1,4 +1,5 @@
 #include <scatter/lab/budget_study.h>
+#include <scatter/lab/recorded_machine.h>
 
 #include "lab/run_series.h"
 #include "lab/text.h"
@@ -23,16 +24,10 @@ const char* measured(const BudgetStudyOptions& options) {
   return options.byClock && options.machine.empty() ? "physics_cpu_ms" : "cost_units";
 }
 
-/// What a frame takes: units, or milliseconds by the clock or on the machine, which has a step where there
-/// are units.
+/// What a frame takes: units, or milliseconds by the clock or on the machine.
 std::vector<double> costsOf(const Run& run, const BudgetStudyOptions& options) {
-  std::vector<double> costs = run.table.values(measured(options));
-  std::size_t step = 0;
-  for (double& cost : costs) {
-    if (options.machine.empty() || !(cost > 0.0)) continue;
-    cost *= options.machine[step++ % options.machine.size()];
-  }
-  return costs;
+  const std::vector<double>& values = run.table.values(measured(options));
+  return options.machine.empty() ? values : timeOnMachine(values, options.machine);
 }
 
 /// Odd frames are the clock's. On a machine that becomes slower and quicker budgets are to be such that they

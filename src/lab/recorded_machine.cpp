@@ -46,4 +46,13 @@ Result<std::vector<double>> readMachine(const std::filesystem::path& file) {
   return rates;
 }
 
+std::vector<double> timeOnMachine(const std::vector<double>& units, const std::vector<double>& machine) {
+  std::vector<double> milliseconds = units;
+  std::size_t step = 0;
+  for (double& taken : milliseconds) {
+    if (taken > 0.0) taken *= machine[step++ % machine.size()];
+  }
+  return milliseconds;
+}
+
 }  // namespace scatter

@@ -46,6 +46,7 @@ Json switchingJson(const SwitchingDef& switching) {
     json["policies"] = switching.policies;
     json["budget"] = {{"milliseconds", budget.milliseconds},
                       {"units", budget.units},
+                      {"machine_steps", budget.machine.size()},
                       {"replayed_steps", budget.recorded.size()}};
     json["credit"] = switching.credit;
     json["credit_level"] = switching.creditLevel;

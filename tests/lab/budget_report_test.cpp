@@ -49,6 +49,12 @@ TEST(BudgetSentence, SaysThatABudgetWasKept) {
             "hybrid: the budget of 4.00 ms was kept in all 2 frames.");
 }
 
+TEST(BudgetSentence, TakesTheMachineThatWasGivenForTheClock) {
+  scatter::Run run = governedRun(4.0, 0.0, {{90.0, 100, 0}, {90.0, 0, 0}, {1.0, 110, 0}});
+  run.options.physics.switching.budget.machine = {0.03, 0.05};
+  EXPECT_THAT(lab::budgetSentence(run, false), HasSubstr("in 1 of 3 frames; the dearest took 5.50 ms."));
+}
+
 TEST(BudgetSentence, SaysByHowMuchItWasMissedAndWhatCouldNotBeGivenUp) {
   // Half of the first frame's 6 ms could have been given up, none of the second's 5 ms.
   const std::string sentence =

@@ -44,6 +44,10 @@ TEST_F(RecordedMachine, IsThatOfARunWhereItHadSomethingToDo) {
   EXPECT_THAT(*machine, ElementsAre(1.0 / 25.0, 0.02, 0.01));
 }
 
+TEST(TimeOnMachine, HasAStepWhereThereAreUnits) {
+  EXPECT_THAT(timeOnMachine({2.0, 0.0, 3.0, 4.0}, {10.0, 100.0}), ElementsAre(20.0, 0.0, 300.0, 40.0));
+}
+
 TEST_F(RecordedMachine, TellsNothingWithoutUnitsOrTime) {
   expectRefusal("frame\n1\n", "no column cost_units");
   expectRefusal("cost_units\n1\n", "no column physics_cpu_ms");

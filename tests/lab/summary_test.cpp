@@ -154,6 +154,7 @@ TEST(WriteSummary, HoldsBudgetsAndPoliciesOfPairSwitching) {
   const auto& switching = json["options"]["switching"];
   EXPECT_EQ(switching["policies"], (std::vector<std::string>{"speed:from=5", "held"}));
   EXPECT_EQ(switching["budget"]["replayed_steps"], 3);
+  EXPECT_EQ(switching["budget"]["machine_steps"], 0);
   EXPECT_EQ(switching["credit"], false);
 }
 

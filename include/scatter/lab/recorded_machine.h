@@ -14,4 +14,9 @@ namespace scatter {
 /// that is not above 0; the message names the file.
 [[nodiscard]] Result<std::vector<double>> readMachine(const std::filesystem::path& file);
 
+/// What frames of so many units take on a machine, in milliseconds: those that cost some are its steps, as
+/// BudgetDef::machine counts them. `machine` is not empty.
+[[nodiscard]] std::vector<double> timeOnMachine(const std::vector<double>& units,
+                                                const std::vector<double>& machine);
+
 }  // namespace scatter
