@@ -164,7 +164,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"clockAndMachine", {"bench", "budget", "--clock", "--machine", "m.csv"}, "one of them"},
         Refusal{"noMachine",
                 {"bench", "budget", "--scenes", "duel", "--machine", "none.csv"},
-                "--machine: none.csv"},
+                "--machine: cannot read none.csv"},
         Refusal{"budgetSeedsWithoutFamily",
                 {"bench", "budget", "--scenes", "duel", "--seeds", "2"},
                 "--seeds has no meaning here"},
