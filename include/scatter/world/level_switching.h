@@ -40,8 +40,8 @@ struct BudgetDef {
   /// Of the same steps, LevelSwitching::settledUnits(); empty, of a run whose budget was of units: the same.
   std::vector<double> settled{};
 
-  /// Of a budget of milliseconds: those that a unit takes, each above 0, step by step, and after the last from
-  /// the first again. Then the clock is not asked: the same run after run. Empty: as the clock has it.
+  /// Of a budget of milliseconds: those that a unit takes, each above 0, step by step, and after the last
+  /// from the first again. Then the clock is not asked: the same run after run. Empty: as the clock has it.
   std::vector<double> machine{};
 };
 
