@@ -56,20 +56,21 @@ Result<std::vector<std::string>> scenesOf(const BenchBudgetArguments& arguments,
 
 Result<BudgetStudyOptions> makeStudy(const BenchBudgetArguments& arguments,
                                      const std::filesystem::path& folder) {
-  const auto scenes = scenesOf(arguments, folder);
-  if (!scenes) {
-    return tl::unexpected(scenes.error());
-  }
   BudgetStudyOptions options{.floors = arguments.floors,
                              .byClock = arguments.byClock || arguments.machine,
                              .cut = arguments.cut,
                              .cutFrames = arguments.cutFrames};
+  // Families take seconds to be written.
   if (arguments.machine) {
     auto machine = readMachine(*arguments.machine);
     if (!machine) {
       return fail("--machine: " + machine.error().message);
     }
     options.machine = std::move(*machine);
+  }
+  const auto scenes = scenesOf(arguments, folder);
+  if (!scenes) {
+    return tl::unexpected(scenes.error());
   }
   for (const std::string& scene : *scenes) {
     auto governed = makeBenchRun(arguments.bench, scene, arguments.world);
