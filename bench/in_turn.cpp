@@ -21,7 +21,8 @@ using scatter::lab::SceneRun;
 struct InTurnOptions {
   std::string scene = "fleet";
   std::vector<std::string> worlds{"lean", "lean@2threads"};
-  int frames = 0;  ///< 0: the scene's.
+  int frames = 0;            ///< 0: the scene's.
+  double budgetUnits = 0.0;  ///< Of worlds that have one; 0: none.
   int repeat = 3;
 };
 
@@ -38,6 +39,7 @@ Result<std::vector<std::unique_ptr<SceneRun>>> makeRunsInTurn(const InTurnOption
   scatter::app::RunArguments arguments;
   arguments.scene = options.scene;
   if (options.frames > 0) arguments.frames = options.frames;
+  if (options.budgetUnits > 0.0) arguments.switching.budgetUnits = options.budgetUnits;
   const auto all = scatter::app::makeRuns(arguments, options.worlds);
   if (!all) return tl::unexpected(all.error());
   std::vector<std::unique_ptr<SceneRun>> runs;
@@ -123,6 +125,8 @@ int main(int argc, char** argv) {
       ->delimiter(',')
       ->capture_default_str();
   app.add_option("--frames", options.frames, "steps of 1/60 s a repeat")->check(CLI::PositiveNumber);
+  app.add_option("--budget-units", options.budgetUnits, "a budget, of hybrid worlds")
+      ->check(CLI::PositiveNumber);
   app.add_option("--repeat", options.repeat, "repeats")->check(CLI::PositiveNumber)->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   return runInTurn(options);

@@ -492,6 +492,14 @@ double PartPair::slackLeft(const PartBody& a, const PartBody& b) {
                   listedSlack_ - static_cast<double>(std::min(listedDisplacement(now), moved.length)));
 }
 
+double PartPair::mostMotion(const PartBody& a, const PartBody& b) const {
+  if (!listed_) return motion_;
+  const Frame now = relativeFrame(a.frame(), b.frame());
+  const PartList& parts = b.parts();
+  return motion_ +
+         static_cast<double>(displacementBound(frameB_, now, parts.center(), parts.radius()).length);
+}
+
 float PartPair::movedSince(const Frame& now) const {
   if (!listed_) return std::numeric_limits<float>::infinity();
   return displacementBound(frameB_, now, listedCenter_, listedRadius_).length;

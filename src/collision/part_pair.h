@@ -171,6 +171,9 @@ class PartPair {
   /// or a move without a length.
   [[nodiscard]] double motion() const { return motion_; }
 
+  /// At most so much it is going to be after advance() where the bodies are now, if neither has jumped.
+  [[nodiscard]] double mostMotion(const PartBody& a, const PartBody& b) const;
+
   /// From now on the motion of the listed parts is that of the bodies: for wakeAt().
   void followWholeBodies(bool whole) { followsWhole_ = whole; }
 

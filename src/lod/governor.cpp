@@ -179,6 +179,7 @@ void Governor::plan(std::span<PlannedPair> pairs, const CostModel& costs, double
 /// The narrowphase comes next.
 void Governor::await() {
   remaining_ = predicted_;
+  took_ = {};
   foreseen_ = planned();
 }
 

@@ -58,7 +58,11 @@ class StepBudget {
   /// Whether the step under way is about to exceed its budget, if so many units more are spent.
   [[nodiscard]] bool isShort(double more = 0.0) const { return governor_.isShort(more); }
 
-  /// As Governor has it.
+  /// As Governor has them.
+  [[nodiscard]] double missing() const { return governor_.missing(); }
+  [[nodiscard]] double savedByKeeping(const PlannedPair& pair) const {
+    return governor_.savedByKeeping(pair);
+  }
   [[nodiscard]] bool isShortOfFiner(const PlannedPair& pair, bool fromNothing) const {
     return governor_.isShortOfFiner(pair, costs_, fromNothing);
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "pairs/ground_look.h"
+#include "pairs/level_look.h"
 
 namespace scatter::pairs {
 
@@ -33,14 +34,20 @@ class PeekingKeeper final : public ContactKeeper {
 /// The child pairs of one pair, as ChildPass looks at them, as far as it needs no engine.
 class ChildForesight {
  public:
-  ChildForesight(PartPair& parts, const PlacedBodies& bodies, const PairSteps& steps, const ContactPeek& peek,
+  ChildForesight(Pair& pair, const PlacedBodies& bodies, const PairSteps& steps, const ContactPeek& peek,
                  BoundsLocks& locks, Foresight& foresight)
-      : parts_(parts), bodies_(bodies), steps_(steps), peek_(peek), locks_(locks), foresight_(foresight) {}
+      : parts_(pair.parts),
+        credit_(pair.credit),
+        bodies_(bodies),
+        steps_(steps),
+        peek_(peek),
+        locks_(locks),
+        foresight_(foresight) {}
 
   /// Whether no child pair needs a detector that works on one thread alone.
   bool run() {
     parts_.forEachAwake(foresight_.work, [this](int index) { foresight_.awake.push_back(index); });
-    bool isApart = steps_.lazyManifolds;
+    bool isApart = steps_.lazyManifolds && !isOnCredit_;
     bool isDecided = true;
     for (const int i : foresight_.awake) {
       ChildPair& child = parts_.children()[static_cast<std::size_t>(i)];
@@ -75,11 +82,17 @@ class ChildForesight {
     foresight_.isSettled = true;
   }
 
+  [[nodiscard]] bool isExcused(const ChildPair& child) const {
+    return isOnCredit_ && credit_.account.of(child.a, child.b) > 0.0F;
+  }
+
   ChildLook look(ChildPair& child) {
     ChildLook look;
     PartBody& a = *bodies_.a;
     PartBody& b = *bodies_.b;
-    if (parts_.isToldApart(child, a, b, steps_, foresight_.work)) {
+    if (isExcused(child)) {
+      look.state = ChildLook::State::kExcused;
+    } else if (parts_.isToldApart(child, a, b, steps_, foresight_.work)) {
       look.state = ChildLook::State::kToldApart;
     } else if (isCarried(child)) {
       return look;
@@ -102,6 +115,8 @@ class ChildForesight {
   }
 
   PartPair& parts_;
+  const CreditState& credit_;
+  const bool isOnCredit_ = credit_.kind == CreditKind::kCoarser;
   const PlacedBodies& bodies_;
   const PairSteps& steps_;
   const ContactPeek& peek_;
@@ -156,10 +171,27 @@ StepAhead& ForesightScratch::takeStep() {
   return next;
 }
 
-bool isForeseeable(const Pair& pair, const PlacedBodies& bodies) {
-  return pair.versions[0] == bodies.versions[0] && pair.versions[1] == bodies.versions[1] &&
-         !pair.hasFallenBack && pair.held.empty() && pair.credit.kind == CreditKind::kNone &&
-         pair.credit.account.empty() && !bodies.a->parts().hasOpaque() && !bodies.b->parts().hasOpaque();
+namespace {
+
+// Where contacts that are held all end, the pair's motion before the step decides when it is audited.
+bool willHold(const Pair& pair, const ContactPeek& peek) {
+  const auto keepsPoints = [&peek](const void* manifold) { return peek.keepsPoints(manifold); };
+  return pair.held.empty() || std::ranges::any_of(pair.held.manifolds(), keepsPoints);
+}
+
+// Audits take room that others may have taken, and are of the finest shapes.
+bool mayBeAudited(const Pair& pair, const PlacedBodies& bodies) {
+  if (!pair.credit.isOpen()) return false;
+  const bool hasJumped = pair.parts.jumps() != bodies.a->jumps() + bodies.b->jumps();
+  return hasJumped || !(pair.parts.mostMotion(*bodies.a, *bodies.b) < pair.credit.freshUntil);
+}
+
+}  // namespace
+
+bool isForeseeable(const Pair& pair, const PlacedBodies& bodies, const ContactPeek& peek) {
+  const bool isAsItWas = pair.versions[0] == bodies.versions[0] && pair.versions[1] == bodies.versions[1];
+  return isAsItWas && !pair.hasFallenBack && !bodies.a->parts().hasOpaque() &&
+         !bodies.b->parts().hasOpaque() && !mayBeAudited(pair, bodies) && willHold(pair, peek);
 }
 
 namespace {
@@ -177,8 +209,8 @@ void carry(Pair& pair, ContactRecycling& recycling, const RecyclingScratch& scra
 
 bool foresee(Pair& pair, const PlacedBodies& bodies, const PairSteps& steps, const ContactPeek& peek,
              BoundsLocks& locks, ForesightScratch& scratch) {
-  pair.parts.followWholeBodies(false);
-  const bool recycles = steps.recycling > 0.0F && pair.parts.touches();
+  pair.parts.followWholeBodies(pair.credit.kind == CreditKind::kCoarser);
+  const bool recycles = mayRecycle(pair, steps);
   ContactRecycling recycling(pair.parts, bodies, steps.recycling, scratch.recycling);
   const auto slideOf = [&peek](void* contact) { return peek.wouldSlide(contact); };
   const bool isDone = recycles && recycling.look(slideOf, [](const void*) {});
@@ -198,7 +230,9 @@ bool foresee(Pair& pair, const PlacedBodies& bodies, const PairSteps& steps, con
   scratch.parts.keeper = nullptr;
   foresight.dropped.insert(foresight.dropped.end(), scratch.parts.dropped.begin(),
                            scratch.parts.dropped.end());
-  return !foresight.isAwake || ChildForesight(pair.parts, bodies, steps, peek, locks, foresight).run();
+  const bool hasRestarted = pair.credit.isOpen() && pair.parts.motion() < pair.credit.seenMotion;
+  if (!foresight.isAwake) return !hasRestarted;
+  return ChildForesight(pair, bodies, steps, peek, locks, foresight).run() && !hasRestarted;
 }
 
 namespace {
@@ -225,6 +259,7 @@ bool isForeseeable(const GroundPair& pair, const PlacedBody& placed, int level, 
 // What there is too much of, and what has become of a body that has jumped, is found out in the step itself.
 bool foresee(GroundPair& pair, const PlacedBody& placed, const Frame& ground, const PairSteps& steps,
              GroundEngine& engine, RegionScratch& region, ForesightScratch& scratch) {
+  if (engine.halfSpace()) return true;
   const Frame bodyInGround = relativeFrame(ground, placed.body->frame());
   const Vec3 ahead = steps.passages ? engine.wayAhead() : Vec3(0.0F);
   PairWork work;

@@ -45,6 +45,10 @@ class ContactPeek {
   /// Whether these do what they tell, so that it is not done again.
   [[nodiscard]] virtual bool carries() const { return false; }
 
+  /// Whether a contact of the pair that is held is going to have points where the bodies are. Changes
+  /// nothing.
+  [[nodiscard]] virtual bool keepsPoints(const void* contact) const = 0;
+
   /// Whether PairEngine::detect() works on any thread for these two parts.
   [[nodiscard]] virtual bool detectsAnywhere(const ChildPair& child) const = 0;
 };
@@ -64,8 +68,8 @@ struct ForesightScratch {
 };
 
 /// Whether what is found out about a pair is independent of the rest of its step: it looks for contacts of
-/// its own level, whose shapes are those of `bodies`.
-[[nodiscard]] bool isForeseeable(const Pair& pair, const PlacedBodies& bodies);
+/// its own level, whose shapes are those of `bodies`, and is not going to be audited.
+[[nodiscard]] bool isForeseeable(const Pair& pair, const PlacedBodies& bodies, const ContactPeek& peek);
 
 /// Finds it out, but for a pair whose contacts only move along: that has no foresight. Changes the pair and
 /// nothing else but the bodies' bounds, so that any number of pairs can be foreseen at once, in any order;
@@ -74,8 +78,8 @@ struct ForesightScratch {
 bool foresee(Pair& pair, const PlacedBodies& bodies, const PairSteps& steps, const ContactPeek& peek,
              BoundsLocks& locks, ForesightScratch& scratch);
 
-/// The same of a body and its ground, which is at `ground`: not of half-spaces. `level`: that the pair is
-/// going to look at. Nothing is to be found out of a pair that onlyCarries() contacts along. `engine` is
+/// The same of a body and its ground, which is at `ground`. `level`: that the pair is going to look at. Of a
+/// half-space nothing is found out, but the step can be made on any thread. Nothing is to be found out of a pair that onlyCarries() contacts along. `engine` is
 /// asked for pieces alone, where those near the body are not known any more; `region`: memory for them.
 [[nodiscard]] bool onlyCarries(const GroundPair& pair, const PlacedBody& placed, int level,
                                const Frame& ground, int groundVersion, const PairSteps& steps);

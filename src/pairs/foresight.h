@@ -14,6 +14,7 @@ struct ChildLook {
     kToldApart,    ///< By the axis that told them apart before.
     kBoundsApart,  ///< Their world bounds do not overlap.
     kMeasured,     ///< `verdict` is known, and `contact`.
+    kExcused,      ///< They are on credit, and the contacts that are held are good.
     kOpen,         ///< It depends on the contacts that they have.
   };
   State state = State::kOpen;

@@ -95,6 +95,10 @@ bool mayRecycle(const GroundPair& pair, const PartBody& body, const Frame& groun
          moved.turn < kMostRecycledTurn;
 }
 
+bool mayKeep(const GroundPair& pair, const PartBody& body, const Frame& ground, float furthest) {
+  return mayCarry(pair, body, ground) && movedSince(pair, body, ground).length < furthest;
+}
+
 void GroundLook::atLevel(int level) {
   pair_.restarted = pair_.hasRecycled = false;
   if (!place(level)) return;
@@ -104,7 +108,7 @@ void GroundLook::atLevel(int level) {
 bool GroundLook::keepsAtLevel(int level, float furthest) {
   pair_.restarted = pair_.hasRecycled = false;
   if (!place(level)) return false;
-  const bool keeps = !pair_.restarted && mayKeep(furthest);
+  const bool keeps = !pair_.restarted && mayKeep(pair_, *body_, engine_.groundFrame(), furthest);
   if (keeps) {
     foresight_ = std::exchange(pair_.foresight, nullptr);
     pair_.hasRecycled = true;
@@ -113,11 +117,6 @@ bool GroundLook::keepsAtLevel(int level, float furthest) {
     look();
   }
   return keeps;
-}
-
-bool GroundLook::mayKeep(float furthest) const {
-  const Frame ground = engine_.groundFrame();
-  return mayCarry(pair_, *body_, ground) && movedSince(pair_, *body_, ground).length < furthest;
 }
 
 void GroundLook::look() {

@@ -38,6 +38,10 @@ struct GroundScratch {
 [[nodiscard]] bool mayRecycle(const GroundPair& pair, const PartBody& body, const Frame& ground,
                               const PairSteps& steps);
 
+/// Whether a body that has moved less than `furthest` (metres) since the last look, and has contacts without
+/// credit, may keep them, where the body is now, if the plan would have it so.
+[[nodiscard]] bool mayKeep(const GroundPair& pair, const PartBody& body, const Frame& ground, float furthest);
+
 /// Looks up the pieces near the body if they are not known, and adds their number to `work`. False if there
 /// are more than can be dealt with.
 [[nodiscard]] bool findRegion(GroundPair& pair, const PartBody& body, const Frame& bodyInGround,
@@ -55,12 +59,10 @@ class GroundLook {
   /// have no contact any more.
   void atLevel(int level);
 
-  /// The same, unless the body has moved less than `furthest` (metres) since the last look, and has contacts
-  /// without credit: those of the step before stay, where the body is now. Whether they do.
+  /// The same, unless it mayKeep() the contacts of the step before. Whether it does.
   [[nodiscard]] bool keepsAtLevel(int level, float furthest);
 
  private:
-  [[nodiscard]] bool mayKeep(float furthest) const;
   void look();
   bool place(int level);
   bool fallBack();

@@ -46,7 +46,7 @@ class GroundStep {
 
  private:
   // That the body may move without a look: as parts of a pair may between two audits.
-  [[nodiscard]] float furthest() const { return furthestUnseen(plan_, engine_.threshold()); }
+  [[nodiscard]] float furthest() const { return furthestUnseen(plan_, pair_.parts.threshold()); }
 
   // A new pair takes a coarse level only if nothing overlaps there.
   void begin() {
@@ -197,6 +197,11 @@ class GroundStep {
 void collideGround(GroundPair& pair, int level, const PairSteps& steps, GroundEngine& engine,
                    StepScratch& scratch, PairWork& work) {
   GroundLook(pair, steps, engine, scratch.parts, scratch.ground, work).atLevel(level);
+}
+
+bool keepsContacts(const GroundPair& pair, const PairPlan& plan, const PartBody& body, const Frame& ground) {
+  const bool canKeep = !plan.tries && pair.landing == 0 && plan.keepsFrom == 0;
+  return canKeep && mayKeep(pair, body, ground, furthestUnseen(plan, pair.parts.threshold()));
 }
 
 PairOutcome stepGround(GroundPair& pair, const PairPlan& plan, const PairSteps& steps, GroundEngine& engine,

@@ -5,6 +5,11 @@
 
 namespace scatter::pairs {
 
+bool mayRecycle(const Pair& pair, const PairSteps& steps) {
+  return steps.recycling > 0.0F && pair.parts.touches() && pair.credit.kind == CreditKind::kNone &&
+         pair.held.empty();
+}
+
 void LevelLook::restart(PartPair& parts) const {
   parts.reset(engine_.threshold());
   pair_.restarted = true;
@@ -21,12 +26,6 @@ bool LevelLook::place(int level, PlacedBodies& bodies) {
   pair_.hasFallenBack = true;
   engine_.fallBack();
   return false;
-}
-
-// What is on credit is settled by contacts that have just been found.
-bool LevelLook::mayRecycle() const {
-  return steps_.recycling > 0.0F && pair_.parts.touches() && pair_.credit.kind == CreditKind::kNone &&
-         pair_.held.empty();
 }
 
 // Whether the pair is done.
@@ -68,7 +67,7 @@ void LevelLook::atLevel(int level, bool returns, float auditsFrom) {
     return;
   }
   pair_.parts.followWholeBodies(pair_.credit.kind == CreditKind::kCoarser);
-  const bool recycles = !returns && mayRecycle();
+  const bool recycles = !returns && mayRecycle(pair_, steps_);
   if (recycles && recycle(bodies)) return;
   const bool isAwake = advance(pair_.parts, bodies);
   if (returns) {
@@ -76,9 +75,13 @@ void LevelLook::atLevel(int level, bool returns, float auditsFrom) {
     pair_.parts.forgetWakeful();
   }
   if (!isAwake) return;
-  const CreditState* const credit = pair_.credit.kind == CreditKind::kCoarser ? &pair_.credit : nullptr;
-  ChildPass(pair_.parts, bodies, steps_, engine_, work_, credit, auditsFrom, recycles).run(scratch_.looked);
+  ChildPass(pair_.parts, bodies, steps_, engine_, work_, coarserCredit(), auditsFrom, recycles)
+      .run(scratch_.looked);
   pair_.parts.settle(*bodies.a, *bodies.b, steps_);
+}
+
+const CreditState* LevelLook::coarserCredit() const {
+  return pair_.credit.kind == CreditKind::kCoarser ? &pair_.credit : nullptr;
 }
 
 // The step of a pair of which advance() has been done already.
@@ -92,7 +95,8 @@ void LevelLook::useForesight(const PlacedBodies& bodies, float auditsFrom) {
     return;
   }
   if (!foresight.isAwake || foresight.isSettled) return;
-  ChildPass(pair_.parts, bodies, steps_, engine_, work_, nullptr, auditsFrom, foresight.recycles, &foresight)
+  ChildPass(pair_.parts, bodies, steps_, engine_, work_, coarserCredit(), auditsFrom, foresight.recycles,
+            &foresight)
       .run(scratch_.looked);
   pair_.parts.settle(*bodies.a, *bodies.b, steps_);
 }

@@ -5,6 +5,10 @@
 
 namespace scatter::pairs {
 
+/// Whether contacts may move along with the bodies: what is on credit is settled by contacts that have just
+/// been found.
+[[nodiscard]] bool mayRecycle(const Pair& pair, const PairSteps& steps);
+
 /// One look for the contacts of two bodies with their shapes of one level.
 class LevelLook {
  public:
@@ -25,7 +29,7 @@ class LevelLook {
   void restart(PartPair& parts) const;
   bool advance(PartPair& parts, const PlacedBodies& bodies);
   void useForesight(const PlacedBodies& bodies, float auditsFrom);
-  [[nodiscard]] bool mayRecycle() const;
+  [[nodiscard]] const CreditState* coarserCredit() const;
   [[nodiscard]] bool recycle(const PlacedBodies& bodies);
   void endRecycled(const std::vector<int>& touching);
 

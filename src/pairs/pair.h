@@ -41,6 +41,10 @@ struct CreditState {
     if (!account.empty()) return true;
     return kind == CreditKind::kCoarser && motion >= seenMotion && motion < freshUntil;
   }
+
+  /// Of a pair at a coarser level, where contacts that are held stand for those of its own shapes: whose
+  /// audits come with motion.
+  [[nodiscard]] bool isOpen() const { return kind == CreditKind::kCoarser && !account.empty(); }
 };
 
 /// How a pair came by its contacts in its last step.

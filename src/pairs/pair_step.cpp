@@ -46,8 +46,7 @@ class PairStep {
     choose();
     if (changesLevel_) {
       changeLevel();
-    } else if (mayKeep()) {
-      pair_.closeForesight(engine_);
+    } else if (keepsContacts(pair_, plan_, outcome_.choiceQueries, frameB()) && isAsItWas()) {
       keepContacts();
       return outcome_;
     }
@@ -201,12 +200,12 @@ class PairStep {
     credit_.latest = static_cast<double>(kLateness * distance);
   }
 
-  // What comes upon the pair is found before the parts have moved as far against each other as they may
-  // between two audits.
-  [[nodiscard]] bool mayKeep() {
-    const bool canKeep = !pair_.hasFallenBack && pair_.held.empty() && pair_.versions[0] != Pair::kNoParts &&
-                         outcome_.choiceQueries >= plan_.keepsFrom;
-    return canKeep && pair_.parts.movedSince(frameB()) < furthest();
+  // Bodies move in every step of their pairs, so that how far they have come is the same sum whatever these
+  // do.
+  [[nodiscard]] bool isAsItWas() {
+    PlacedBodies bodies;
+    return engine_.place(plan_.view.level, bodies) && bodies.versions[0] == pair_.versions[0] &&
+           bodies.versions[1] == pair_.versions[1];
   }
 
   // The contacts of the step before, where the bodies are now.
@@ -391,6 +390,12 @@ class PairStep {
 };
 
 }  // namespace
+
+bool keepsContacts(const Pair& pair, const PairPlan& plan, int queries, const Frame& frameB) {
+  const bool canKeep = queries >= plan.keepsFrom && pair.foresight == nullptr && !pair.hasFallenBack &&
+                       pair.held.empty() && pair.versions[0] != Pair::kNoParts;
+  return canKeep && pair.parts.movedSince(frameB) < furthestUnseen(plan, pair.parts.threshold());
+}
 
 bool staysQuiet(Pair& pair, const PlacedBodies& bodies) {
   const bool isSame = bodies.a->jumps() + bodies.b->jumps() == pair.jumps &&

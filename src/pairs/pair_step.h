@@ -15,6 +15,12 @@ namespace scatter::pairs {
 void collidePair(Pair& pair, int level, const PairSteps& steps, PairEngine& engine, StepScratch& scratch,
                  PairWork& work);
 
+/// Whether a pair that has made so many queries about levels in this step keeps the contacts of the step
+/// before, as its plan would have it: not if it has been foreseen, or B has come too far, which is at
+/// `frameB` in A's frame. What comes upon the pair is found before its parts have moved as far against each
+/// other as they may between two audits.
+[[nodiscard]] bool keepsContacts(const Pair& pair, const PairPlan& plan, int queries, const Frame& frameB);
+
 /// One step of a pair that switches: chooses its level, finds its contacts, settles its credit, looks at its
 /// finest shapes if that is due. The level that is chosen is in the outcome. Adds to `work`.
 [[nodiscard]] PairOutcome stepPair(Pair& pair, const PairPlan& plan, const PairSteps& steps,

@@ -119,7 +119,8 @@ class Planner {
   /// Between broadphase and narrowphase.
   void plan(const PlanInput& input);
 
-  /// In the narrowphase: what a pair is to do in this step, and what has become of it.
+  /// In the narrowphase: what a pair is to do in this step, and what has become of it. The plan on any thread
+  /// if the pair isForeseeable() and its portion has begun.
   [[nodiscard]] PairPlan planPair(int pair);
   void take(int pair, const PairOutcome& outcome);
 
@@ -138,13 +139,24 @@ class Planner {
     return planned.target == planned.view.level && !planned.view.touching;
   }
 
-  /// Whether a pair's next step is one of looking for contacts at `level`, which it has, without credit,
-  /// whatever others take.
+  /// Whether a pair's next step is one of looking for contacts at `level`, which it has; if it is of no
+  /// portion whatever others take, but for audits.
   [[nodiscard]] bool isForeseeable(int index, int level) const {
     const lod::PlannedPair& planned = pair(index);
-    return planned.view.level == level && planned.target == level && !planned.view.credited &&
-           !(plans_ && planned.hasContacts);
+    return planned.view.level == level && planned.target == level;
   }
+
+  /// Of the pairs of the step under way that keep their contacts if it is about to exceed its budget. Which
+  /// ones do is decided for all of a portion when the first of them has its turn: so that others may have
+  /// theirs at the same time. kNoPortion: the pair is none of them.
+  [[nodiscard]] int portionOf(int index) const {
+    return plans_ ? known_[static_cast<std::size_t>(index)].portion : kNoPortion;
+  }
+  [[nodiscard]] int countPortions() const { return plans_ ? static_cast<int>(portions_.size()) : 0; }
+  static constexpr int kNoPortion = -1;
+
+  /// A pair of the portion has its turn.
+  void beginPortion(int portion);
 
   /// Whether anything asks for other levels than the finest.
   [[nodiscard]] bool plans() const { return plans_; }
@@ -189,13 +201,24 @@ class Planner {
     PairRequest request{};
     std::uint8_t targetBefore = 0;
     bool isOwed = false;  ///< The budget took the detail that it lacks, and it was not woken for it since.
-    int step = 0;         ///< The last one in which it was processed.
+    int portion = kNoPortion;
+    bool keeps = false;         ///< Its contacts, once its portion has begun.
+    int step = 0;               ///< The last one in which it was processed.
     float averageUnits = 0.0F;  ///< What it costs a step on credit below its finest level: audits are bursts.
     float units = 0.0F;         ///< What it took in that step.
   };
 
   static constexpr std::uint8_t kByProgram = 255;  ///< As lod::Wish::askedBy.
 
+  /// Of the table of pairs, where those of a portion are.
+  struct Portion {
+    std::size_t first = 0;
+    std::size_t end = 0;
+    bool hasBegun = false;
+  };
+
+  void partOut();
+  [[nodiscard]] bool mayKeep(const lod::PlannedPair& planned) const;
   void showPairs();
   void lookUpBodies(std::size_t pair);
   void advise(std::size_t pair);
@@ -203,7 +226,7 @@ class Planner {
   [[nodiscard]] bool isHeld(const PlannedBody& body) const;
   [[nodiscard]] int targetOf(std::size_t pair);
   [[nodiscard]] lod::SwitchRules rulesOf(std::size_t pair) const;
-  [[nodiscard]] int keepsFrom(std::size_t pair) const;
+  [[nodiscard]] int keepsFrom(std::size_t pair);
   [[nodiscard]] float auditsFrom() const;
   void followRequest(std::size_t pair);
   void acknowledge(std::size_t pair);
@@ -220,6 +243,7 @@ class Planner {
   std::vector<lod::PlannedPair> planned_;
   std::vector<Known> known_;  ///< In the same order.
   std::vector<lod::PairView> views_;
+  std::vector<Portion> portions_;  ///< Of the step under way.
   lod::PolicyList policies_;
   lod::Situation situation_;
   lod::StepBudget budget_;

@@ -305,10 +305,26 @@ TEST(Governor, AStepIsShortOnceItCostsMoreThanItsBudgetBears) {
   for (std::size_t i = 0; i < 10; ++i) governor.spend(pairs[i], 30.0, 30.0);
   EXPECT_NEAR(governor.planned(), 1100.0, 30.0);
   EXPECT_TRUE(governor.isShort());
-  for (std::size_t i = 10; i < 40; ++i) governor.spend(pairs[i], 4.0, 10.0);
+  for (std::size_t i = 10; i < 40; ++i) governor.spend(pairs[i], 4.0, 4.0);
   EXPECT_FALSE(governor.isShort());
   governor.spend(150.0);
   EXPECT_TRUE(governor.isShort());
+}
+
+// In a crash contacts become more at once.
+TEST(Governor, ExpectsPairsToBeAsDearAsThoseBeforeThem) {
+  CostModel costs{CostWeights{}};
+  Governor governor({});
+  std::vector<PlannedPair> pairs = knownPairs(costs, 100, 3);
+  const auto isShortAfter = [&](double units, double full) {
+    governor.plan(pairs, costs, 0.0, 1200.0);
+    for (std::size_t i = 0; i < 20; ++i) governor.spend(pairs[i], units, full);
+    return governor.isShort();
+  };
+  EXPECT_FALSE(isShortAfter(10.0, 10.0));
+  EXPECT_TRUE(isShortAfter(15.0, 15.0)) << "300 units, and 1200 more of the others";
+  EXPECT_FALSE(isShortAfter(1.0, 1.0));
+  EXPECT_FALSE(isShortAfter(1.0, 15.0)) << "what was put off says nothing of the others";
 }
 
 TEST(Governor, NewPairsAreRefusedInAShortStep) {

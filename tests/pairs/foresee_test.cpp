@@ -32,14 +32,16 @@ class Peek : public ContactPeek {
   Peek(FakeEngine& engine, bool carries) : engine_(engine), carries_(carries) {}
   [[nodiscard]] bool carries() const override { return carries_; }
   [[nodiscard]] bool wouldOutlast(void* contact) const override {
-    if (carries_) return engine_.outlasts(contact);
+    return carries_ ? engine_.outlasts(contact) : keepsPoints(contact);
+  }
+  [[nodiscard]] float wouldSlide(void* contact) const override {
+    return carries_ ? engine_.carry(contact) : engine_.wouldSlide(contact);
+  }
+  [[nodiscard]] bool keepsPoints(const void* contact) const override {
     for (int i = 0; i < engine_.countPoints(contact); ++i) {
       if (!engine_.losesPoints && engine_.distanceNow(contact, i) <= engine_.threshold()) return true;
     }
     return false;
-  }
-  [[nodiscard]] float wouldSlide(void* contact) const override {
-    return carries_ ? engine_.carry(contact) : engine_.wouldSlide(contact);
   }
   [[nodiscard]] bool detectsAnywhere(const ChildPair& /*child*/) const override { return false; }
 
@@ -67,8 +69,9 @@ struct TwoBodies {
     engine.x = x;
     scratches.used = 0;
     PlacedBodies bodies;
-    if (!engine.place(1, bodies) || !isForeseeable(pair, bodies)) return false;
-    foresee(pair, bodies, steps, Peek(engine, carries), locks, scratches);
+    const Peek peek(engine, carries);
+    if (!engine.place(1, bodies) || !isForeseeable(pair, bodies, peek)) return false;
+    foresee(pair, bodies, steps, peek, locks, scratches);
     return true;
   }
 
@@ -158,17 +161,121 @@ TEST(Foresee, LeavesAPairAsItsStepWould) {
   EXPECT_GT(touched, 1000);
 }
 
-TEST(Foresee, IsNotForPairsWithCreditOrOtherShapes) {
+TEST(Foresee, IsNotForOtherShapes) {
   TwoBodies bodies;
   EXPECT_FALSE(bodies.foreseeStep(1.7F)) << "it has not looked yet";
   bodies.step(1.7F);
   EXPECT_TRUE(bodies.foreseeStep(1.7F));
   bodies.step(1.7F);
-  bodies.pair.credit.kind = CreditKind::kCoarser;
-  EXPECT_FALSE(bodies.foreseeStep(1.7F));
-  bodies.pair.credit.kind = CreditKind::kNone;
   bodies.engine.version = 1;
   EXPECT_FALSE(bodies.foreseeStep(1.7F));
+}
+
+// Each within the one before: they touch at a distance of 2 and of 1.6 m.
+std::vector<std::vector<PartDef>> twoLevels() {
+  return {{boxPart(Vec3(0.0F), Vec3(1.0F), Mat3(1.0F), 0.0F)}, oneLevel().front()};
+}
+
+/// A pair that switches, and what its planner knows of it.
+struct SwitchingBodies {
+  SwitchingBodies() {
+    plan.view.finest = 2;
+    plan.rules.creditLevel = 1;
+    plan.auditDistance = 0.03F;
+  }
+  SwitchingBodies(const SwitchingBodies&) = delete;
+  SwitchingBodies& operator=(const SwitchingBodies&) = delete;
+  ~SwitchingBodies() { pair.dropAll(engine); }
+
+  /// As btHybridPairAlgorithm does. Whether something was foreseen, or nothing needs to be.
+  bool foreseeStep(float x) {
+    engine.x = x;
+    scratches.used = 0;
+    PlacedBodies bodies;
+    const Peek peek(engine, false);
+    if (plan.target != plan.view.level || placedLevel != plan.view.level) return false;
+    if (!engine.place(plan.view.level, bodies) || !isForeseeable(pair, bodies, peek)) return false;
+    if (keepsContacts(pair, plan, 0, relativeFrame(bodies.a->frame(), bodies.b->frame()))) return true;
+    foresee(pair, bodies, steps, peek, locks, scratches);
+    return true;
+  }
+
+  PairOutcome step(float x) {
+    engine.x = x;
+    plan.tries = plan.target != plan.view.level;
+    const PairOutcome outcome = stepPair(pair, plan, steps, engine, scratch, work);
+    if (outcome.tried) plan.view.level = static_cast<std::uint8_t>(outcome.choice.level);
+    plan.view.touching = outcome.touching;
+    plan.view.credited = outcome.credited;
+    placedLevel = outcome.audited ? 2 : plan.view.level;
+    return outcome;
+  }
+
+  FakeEngine engine{twoLevels()};
+  Pair pair;
+  PairPlan plan;
+  PairSteps steps;
+  StepScratch scratch;
+  PairWork work;
+  ForesightScratch scratches;
+  BoundsLocks locks;
+  int placedLevel = 0;  ///< Whose shapes were looked at last.
+};
+
+void expectSame(const SwitchingBodies& a, const SwitchingBodies& b) {
+  EXPECT_EQ(a.plan.view.level, b.plan.view.level);
+  EXPECT_EQ(a.pair.credit.kind, b.pair.credit.kind);
+  EXPECT_EQ(a.pair.credit.freshUntil, b.pair.credit.freshUntil);
+  EXPECT_EQ(a.pair.credit.seenMotion, b.pair.credit.seenMotion);
+  EXPECT_EQ(a.pair.credit.gap, b.pair.credit.gap);
+  EXPECT_EQ(a.pair.credit.account.empty(), b.pair.credit.account.empty());
+  EXPECT_EQ(a.pair.held.manifolds().size(), b.pair.held.manifolds().size());
+  EXPECT_EQ(a.pair.parts.motion(), b.pair.parts.motion());
+  EXPECT_EQ(a.engine.manifolds(), b.engine.manifolds());
+  expectSame(a.pair, b.pair);
+}
+
+// At random wishes, with audits that are due now or never, and contacts that are kept now and then.
+TEST(Foresee, LeavesAPairThatSwitchesAsItsStepWould) {
+  int foreseen = 0;
+  int credited = 0;
+  int kept = 0;
+  for (std::uint32_t seed = 1; seed <= 100; ++seed) {
+    SwitchingBodies plain;
+    SwitchingBodies early;
+    plain.steps.recycling = early.steps.recycling = seed % 2 == 0 ? 0.001F : 0.0F;
+    testing::Random random(seed);
+    float x = random.uniform(1.6F, 1.7F);
+    for (int i = 0; i < 120; ++i) {
+      x = std::max(x + random.uniform(-0.005F, 0.0045F), 1.57F);
+      plain.engine.losesPoints = early.engine.losesPoints = random.uniform(0.0F, 1.0F) < 0.05F;
+      const int target = random.uniform(0.0F, 1.0F) < 0.5F ? 1 : 2;
+      const bool audits = random.uniform(0.0F, 1.0F) < 0.5F;
+      const bool keeps = random.uniform(0.0F, 1.0F) < 0.3F;
+      for (SwitchingBodies* bodies : {&plain, &early}) {
+        if (i % 10 == 0) bodies->plan.target = target;
+        bodies->plan.auditsFrom = audits ? lod::lateness::kDue : lod::lateness::kNever;
+        bodies->plan.keepsFrom = keeps ? 0 : PairPlan::kNever;
+      }
+      const bool isForeseen = early.foreseeStep(x);
+      const PairOutcome outcome = plain.step(x);
+      const PairOutcome same = early.step(x);
+      EXPECT_EQ(early.pair.foresight, nullptr);
+      EXPECT_EQ(outcome.work.reuses, same.work.reuses) << "seed " << seed << ", step " << i;
+      EXPECT_EQ(outcome.work.contacts, same.work.contacts) << "seed " << seed << ", step " << i;
+      EXPECT_EQ(outcome.late, same.late);
+      expectSame(outcome.work.counts, same.work.counts);
+      expectSame(plain, early);
+      if (HasFailure()) return;
+      foreseen += isForeseen ? 1 : 0;
+      credited += isForeseen && outcome.credited && !outcome.audited ? 1 : 0;
+      kept += isForeseen && outcome.work.reuses ? 1 : 0;
+      EXPECT_FALSE(isForeseen && outcome.audited) << "audits are the step's own";
+    }
+  }
+  EXPECT_GT(foreseen, 6000);
+  EXPECT_GT(credited, 1000);
+  EXPECT_GT(kept, 500);
 }
 
 TEST(Foresee, GivesContactsBackThatNobodyAskedFor) {

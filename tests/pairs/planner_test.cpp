@@ -61,6 +61,7 @@ struct PlannedRow {
     outcome.tried = plan.tries;
     outcome.choice = {kind, plan.target};
     outcome.touching = touching;
+    outcome.work.contacts = contacts;
     outcome.work.counts.gjkIterations = 100;
     planner.take(pair, outcome);
   }
@@ -73,6 +74,7 @@ struct PlannedRow {
   std::vector<lod::BodyView> views;
   std::vector<int> places;
   bool touching = false;
+  int contacts = 0;
 };
 
 TEST(Planner, LeavesEveryPairFinestWithoutAReason) {
@@ -341,6 +343,32 @@ TEST(Planner, LetsPairsKeepTheirContactsWhereAStepIsShort) {
   EXPECT_EQ(keepsFrom(SwitchKind::kFree, kLevels, false), 0);
   EXPECT_EQ(keepsFrom(SwitchKind::kFree, kLevels, true), 0) << "its finest shapes overlap a little";
   EXPECT_EQ(keepsFrom(SwitchKind::kOnCredit, 2, true), PairPlan::kNever) << "they are held already";
+}
+
+// So that all others of a portion can have their turn at once, when its first has it: the rest of a step
+// finds out what it has taken.
+TEST(Planner, DecidesForPortionsWhetherContactsAreKept) {
+  PlannedRow row(33);
+  row.touching = true;
+  row.contacts = 4;
+  for (int i = 0; i < 20; ++i) row.step();
+  EXPECT_EQ(row.planner.portionOf(row.places[0]), Planner::kNoPortion) << "there is no budget";
+  row.planner.setBudget(lod::UnitBudget::ofUnits(1.5 * row.planner.counts().units));
+  for (int i = 0; i < 20; ++i) row.step();
+  row.planner.plan({.bodies = row.views, .load = {.objects = 33, .awake = 33, .broadphasePairs = 32}});
+  std::vector<int> sizes(static_cast<std::size_t>(row.planner.countPortions()));
+  for (const int place : row.places) ++sizes[static_cast<std::size_t>(row.planner.portionOf(place))];
+  EXPECT_EQ(sizes, (std::vector<int>{16, 8, 4, 2, 2}));
+  PairOutcome dear;
+  dear.touching = true;
+  dear.work.contacts = 4;
+  dear.work.counts.gjkIterations = 100'000;
+  EXPECT_EQ(row.planner.planPair(row.places[0]).keepsFrom, PairPlan::kNever);
+  row.planner.take(row.places[0], dear);
+  EXPECT_EQ(row.planner.planPair(row.places[15]).keepsFrom, PairPlan::kNever)
+      << "as the first of its portion";
+  EXPECT_EQ(row.planner.planPair(row.places[16]).keepsFrom, 0);
+  EXPECT_EQ(row.planner.planPair(row.places[23]).keepsFrom, 0);
 }
 
 TEST(Planner, KnowsWhatCouldNotBeGivenUp) {

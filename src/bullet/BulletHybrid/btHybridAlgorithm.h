@@ -16,6 +16,7 @@ struct btHybridForeseen
 	enum Kind : unsigned char
 	{
 		NOTHING,
+		LATER,    ///< when its portion begins, see scatter::pairs::Planner::portionOf()
 		IN_PART,  ///< what needs nothing of Bullet; its step makes use of it
 		QUIET,    ///< its bodies stay apart
 		COUNTED,  ///< and it has been counted as such

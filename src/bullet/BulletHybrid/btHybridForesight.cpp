@@ -11,6 +11,7 @@
 #include "btHybridGroundAlgorithm.h"
 #include "btHybridNarrowphase.h"
 #include "btHybridPairAlgorithm.h"
+#include "btHybridPlanner.h"
 
 namespace
 {
@@ -72,15 +73,15 @@ void btHybridForesight::giveBack(btHybridStepMemory* memory)
 }
 
 // The first pairs of a block are fetched at once, so that each stage is.
-void btHybridForesight::lookAhead(int index, int first, int last) const
+void btHybridForesight::lookAhead(const std::vector<int>& places, int index, int first, int last) const
 {
 	for (int stage = 0; stage < btHybridLookahead::NUM_STAGES; ++stage)
 	{
 		const int by = int(btHybridLookahead::aheadBy(btHybridLookahead::Stage(stage)));
 		const int end = std::min(last, index + by + 1);
 		for (int i = index == first ? first : index + by; i < end; ++i)
-			if (m_pairs[i])
-				m_pairs[i]->fetch(btHybridLookahead::Stage(stage));
+			if (m_pairs[places[i]])
+				m_pairs[places[i]]->fetch(btHybridLookahead::Stage(stage));
 	}
 }
 
@@ -113,17 +114,51 @@ void btHybridForesight::follow(btCollisionDispatcher* dispatcher)
 	}
 }
 
-void btHybridForesight::foresee(int first, int last)
+// Pairs that depend on what others take wait for their portion. Where each is it must know before its turn comes.
+void btHybridForesight::partOut()
+{
+	m_atOnce.clear();
+	m_portions.resize(m_planner ? size_t(m_planner->countPortions()) : 0);
+	for (std::vector<int>& places : m_portions)
+		places.clear();
+	for (size_t i = 0; i < m_pairs.size(); ++i)
+	{
+		if (!m_pairs[i])
+			continue;
+		const int index = m_pairs[i]->getPlanIndex();
+		const int portion = index >= 0 ? m_planner->portionOf(index) : btHybridPlanner::kNoPortion;
+		(portion == btHybridPlanner::kNoPortion ? m_atOnce : m_portions[portion]).push_back(int(i));
+		if (portion != btHybridPlanner::kNoPortion)
+			m_foreseen[i] = btHybridForeseen::LATER;
+		m_pairs[i]->setPlace(int(i));
+	}
+}
+
+void btHybridForesight::foreseePortionOf(size_t place)
+{
+	const int portion = m_planner->portionOf(m_pairs[place]->getPlanIndex());
+	const std::vector<int>& places = m_portions[portion];
+	for (const int each : places)
+		m_foreseen[each] = btHybridForeseen::NOTHING;
+	m_planner->beginPortion(portion);
+	foresee(places);
+}
+
+void btHybridForesight::foresee(const std::vector<int>& places)
+{
+	forEachBlock(int(places.size()), [&](int first, int last) { foresee(places, first, last); });
+}
+
+void btHybridForesight::foresee(const std::vector<int>& places, int first, int last)
 {
 	btHybridStepMemory* memory = borrow();
 	const auto begin = std::chrono::steady_clock::now();
 	for (int i = first; i < last; ++i)
 	{
-		lookAhead(i, first, last);
-		if (!m_pairs[i])
-			continue;
-		m_foreseen[i] = m_pairs[i]->foresee(m_ahead, *memory);
-		m_pairs[i]->setPlace(i);
+		lookAhead(places, i, first, last);
+		const int place = places[i];
+		if (m_pairs[place])
+			m_foreseen[place] = m_pairs[place]->foresee(m_ahead, *memory);
 	}
 	memory->m_milliseconds +=
 	    std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
@@ -148,7 +183,9 @@ void btHybridForesight::begin(btHybridNarrowphase& narrowphase, btCollisionDispa
 	const btBroadphasePair* pairs = overlaps.getOverlappingPairArrayPtr();
 	forEachBlock(count, [&](int first, int last) { choose(pairs, first, last, narrowphase); });
 	follow(dispatcher);
-	forEachBlock(count, [this](int first, int last) { foresee(first, last); });
+	m_planner = narrowphase.getPlanner();
+	partOut();
+	foresee(m_atOnce);
 }
 
 // Pairs that are left out all the same have not made use of what was found out.

@@ -14,6 +14,7 @@
 class btCollisionDispatcher;
 struct btDispatcherInfo;
 class btHybridNarrowphase;
+class btHybridPlanner;
 class btOverlappingPairCache;
 struct btBroadphasePair;
 
@@ -25,7 +26,10 @@ class btHybridForesight
 	std::shared_ptr<btHybridThreads> m_threads;
 	std::vector<btHybridAlgorithm*> m_pairs;  ///< of the step, in Bullet's order; 0 where nothing is to be foreseen
 	std::vector<btHybridForeseen>
-	    m_foreseen;  ///< of each, side by side: most need no look at the pair when their turn comes
+	    m_foreseen;              ///< of each, side by side: most need no look at the pair when their turn comes
+	btHybridPlanner* m_planner;  ///< of the step
+	std::vector<int> m_atOnce;   ///< places of pairs that are foreseen before the first has its turn
+	std::vector<std::vector<int>> m_portions;  ///< places of those of each portion
 	btHybridAhead m_ahead;
 	int m_promises;  ///< of the program, see btHybridPromises
 	std::mutex m_mutex;
@@ -40,14 +44,17 @@ class btHybridForesight
 	void forEachBlock(int count, const Work& work) const;
 	void choose(const btBroadphasePair* pairs, int first, int last, const btHybridNarrowphase& narrowphase);
 	void follow(btCollisionDispatcher* dispatcher);
-	void foresee(int first, int last);
-	void lookAhead(int index, int first, int last) const;
+	void partOut();
+	void foresee(const std::vector<int>& places);
+	void foresee(const std::vector<int>& places, int first, int last);
+	void foreseePortionOf(size_t place);
+	void lookAhead(const std::vector<int>& places, int index, int first, int last) const;
 	bool isTaken(size_t place) const;
 	btHybridStepMemory* borrow();
 	void giveBack(btHybridStepMemory* memory);
 
 public:
-	btHybridForesight() : m_threads(new btHybridThreads), m_promises(0), m_pause(0)
+	btHybridForesight() : m_threads(new btHybridThreads), m_planner(0), m_promises(0), m_pause(0)
 	{
 	}
 
@@ -88,8 +95,11 @@ public:
 	/// its bodies are known to stay apart: it is done then. `algorithm` may be anyone's.
 	bool passBy(size_t place, const btCollisionAlgorithm* algorithm)
 	{
-		if (place >= m_pairs.size() || m_pairs[place] != algorithm ||
-		    m_foreseen[place].m_kind < btHybridForeseen::QUIET)
+		if (place >= m_pairs.size() || m_pairs[place] != algorithm)
+			return false;
+		if (m_foreseen[place].m_kind == btHybridForeseen::LATER)
+			foreseePortionOf(place);
+		if (m_foreseen[place].m_kind < btHybridForeseen::QUIET)
 			return false;
 		const btHybridForeseen foreseen = m_foreseen[place];
 		m_foreseen[place] = btHybridForeseen::NOTHING;

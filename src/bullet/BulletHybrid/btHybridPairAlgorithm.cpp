@@ -142,6 +142,10 @@ public:
 		return m_carries ? btHybridContacts::carry(manifold, manifold->getBody0(), manifold->getBody1())
 		                 : btHybridContacts::wouldSlide(*manifold);
 	}
+	virtual bool keepsPoints(const void* contact) const
+	{
+		return btHybridContacts::wouldOutlast(*static_cast<const btPersistentManifold*>(contact));
+	}
 	// Other detectors take memory of the dispatcher.
 	virtual bool detectsAnywhere(const ChildPair& child) const
 	{
@@ -196,12 +200,12 @@ btHybridForeseen btHybridPairAlgorithm::foresee(btHybridAhead& ahead, btHybridSt
 	const scatter::pairs::PlacedBodies bodies = getPlaced();
 	if (m_switches && staysQuiet(bodies))
 		return foreseeQuiet(memory);
-	if (!scatter::pairs::isForeseeable(pair, bodies))
+	const ManifoldPeek peek(m_bodies, ahead.m_mayStep);
+	if (!scatter::pairs::isForeseeable(pair, bodies, peek))
 		return btHybridForeseen::NOTHING;
 	const size_t used = memory.m_foresight.used;
-	const ManifoldPeek peek(m_bodies, ahead.m_mayStep);
-	const bool isDecided =
-	    scatter::pairs::foresee(pair, bodies, m_narrowphase->getSteps(), peek, ahead.m_locks, memory.m_foresight);
+	const bool isDecided = keepsContacts(bodies) || scatter::pairs::foresee(pair, bodies, m_narrowphase->getSteps(),
+	                                                                        peek, ahead.m_locks, memory.m_foresight);
 	if (!isDecided ||
 	    !btHybridAheadRules::mayStep(ahead, m_bodies.m_objects[0]->getObject(), m_bodies.m_objects[1]->getObject()))
 		return btHybridForeseen::IN_PART;
@@ -209,6 +213,12 @@ btHybridForeseen btHybridPairAlgorithm::foresee(btHybridAhead& ahead, btHybridSt
 	// The step has made use of it: the next pair may have its memory.
 	memory.m_foresight.used = used;
 	return btHybridForeseen(btHybridForeseen::MADE, made);
+}
+
+bool btHybridPairAlgorithm::keepsContacts(const scatter::pairs::PlacedBodies& bodies) const
+{
+	return m_switches && scatter::pairs::keepsContacts(getPair(), m_narrowphase->getPlanner()->planPair(m_planIndex), 0,
+	                                                   relativeFrame(bodies.a->frame(), bodies.b->frame()));
 }
 
 // As the dispatcher's near callback calls it, and processCollision() the pair.

@@ -17,6 +17,7 @@ class btHybridPairAlgorithm : public btHybridAlgorithm
 	scatter::pairs::Pair& getPair() const;
 	bool staysQuiet(const scatter::pairs::PlacedBodies& bodies) const;
 	scatter::pairs::PlacedBodies getPlaced() const;
+	bool keepsContacts(const scatter::pairs::PlacedBodies& bodies) const;
 	const scatter::pairs::StepAhead* stepAhead(const btHybridAhead& ahead, btHybridStepMemory& memory);
 	void takeAhead(const scatter::pairs::StepAhead& step);
 	void takeQuiet();

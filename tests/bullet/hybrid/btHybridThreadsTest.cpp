@@ -62,6 +62,9 @@ class Crowd : public PairTestWorld {
     box->setWorldTransform(btTransform(btQuaternion(btVector3(0, 0, 1), 0.05F), btVector3(0, -1.6F, 0)));
   }
 
+  /// And a half-space below them.
+  void addPlane() { add(0, shape<btStaticPlaneShape>(btVector3(0, 1, 0), -1.2F), btVector3(0, 0, 0)); }
+
   void useWideSolver() { world.setConstraintSolver(&wide_); }
 
   /// With joints, and with contacts that are Bullet's own business, besides.
@@ -154,11 +157,26 @@ void giveBudgets(Crowd& crowd, int step) {
   if (step == 60) crowd.world.addPolicy("proximity");
 }
 
+// As little as what lies still in contact can be made do with, and more than it needs.
+void giveBudgetsOnGrounds(Crowd& crowd, int step) {
+  if (step == 0) {
+    crowd.addGrounds();
+    crowd.addPlane();
+  }
+  if (step % 15 == 5) crowd.world.setBudgetUnits(step % 30 == 5 ? 300 : 900);
+  for (auto& body : crowd.bodies) body->applyCentralForce(btVector3(0, -30, 0));
+}
+
 void recycle(Crowd& crowd, int step) {
   if (step > 0) return;
   btHybridCollisionInfo info = crowd.world.getCollisionInfo();
   info.m_steps.recycling = 0.001F;
   crowd.world.setCollisionInfo(info);
+}
+
+void recycleWithBudgets(Crowd& crowd, int step) {
+  recycle(crowd, step);
+  giveBudgetsOnGrounds(crowd, step);
 }
 
 void leaveManifolds(Crowd& crowd, int step) {
@@ -215,6 +233,8 @@ INSTANTIATE_TEST_SUITE_P(Ways, Threads,
                                          Way{.name = "ByBodies", .mode = BT_HYBRID_BODY_SWITCHING},
                                          Way{.name = "Requests", .act = requestNowAndThen},
                                          Way{.name = "Budgets", .act = giveBudgets},
+                                         Way{.name = "BudgetsOnGrounds", .act = giveBudgetsOnGrounds},
+                                         Way{.name = "RecycledWithBudgets", .act = recycleWithBudgets},
                                          Way{.name = "Recycled", .act = recycle},
                                          Way{.name = "AllManifolds", .act = leaveManifolds},
                                          Way{.name = "BodiesComeAndGo", .act = removeAndAdd},
@@ -299,24 +319,29 @@ void handOn(btBroadphasePair& pair, btCollisionDispatcher& dispatcher, const btD
 }
 
 // Pairs that need nothing of Bullet are not shown to it, but to a program that wants to see them.
+void compareWithANearCallback(int threads, int budgetUnits) {
+  Crowd one(13);
+  Crowd other(13);
+  other.dispatcher.setNearCallback(handOn);
+  for (Crowd* crowd : {&one, &other}) {
+    crowd->world.setPromises(BT_HYBRID_NEAR_CALLBACK_FORWARDS);
+    crowd->world.setNumThreads(threads);
+    if (budgetUnits > 0) crowd->world.setBudgetUnits(budgetUnits);
+  }
+  int skipped = 0;
+  for (int step = 0; step < 120; ++step) {
+    one.pull();
+    other.pull();
+    ASSERT_EQ(other.all(), one.all()) << threads << " threads, step " << step;
+    ASSERT_EQ(one.pairInfo().pairs, other.pairInfo().pairs) << "step " << step;
+    skipped += one.world.getCollisionCounts().pairsSkipped;
+  }
+  EXPECT_GT(skipped, 1000);
+}
+
 TEST(Dispatch, GivesTheSameBitsWithANearCallbackOfTheProgram) {
   for (const int threads : {1, 3}) {
-    Crowd one(13);
-    Crowd other(13);
-    other.dispatcher.setNearCallback(handOn);
-    for (Crowd* crowd : {&one, &other}) {
-      crowd->world.setPromises(BT_HYBRID_NEAR_CALLBACK_FORWARDS);
-      crowd->world.setNumThreads(threads);
-    }
-    int skipped = 0;
-    for (int step = 0; step < 120; ++step) {
-      one.pull();
-      other.pull();
-      ASSERT_EQ(other.all(), one.all()) << threads << " threads, step " << step;
-      ASSERT_EQ(one.pairInfo().pairs, other.pairInfo().pairs) << "step " << step;
-      skipped += one.world.getCollisionCounts().pairsSkipped;
-    }
-    EXPECT_GT(skipped, 1000);
+    for (const int budgetUnits : {0, 700}) compareWithANearCallback(threads, budgetUnits);
   }
 }
 
@@ -328,10 +353,12 @@ class BackwardScheduler : public btITaskScheduler {
   int getNumThreads() const override { return 1; }
   void setNumThreads(int) override {}
   void parallelFor(int begin, int end, int, const btIParallelForBody& body) override {
+    ++runs;
     for (int i = end; i-- > begin; ++calls) body.forLoop(i, i + 1);
   }
   btScalar parallelSum(int, int, int, const btIParallelSumBody&) override { return 0; }
 
+  int runs = 0;
   int calls = 0;
 };
 
@@ -350,6 +377,32 @@ TEST(Threads, MayBeAProgramsOwn) {
   const int before = scheduler.calls;
   other.pull();
   EXPECT_EQ(scheduler.calls, before);
+}
+
+// A budget takes nothing from them: pairs in contact, and on credit, are looked at beside each other, too.
+TEST(Threads, ShareStepsWithABudget) {
+  BackwardScheduler scheduler;
+  Crowd one(3);
+  Crowd other(3);
+  ASSERT_STREQ(other.world.setTaskScheduler(&scheduler), nullptr);
+  int portions = 0;
+  int kept = 0;
+  int credited = 0;
+  for (int step = 0; step < 120; ++step) {
+    const double units = step < 60 ? 1500 : 500;
+    one.world.setBudgetUnits(units);
+    other.world.setBudgetUnits(units);
+    scheduler.runs = 0;
+    one.pull();
+    other.pull();
+    ASSERT_EQ(other.all(), one.all()) << "step " << step;
+    portions += std::max(scheduler.runs - 2, 0);
+    kept += one.pairInfo().reusedPairs;
+    credited += one.pairInfo().creditedPairs;
+  }
+  EXPECT_GT(portions, 100) << "of pairs in contact, besides what is asked of all pairs, and of those apart";
+  EXPECT_GT(kept, 100);
+  EXPECT_GT(credited, 100);
 }
 
 bool skipsNow = false;
