@@ -177,9 +177,9 @@ class Governor {
   static constexpr double kReuseMemory = 0.005;
 
   /// Of what all pairs are expected to take, as much as is taken to be known of a step before its first pair
-  /// has had its turn, so that a few dear ones do not decide. Of the frames of the constant of portions in
-  /// pairs/planner, with 16 of them, 4 are over 1.05 with 0.1 and 0.25, 6 with 1 and if all are expected to
-  /// take what they were.
+  /// has had its turn, so that a few dear ones do not decide. Of the 38880 frames of kPortions
+  /// (pairs/planner) 4 are over 1.05 with 0.1 or 0.25, 6 with 1 or without this, in a version that had 16
+  /// equal portions.
   static constexpr double kKnown = 0.1;
   static constexpr double kNewMemory = 0.125;
 

@@ -250,6 +250,13 @@ bool onlyCarries(const GroundPair& pair, const PlacedBody& placed, int level, co
   return isAsItWas(pair, placed, level, groundVersion) && mayRecycle(pair, *placed.body, ground, steps);
 }
 
+bool onlyKeeps(const GroundPair& pair, const PairPlan& plan, const PlacedBody& placed, const Frame& ground,
+               int groundVersion) {
+  const bool canKeep = !plan.tries && plan.keepsFrom == 0 && pair.landing == 0 &&
+                       isAsItWas(pair, placed, plan.view.level, groundVersion);
+  return canKeep && mayKeep(pair, *placed.body, ground, furthestUnseen(plan, pair.parts.threshold()));
+}
+
 bool isForeseeable(const GroundPair& pair, const PlacedBody& placed, int level, const Frame& ground,
                    int groundVersion, const PairSteps& steps) {
   if (!isAsItWas(pair, placed, level, groundVersion) || placed.body->parts().hasOpaque()) return false;

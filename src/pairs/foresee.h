@@ -79,10 +79,15 @@ bool foresee(Pair& pair, const PlacedBodies& bodies, const PairSteps& steps, con
              BoundsLocks& locks, ForesightScratch& scratch);
 
 /// The same of a body and its ground, which is at `ground`. `level`: that the pair is going to look at. Of a
-/// half-space nothing is found out, but the step can be made on any thread. Nothing is to be found out of a pair that onlyCarries() contacts along. `engine` is
-/// asked for pieces alone, where those near the body are not known any more; `region`: memory for them.
+/// half-space nothing is found out, but the step can be made on any thread. Nothing is to be found out of a
+/// pair that onlyCarries() contacts along. `engine` is asked for pieces alone, where those near the body are
+/// not known any more; `region`: memory for them.
 [[nodiscard]] bool onlyCarries(const GroundPair& pair, const PlacedBody& placed, int level,
                                const Frame& ground, int groundVersion, const PairSteps& steps);
+
+/// Nor of one that keeps the contacts of the step before, as its plan would have it.
+[[nodiscard]] bool onlyKeeps(const GroundPair& pair, const PairPlan& plan, const PlacedBody& placed,
+                             const Frame& ground, int groundVersion);
 [[nodiscard]] bool isForeseeable(const GroundPair& pair, const PlacedBody& placed, int level,
                                  const Frame& ground, int groundVersion, const PairSteps& steps);
 bool foresee(GroundPair& pair, const PlacedBody& placed, const Frame& ground, const PairSteps& steps,

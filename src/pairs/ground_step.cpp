@@ -199,11 +199,6 @@ void collideGround(GroundPair& pair, int level, const PairSteps& steps, GroundEn
   GroundLook(pair, steps, engine, scratch.parts, scratch.ground, work).atLevel(level);
 }
 
-bool keepsContacts(const GroundPair& pair, const PairPlan& plan, const PartBody& body, const Frame& ground) {
-  const bool canKeep = !plan.tries && pair.landing == 0 && plan.keepsFrom == 0;
-  return canKeep && mayKeep(pair, body, ground, furthestUnseen(plan, pair.parts.threshold()));
-}
-
 PairOutcome stepGround(GroundPair& pair, const PairPlan& plan, const PairSteps& steps, GroundEngine& engine,
                        StepScratch& scratch, PairWork& work) {
   PairWork own;

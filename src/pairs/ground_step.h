@@ -26,11 +26,6 @@ namespace scatter::pairs {
 void collideGround(GroundPair& pair, int level, const PairSteps& steps, GroundEngine& engine,
                    StepScratch& scratch, PairWork& work);
 
-/// Whether a body that has the level of its plan keeps the contacts of the step before, as the plan would
-/// have it.
-[[nodiscard]] bool keepsContacts(const GroundPair& pair, const PairPlan& plan, const PartBody& body,
-                                 const Frame& ground);
-
 /// One step of a body that switches and its ground: takes the level that it should have, with the overlap
 /// that this brings as credit of each part, and finds the contacts. The level is in the outcome. Adds to
 /// `work`.

@@ -290,13 +290,9 @@ class PairStep {
     return tally;
   }
 
-  [[nodiscard]] bool isOnCoarserCredit() const {
-    return credit_.kind == CreditKind::kCoarser && !credit_.account.empty();
-  }
-
   // How late an audit is: of a pair on credit that has moved so far that its finest shapes must be looked at.
   [[nodiscard]] float lateness() const {
-    if (!isOnCoarserCredit()) return kNotDue;
+    if (!credit_.isOpen()) return kNotDue;
     const double motion = pair_.parts.motion();
     if (motion < credit_.seenMotion) return kLatest;
     const double late = motion - credit_.freshUntil;
@@ -307,7 +303,7 @@ class PairStep {
   // A pair that has jumped has done so until it is audited.
   void seeMotion() {
     outcome_.late = outcome_.lateNext = lateness();
-    if (!isOnCoarserCredit()) return;
+    if (!credit_.isOpen()) return;
     const double moved = pair_.parts.motion() - credit_.seenMotion;
     if (moved < 0.0) return;
     if (outcome_.late >= 0.0F && outcome_.late < kLatest)

@@ -191,8 +191,10 @@ btHybridForeseen btHybridGroundAlgorithm::foresee(btHybridAhead& ahead, btHybrid
 	AheadEngine engine(ahead.m_meshes, memory, step.notes, static_cast<btCollisionDispatcher*>(m_dispatcher),
 	                   m_narrowphase->getObjects(), *m_bodies, call.m_call, m_fallback, memory.m_bounds);
 	const size_t used = memory.m_foresight.used;
-	bool isDecided = keepsContacts(placed, ground, version) ||
-	                 scatter::pairs::onlyCarries(pair, placed, m_bodies->m_level, ground, version, steps);
+	const bool keeps =
+	    m_planIndex >= 0 &&
+	    scatter::pairs::onlyKeeps(pair, m_narrowphase->getPlanner()->planPair(m_planIndex), placed, ground, version);
+	bool isDecided = keeps || scatter::pairs::onlyCarries(pair, placed, m_bodies->m_level, ground, version, steps);
 	if (!isDecided && scatter::pairs::isForeseeable(pair, placed, m_bodies->m_level, ground, version, steps))
 		isDecided = scatter::pairs::foresee(pair, placed, ground, steps, engine, memory.m_step.ground.region,
 		                                    memory.m_foresight);
@@ -202,18 +204,6 @@ btHybridForeseen btHybridGroundAlgorithm::foresee(btHybridAhead& ahead, btHybrid
 	// The step has made use of it: the next pair may have its memory.
 	memory.m_foresight.used = used;
 	return btHybridForeseen(btHybridForeseen::MADE, &step);
-}
-
-// A pair that has changed in between begins anew.
-bool btHybridGroundAlgorithm::keepsContacts(const scatter::pairs::PlacedBody& placed, const scatter::Frame& ground,
-                                            int groundVersion) const
-{
-	const GroundPair& pair = getPair();
-	const bool isAsItWas = pair.level == m_bodies->m_level && pair.versions[0] == placed.version &&
-	                       pair.versions[1] == groundVersion && !pair.hasFallenBack && !pair.isTooFine;
-	return m_planIndex >= 0 && isAsItWas &&
-	       scatter::pairs::keepsContacts(pair, m_narrowphase->getPlanner()->planPair(m_planIndex), *placed.body,
-	                                     ground);
 }
 
 // As the dispatcher's near callback calls it, and processCollision() the pair.

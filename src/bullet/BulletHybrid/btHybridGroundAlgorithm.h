@@ -17,7 +17,6 @@ class btHybridGroundAlgorithm : public btHybridAlgorithm
 
 	scatter::pairs::GroundPair& getPair() const;
 	scatter::pairs::PlacedBody getPlaced() const;
-	bool keepsContacts(const scatter::pairs::PlacedBody& placed, const scatter::Frame& ground, int groundVersion) const;
 	void shareGround();
 	void stepAhead(scatter::pairs::StepAhead& step, btHybridGroundEngine& engine, btHybridStepMemory& memory);
 	void takeAhead(const scatter::pairs::StepAhead& step);
