@@ -25,13 +25,12 @@ constexpr int kAdviceInterval = 4;
 /// second, as it goes through all pairs.
 constexpr int kOwedInterval = 30;
 
-/// Portions of the pairs of a step that may put off their look: half of them, half of what is left, and so
-/// on, as threads wait for each other after each, and the later it is in a step the more is known of what it
-/// takes. `scatter bench budget --families implosion,rooms,wheel_stack,sleepers,wheels_box,bowl,wheels_mesh
-/// --seeds 1,2,3 --scale 0.5`: of 38880 frames 5 are over 1.05 with these, 4 with 16 equal ones, 8 with 4, 15
-/// with one, if all of a portion keep their contacts or none does. With as many as save what is missing it is
-/// 7, and more touching pairs are at their finest level (implosion and rooms, seeds 4 to 9: 0.84, not 0.81).
-constexpr int kPortions = 5;
+/// Portions of the pairs of a step that may put off their look. Threads wait for each other after each; of
+/// fewer too many keep their contacts at once, and have all come too far in the next step. `scatter bench
+/// budget --families sleepers --seeds 1,2,3,31,32,33 --scale 0.5`: with 20, with 8, and with 5 of which each
+/// is half of what is left, 2, 3 and 5 of 10080 frames are over 1.05, and 0.59, 0.57 and 0.56 of the touching
+/// pairs at their finest level.
+constexpr int kPortions = 20;
 
 /// A pair on credit is taken to cost what it did in about so many steps.
 constexpr float kCostMemory = 8.0F;
@@ -40,12 +39,6 @@ constexpr float kCostMemory = 8.0F;
 std::uint8_t kindOf(double numChildPairs) {
   const int kind = static_cast<int>(2 * std::log2(std::max(numChildPairs, 1.0)));
   return static_cast<std::uint8_t>(std::min(kind, PlannedPair::kKinds - 1));
-}
-
-int portionAt(int place, int count) {
-  int portion = 0;
-  for (int left = count - place; portion + 1 < kPortions && 2 * left <= count; left *= 2) ++portion;
-  return portion;
 }
 
 // Of a pair that would have been coarser if that had been safe.
@@ -210,7 +203,7 @@ void Planner::partOut() {
   for (std::size_t i = 0; i < planned_.size(); ++i) {
     Known& known = known_[i];
     known.keeps = false;
-    known.portion = isOne(planned_[i]) ? portionAt(next++, count) : kNoPortion;
+    known.portion = isOne(planned_[i]) ? next++ * kPortions / count : kNoPortion;
     if (known.portion == kNoPortion) continue;
     Portion& portion = portions_[static_cast<std::size_t>(known.portion)];
     if (portion.end == 0) portion.first = i;
@@ -218,17 +211,21 @@ void Planner::partOut() {
   }
 }
 
-// As many keep their contacts as save what is missing. A pair that has another place by now, as one before it
-// has ended, looks for them.
+// As many keep their contacts as save what is missing, those first that did not in the step before: who has
+// kept some may have come too far by now. A pair that has another place by now, as one before it has ended,
+// looks for them.
 void Planner::beginPortion(int index) {
   Portion& portion = portions_[static_cast<std::size_t>(index)];
   if (portion.hasBegun) return;
   portion.hasBegun = true;
   double missing = budget_.missing();
-  for (std::size_t i = portion.first; i < std::min(portion.end, planned_.size()) && missing > 0.0; ++i) {
-    if (known_[i].portion != index) continue;
-    known_[i].keeps = true;
-    missing -= budget_.savedByKeeping(planned_[i]);
+  const std::size_t end = std::min(portion.end, planned_.size());
+  for (const bool hasKept : {false, true}) {
+    for (std::size_t i = portion.first; i < end && missing > 0.0; ++i) {
+      if (known_[i].portion != index || known_[i].hasKept != hasKept) continue;
+      known_[i].keeps = true;
+      missing -= budget_.savedByKeeping(planned_[i]);
+    }
   }
 }
 
@@ -425,6 +422,7 @@ void Planner::takeWork(std::size_t pair, const PairOutcome& outcome, int before)
   lod::PairUnits units = budget_.takeWork(planned, outcome.work);
   known.step = step_;
   known.units = static_cast<float>(units.all);
+  known.hasKept = outcome.work.reuses;
   if (wasRefused(outcome, planned.target)) planned.bound = planned.taken;
   if (hasGoneFiner(outcome, before)) budget_.learnFiner(planned, units.all);
   own_.manifolds += outcome.work.manifolds;

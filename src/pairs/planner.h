@@ -203,6 +203,7 @@ class Planner {
     bool isOwed = false;  ///< The budget took the detail that it lacks, and it was not woken for it since.
     int portion = kNoPortion;
     bool keeps = false;         ///< Its contacts, once its portion has begun.
+    bool hasKept = false;       ///< It did when it was last processed.
     int step = 0;               ///< The last one in which it was processed.
     float averageUnits = 0.0F;  ///< What it costs a step on credit below its finest level: audits are bursts.
     float units = 0.0F;         ///< What it took in that step.
