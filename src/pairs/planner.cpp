@@ -25,12 +25,14 @@ constexpr int kAdviceInterval = 4;
 /// second, as it goes through all pairs.
 constexpr int kOwedInterval = 30;
 
-/// Portions of the pairs of a step that may put off their look. Threads wait for each other after each; of
-/// fewer too many keep their contacts at once, and have all come too far in the next step. `scatter bench
-/// budget --families sleepers --seeds 1,2,3,31,32,33 --scale 0.5`: with 20, with 8, and with 5 of which each
-/// is half of what is left, 2, 3 and 5 of 10080 frames are over 1.05, and 0.59, 0.57 and 0.56 of the touching
-/// pairs at their finest level.
-constexpr int kPortions = 20;
+/// Portions of the pairs of a step that may put off their look, after each of which threads wait for each
+/// other: half of them, half of what is left, and so on, as the more is known of a step the later it is.
+/// Where it is planned to take more than it may, equal ones: else too many keep their contacts at once, and
+/// have all come too far in the next step. `scatter bench budget --families sleepers --seeds 1,2,3,31,32,33
+/// --scale 0.5`: with 20 equal ones, with 8, and with the 5 others in all steps, 2, 3 and 5 of 10080 frames
+/// are over 1.05, and 0.59, 0.57 and 0.56 of the touching pairs at their finest level.
+constexpr int kPortions = 5;
+constexpr int kPortionsOfShort = 20;
 
 /// A pair on credit is taken to cost what it did in about so many steps.
 constexpr float kCostMemory = 8.0F;
@@ -39,6 +41,12 @@ constexpr float kCostMemory = 8.0F;
 std::uint8_t kindOf(double numChildPairs) {
   const int kind = static_cast<int>(2 * std::log2(std::max(numChildPairs, 1.0)));
   return static_cast<std::uint8_t>(std::min(kind, PlannedPair::kKinds - 1));
+}
+
+int portionAt(int place, int count) {
+  int portion = 0;
+  for (int left = count - place; portion + 1 < kPortions && 2 * left <= count; left *= 2) ++portion;
+  return portion;
 }
 
 // Of a pair that would have been coarser if that had been safe.
@@ -198,12 +206,17 @@ void Planner::partOut() {
     return isLimited && planned.target == planned.view.level && mayKeep(planned);
   };
   const auto count = static_cast<int>(std::ranges::count_if(planned_, isOne));
-  portions_.assign(kPortions, {});
+  const bool isShort = budget_.isShort();
+  portions_.assign(isShort ? kPortionsOfShort : kPortions, {});
   int next = 0;
   for (std::size_t i = 0; i < planned_.size(); ++i) {
     Known& known = known_[i];
     known.keeps = false;
-    known.portion = isOne(planned_[i]) ? next++ * kPortions / count : kNoPortion;
+    known.portion = kNoPortion;
+    if (isOne(planned_[i])) {
+      known.portion = isShort ? next * kPortionsOfShort / count : portionAt(next, count);
+      ++next;
+    }
     if (known.portion == kNoPortion) continue;
     Portion& portion = portions_[static_cast<std::size_t>(known.portion)];
     if (portion.end == 0) portion.first = i;
