@@ -43,6 +43,13 @@ std::uint8_t kindOf(double numChildPairs) {
   return static_cast<std::uint8_t>(std::min(kind, PlannedPair::kKinds - 1));
 }
 
+// Contacts, if the budget asks for it.
+bool mayKeep(const PlannedPair& planned) {
+  const PairView& view = planned.view;
+  const bool isPlain = planned.hasContacts && (!view.credited || view.level == view.finest);
+  return isPlain && planned.wish.atLeast < view.finest;
+}
+
 int portionAt(int place, int count) {
   int portion = 0;
   for (int left = count - place; portion + 1 < kPortions && 2 * left <= count; left *= 2) ++portion;
@@ -193,12 +200,6 @@ void Planner::plan(const PlanInput& input) {
   partOut();
 }
 
-bool Planner::mayKeep(const PlannedPair& planned) const {
-  const PairView& view = planned.view;
-  const bool isPlain = planned.hasContacts && (!view.credited || view.level == view.finest);
-  return isPlain && planned.wish.atLeast < view.finest;
-}
-
 // In the order of the table, which is about that in which their turns come.
 void Planner::partOut() {
   const bool isLimited = budget_.isLimited();
@@ -213,11 +214,9 @@ void Planner::partOut() {
     Known& known = known_[i];
     known.keeps = false;
     known.portion = kNoPortion;
-    if (isOne(planned_[i])) {
-      known.portion = isShort ? next * kPortionsOfShort / count : portionAt(next, count);
-      ++next;
-    }
-    if (known.portion == kNoPortion) continue;
+    if (!isOne(planned_[i])) continue;
+    known.portion = isShort ? next * kPortionsOfShort / count : portionAt(next, count);
+    ++next;
     Portion& portion = portions_[static_cast<std::size_t>(known.portion)];
     if (portion.end == 0) portion.first = i;
     portion.end = i + 1;
@@ -415,7 +414,8 @@ void Planner::count(const PlannedPair& planned) {
 
 void Planner::takeQuiet(int index) {
   const auto i = static_cast<std::size_t>(index);
-  if (portionOf(index) != kNoPortion) beginPortion(portionOf(index));
+  const int portion = portionOf(index);
+  if (portion != kNoPortion) beginPortion(portion);
   known_[i].step = step_;
   known_[i].units = 0.0F;
   budget_.takeQuiet(planned_[i]);

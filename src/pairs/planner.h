@@ -219,7 +219,6 @@ class Planner {
   };
 
   void partOut();
-  [[nodiscard]] bool mayKeep(const lod::PlannedPair& planned) const;
   void showPairs();
   void lookUpBodies(std::size_t pair);
   void advise(std::size_t pair);
