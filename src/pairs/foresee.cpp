@@ -116,7 +116,7 @@ class ChildForesight {
 
   PartPair& parts_;
   const CreditState& credit_;
-  const bool isOnCredit_ = credit_.kind == CreditKind::kCoarser;
+  const bool isOnCredit_ = credit_.isCoarser();
   const PlacedBodies& bodies_;
   const PairSteps& steps_;
   const ContactPeek& peek_;
@@ -189,8 +189,7 @@ bool mayBeAudited(const Pair& pair, const PlacedBodies& bodies) {
 }  // namespace
 
 bool isForeseeable(const Pair& pair, const PlacedBodies& bodies, const ContactPeek& peek) {
-  const bool isAsItWas = pair.versions[0] == bodies.versions[0] && pair.versions[1] == bodies.versions[1];
-  return isAsItWas && !pair.hasFallenBack && !bodies.a->parts().hasOpaque() &&
+  return pair.isOf(bodies) && !pair.hasFallenBack && !bodies.a->parts().hasOpaque() &&
          !bodies.b->parts().hasOpaque() && !mayBeAudited(pair, bodies) && willHold(pair, peek);
 }
 
@@ -209,7 +208,7 @@ void carry(Pair& pair, ContactRecycling& recycling, const RecyclingScratch& scra
 
 bool foresee(Pair& pair, const PlacedBodies& bodies, const PairSteps& steps, const ContactPeek& peek,
              BoundsLocks& locks, ForesightScratch& scratch) {
-  pair.parts.followWholeBodies(pair.credit.kind == CreditKind::kCoarser);
+  pair.parts.followWholeBodies(pair.credit.isCoarser());
   const bool recycles = mayRecycle(pair, steps);
   ContactRecycling recycling(pair.parts, bodies, steps.recycling, scratch.recycling);
   const auto slideOf = [&peek](void* contact) { return peek.wouldSlide(contact); };

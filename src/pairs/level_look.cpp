@@ -57,7 +57,7 @@ void LevelLook::atLevel(int level, bool returns, float auditsFrom) {
   scratch_.looked.clear();
   PlacedBodies bodies;
   if (!place(level, bodies)) return;
-  if (pair_.versions[0] != bodies.versions[0] || pair_.versions[1] != bodies.versions[1]) {
+  if (!pair_.isOf(bodies)) {
     pair_.dropContacts(engine_);
     restart(pair_.parts);
     for (int i = 0; i < 2; ++i) pair_.versions[i] = bodies.versions[i];
@@ -66,7 +66,7 @@ void LevelLook::atLevel(int level, bool returns, float auditsFrom) {
     useForesight(bodies, auditsFrom);
     return;
   }
-  pair_.parts.followWholeBodies(pair_.credit.kind == CreditKind::kCoarser);
+  pair_.parts.followWholeBodies(pair_.credit.isCoarser());
   const bool recycles = !returns && mayRecycle(pair_, steps_);
   if (recycles && recycle(bodies)) return;
   const bool isAwake = advance(pair_.parts, bodies);
@@ -81,7 +81,7 @@ void LevelLook::atLevel(int level, bool returns, float auditsFrom) {
 }
 
 const CreditState* LevelLook::coarserCredit() const {
-  return pair_.credit.kind == CreditKind::kCoarser ? &pair_.credit : nullptr;
+  return pair_.credit.isCoarser() ? &pair_.credit : nullptr;
 }
 
 // The step of a pair of which advance() has been done already.

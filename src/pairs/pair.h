@@ -39,12 +39,15 @@ struct CreditState {
   /// Whether contacts that are held are of use: on credit, and after its end until the pair has moved.
   [[nodiscard]] bool keepsHeld(double motion) const {
     if (!account.empty()) return true;
-    return kind == CreditKind::kCoarser && motion >= seenMotion && motion < freshUntil;
+    return isCoarser() && motion >= seenMotion && motion < freshUntil;
   }
 
   /// Of a pair at a coarser level, where contacts that are held stand for those of its own shapes: whose
   /// audits come with motion.
-  [[nodiscard]] bool isOpen() const { return kind == CreditKind::kCoarser && !account.empty(); }
+  [[nodiscard]] bool isOpen() const { return isCoarser() && !account.empty(); }
+
+  /// Of a pair at a coarser level.
+  [[nodiscard]] bool isCoarser() const { return kind == CreditKind::kCoarser; }
 };
 
 /// How a pair came by its contacts in its last step.
@@ -78,6 +81,11 @@ struct alignas(64) Pair {
 
   static constexpr double kAwake = -1e18;
   static constexpr int kNoParts = -1;
+
+  /// Whether the bodies have the parts that the child pairs are of.
+  [[nodiscard]] bool isOf(const PlacedBodies& bodies) const {
+    return versions[0] == bodies.versions[0] && versions[1] == bodies.versions[1];
+  }
 
   /// Gives the child pairs' manifolds back to the engine, and forgets the child pairs; dropAll() those that
   /// are held, too.

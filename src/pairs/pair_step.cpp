@@ -204,8 +204,7 @@ class PairStep {
   // do.
   [[nodiscard]] bool isAsItWas() {
     PlacedBodies bodies;
-    return engine_.place(plan_.view.level, bodies) && bodies.versions[0] == pair_.versions[0] &&
-           bodies.versions[1] == pair_.versions[1];
+    return engine_.place(plan_.view.level, bodies) && pair_.isOf(bodies);
   }
 
   // The contacts of the step before, where the bodies are now.
@@ -394,8 +393,7 @@ bool keepsContacts(const Pair& pair, const PairPlan& plan, int queries, const Fr
 }
 
 bool staysQuiet(Pair& pair, const PlacedBodies& bodies) {
-  const bool isSame = bodies.a->jumps() + bodies.b->jumps() == pair.jumps &&
-                      bodies.versions[0] == pair.versions[0] && bodies.versions[1] == pair.versions[1];
+  const bool isSame = bodies.a->jumps() + bodies.b->jumps() == pair.jumps && pair.isOf(bodies);
   if (!isSame || !(pair.quietUntil > Pair::kAwake)) return false;
   if (bodies.a->travel() + bodies.b->travel() < pair.quietUntil) return true;
   if (!pair.parts.staysQuiet(*bodies.a, *bodies.b)) return false;

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "collision/geometry.h"
-#include "pairs/fake_engine.h"
 #include "pairs/fake_ground_engine.h"
 #include "pairs/ground_step.h"
+#include "pairs/living_pair.h"
 #include "pairs/pair_step.h"
 
 // A step of which something was found out before gives what a step gives that finds out everything.
@@ -50,46 +50,32 @@ class Peek : public ContactPeek {
   bool carries_;
 };
 
-PairPlan planOf(int levels) {
-  PairPlan plan;
-  plan.view.finest = levels;
-  plan.target = levels;
-  plan.tries = true;
-  return plan;
-}
+/// A pair that can be foreseen before each of its steps.
+struct ForeseenPair : testing::LivingPair {
+  explicit ForeseenPair(const std::vector<std::vector<PartDef>>& levels = oneLevel())
+      : testing::LivingPair(levels) {}
 
-struct TwoBodies {
-  TwoBodies() = default;
-  TwoBodies(const TwoBodies&) = delete;
-  TwoBodies& operator=(const TwoBodies&) = delete;
-  ~TwoBodies() { pair.dropAll(engine); }
-
-  /// Whether something was foreseen.
+  /// As btHybridPairAlgorithm does. Whether something was foreseen, or nothing needs to be.
   bool foreseeStep(float x) {
     engine.x = x;
     scratches.used = 0;
     PlacedBodies bodies;
     const Peek peek(engine, carries);
-    if (!engine.place(1, bodies) || !isForeseeable(pair, bodies, peek)) return false;
+    if (plan.target != plan.view.level || placedLevel != plan.view.level) return false;
+    if (!engine.place(plan.view.level, bodies) || !isForeseeable(pair, bodies, peek)) return false;
+    if (keepsContacts(pair, plan, 0, relativeFrame(bodies.a->frame(), bodies.b->frame()))) return true;
     foresee(pair, bodies, steps, peek, locks, scratches);
     return true;
   }
 
   PairOutcome step(float x) {
-    engine.x = x;
-    const PairOutcome outcome = stepPair(pair, plan, steps, engine, scratch, work);
-    plan.tries = false;
-    plan.view.level = 1;
+    const PairOutcome outcome = testing::LivingPair::step(x);
+    placedLevel = outcome.audited ? plan.view.finest : plan.view.level;
     return outcome;
   }
 
-  FakeEngine engine{oneLevel()};
   bool carries = false;  ///< What is foreseen takes contacts along.
-  Pair pair;
-  PairPlan plan = planOf(1);
-  PairSteps steps;
-  StepScratch scratch;
-  PairWork work;
+  int placedLevel = 0;   ///< Whose shapes were looked at last.
   ForesightScratch scratches;
   BoundsLocks locks;
 };
@@ -130,8 +116,8 @@ TEST(Foresee, LeavesAPairAsItsStepWould) {
   int recycled = 0;
   int lookedBesides = 0;
   for (std::uint32_t seed = 1; seed <= 100; ++seed) {
-    TwoBodies plain;
-    TwoBodies early;
+    ForeseenPair plain;
+    ForeseenPair early;
     const bool recycles = seed % 2 == 0;
     early.carries = seed % 4 > 1;
     plain.steps.recycling = early.steps.recycling = recycles ? 0.001F : 0.0F;
@@ -162,7 +148,7 @@ TEST(Foresee, LeavesAPairAsItsStepWould) {
 }
 
 TEST(Foresee, IsNotForOtherShapes) {
-  TwoBodies bodies;
+  ForeseenPair bodies;
   EXPECT_FALSE(bodies.foreseeStep(1.7F)) << "it has not looked yet";
   bodies.step(1.7F);
   EXPECT_TRUE(bodies.foreseeStep(1.7F));
@@ -176,53 +162,12 @@ std::vector<std::vector<PartDef>> twoLevels() {
   return {{boxPart(Vec3(0.0F), Vec3(1.0F), Mat3(1.0F), 0.0F)}, oneLevel().front()};
 }
 
-/// A pair that switches, and what its planner knows of it.
-struct SwitchingBodies {
-  SwitchingBodies() {
-    plan.view.finest = 2;
-    plan.rules.creditLevel = 1;
-    plan.auditDistance = 0.03F;
-  }
-  SwitchingBodies(const SwitchingBodies&) = delete;
-  SwitchingBodies& operator=(const SwitchingBodies&) = delete;
-  ~SwitchingBodies() { pair.dropAll(engine); }
-
-  /// As btHybridPairAlgorithm does. Whether something was foreseen, or nothing needs to be.
-  bool foreseeStep(float x) {
-    engine.x = x;
-    scratches.used = 0;
-    PlacedBodies bodies;
-    const Peek peek(engine, false);
-    if (plan.target != plan.view.level || placedLevel != plan.view.level) return false;
-    if (!engine.place(plan.view.level, bodies) || !isForeseeable(pair, bodies, peek)) return false;
-    if (keepsContacts(pair, plan, 0, relativeFrame(bodies.a->frame(), bodies.b->frame()))) return true;
-    foresee(pair, bodies, steps, peek, locks, scratches);
-    return true;
-  }
-
-  PairOutcome step(float x) {
-    engine.x = x;
-    plan.tries = plan.target != plan.view.level;
-    const PairOutcome outcome = stepPair(pair, plan, steps, engine, scratch, work);
-    if (outcome.tried) plan.view.level = static_cast<std::uint8_t>(outcome.choice.level);
-    plan.view.touching = outcome.touching;
-    plan.view.credited = outcome.credited;
-    placedLevel = outcome.audited ? 2 : plan.view.level;
-    return outcome;
-  }
-
-  FakeEngine engine{twoLevels()};
-  Pair pair;
-  PairPlan plan;
-  PairSteps steps;
-  StepScratch scratch;
-  PairWork work;
-  ForesightScratch scratches;
-  BoundsLocks locks;
-  int placedLevel = 0;  ///< Whose shapes were looked at last.
+/// One that switches.
+struct SwitchingPair : ForeseenPair {
+  SwitchingPair() : ForeseenPair(twoLevels()) { plan.rules.creditLevel = 1; }
 };
 
-void expectSame(const SwitchingBodies& a, const SwitchingBodies& b) {
+void expectSame(const SwitchingPair& a, const SwitchingPair& b) {
   EXPECT_EQ(a.plan.view.level, b.plan.view.level);
   EXPECT_EQ(a.pair.credit.kind, b.pair.credit.kind);
   EXPECT_EQ(a.pair.credit.freshUntil, b.pair.credit.freshUntil);
@@ -241,8 +186,8 @@ TEST(Foresee, LeavesAPairThatSwitchesAsItsStepWould) {
   int credited = 0;
   int kept = 0;
   for (std::uint32_t seed = 1; seed <= 100; ++seed) {
-    SwitchingBodies plain;
-    SwitchingBodies early;
+    SwitchingPair plain;
+    SwitchingPair early;
     plain.steps.recycling = early.steps.recycling = seed % 2 == 0 ? 0.001F : 0.0F;
     testing::Random random(seed);
     float x = random.uniform(1.6F, 1.7F);
@@ -252,7 +197,7 @@ TEST(Foresee, LeavesAPairThatSwitchesAsItsStepWould) {
       const int target = random.uniform(0.0F, 1.0F) < 0.5F ? 1 : 2;
       const bool audits = random.uniform(0.0F, 1.0F) < 0.5F;
       const bool keeps = random.uniform(0.0F, 1.0F) < 0.3F;
-      for (SwitchingBodies* bodies : {&plain, &early}) {
+      for (SwitchingPair* bodies : {&plain, &early}) {
         if (i % 10 == 0) bodies->plan.target = target;
         bodies->plan.auditsFrom = audits ? lod::lateness::kDue : lod::lateness::kNever;
         bodies->plan.keepsFrom = keeps ? 0 : PairPlan::kNever;
@@ -279,7 +224,7 @@ TEST(Foresee, LeavesAPairThatSwitchesAsItsStepWould) {
 }
 
 TEST(Foresee, GivesContactsBackThatNobodyAskedFor) {
-  TwoBodies bodies;
+  ForeseenPair bodies;
   bodies.step(1.59F);
   ASSERT_GT(bodies.engine.manifolds(), 0);
   ASSERT_TRUE(bodies.foreseeStep(2.3F));

@@ -5,14 +5,13 @@
 #include <algorithm>
 
 #include "collision/geometry.h"
-#include "pairs/fake_engine.h"
+#include "pairs/living_pair.h"
 
 namespace scatter::pairs {
 namespace {
 
 using lod::SwitchKind;
 using testing::boxPart;
-using testing::FakeEngine;
 
 constexpr int kFinest = 3;
 
@@ -28,34 +27,8 @@ std::vector<std::vector<PartDef>> threeLevels() {
       {box(-0.6F, 0.21F, 0.2F), box(-0.6F, -0.21F, 0.2F), box(0.6F, 0.21F, 0.2F), box(0.6F, -0.21F, 0.2F)}};
 }
 
-/// A pair, and what its planner knows of it.
-struct LivingPair {
-  FakeEngine engine{threeLevels()};
-  Pair pair;
-  StepScratch scratch;
-  PairSteps steps;
-  PairWork work;
-  PairPlan plan;
-
-  LivingPair() {
-    plan.view.finest = kFinest;
-    plan.target = kFinest;
-    plan.auditDistance = 0.03F;
-    plan.auditsFrom = lod::lateness::kDue;
-  }
-  LivingPair(const LivingPair&) = delete;
-  LivingPair& operator=(const LivingPair&) = delete;
-  ~LivingPair() { pair.dropAll(engine); }
-
-  PairOutcome step(float x) {
-    engine.x = x;
-    plan.tries = plan.target != plan.view.level;
-    const PairOutcome outcome = stepPair(pair, plan, steps, engine, scratch, work);
-    if (outcome.tried) plan.view.level = static_cast<std::uint8_t>(outcome.choice.level);
-    plan.view.touching = outcome.touching;
-    plan.view.credited = outcome.credited;
-    return outcome;
-  }
+struct ThreeLevelPair : testing::LivingPair {
+  ThreeLevelPair() : testing::LivingPair(threeLevels()) {}
 
   /// Meets 1 cm deep at its finest level; then what becomes of going to another one.
   PairOutcome meetAndGoTo(int level) {
@@ -83,7 +56,7 @@ struct LivingPair {
 };
 
 TEST(PairStep, LivesFromTheFirstLookToTheLast) {
-  LivingPair living;
+  ThreeLevelPair living;
   // New, and apart: what it should have is free.
   PairOutcome outcome = living.step(3.0F);
   EXPECT_EQ(outcome.choice.kind, SwitchKind::kFree);
@@ -141,7 +114,7 @@ TEST(PairStep, LivesFromTheFirstLookToTheLast) {
 TEST(PairStep, AuditsSmallBodiesSooner) {
   int audits[2] = {0, 0};
   for (const bool isSmall : {false, true}) {
-    LivingPair living;
+    ThreeLevelPair living;
     if (isSmall) living.engine.breaking = 0.002F;
     living.step(1.59F);
     living.plan.target = 2;
@@ -153,7 +126,7 @@ TEST(PairStep, AuditsSmallBodiesSooner) {
 }
 
 TEST(PairStep, LooksAgainOnceNoContactIsLeftThatIsHeld) {
-  LivingPair living;
+  ThreeLevelPair living;
   living.step(1.61F);
   living.step(1.599F);
   living.plan.target = 2;
@@ -169,7 +142,7 @@ TEST(PairStep, LooksAgainOnceNoContactIsLeftThatIsHeld) {
 }
 
 TEST(PairStep, IsQuietWhileBothBodiesMoveTogether) {
-  LivingPair living;
+  ThreeLevelPair living;
   living.step(2.0F);
   for (int i = 0; i < 5; ++i) {
     living.engine.y += 10.0F;
@@ -181,7 +154,7 @@ TEST(PairStep, IsQuietWhileBothBodiesMoveTogether) {
 }
 
 TEST(PairStep, MovesContactsAlongWithinTheTolerance) {
-  LivingPair living;
+  ThreeLevelPair living;
   living.steps.recycling = 0.001F;
   living.step(3.0F);
   EXPECT_GT(living.step(1.59F).work.counts.detectorRuns, 0);
@@ -204,7 +177,7 @@ TEST(PairStep, MovesContactsAlongWithinTheTolerance) {
 }
 
 TEST(PairStep, AuditsLateWhereThereIsRoomForLateOnesAlone) {
-  LivingPair living;
+  ThreeLevelPair living;
   ASSERT_TRUE(living.meetAndGoTo(2).credited);
   living.plan.auditsFrom = lod::lateness::kLate;
   EXPECT_FALSE(living.step(1.585F).audited) << "due, but not late";
@@ -218,7 +191,7 @@ TEST(PairStep, AuditsLateWhereThereIsRoomForLateOnesAlone) {
 }
 
 TEST(PairStep, CollidesItsCoarserShapesWhereNoAuditIsMade) {
-  LivingPair living;
+  ThreeLevelPair living;
   ASSERT_TRUE(living.meetAndGoTo(2).credited);
   living.plan.auditsFrom = lod::lateness::kNever;
   EXPECT_LT(living.step(1.54F).late, lod::lateness::kLate);
@@ -230,7 +203,7 @@ TEST(PairStep, CollidesItsCoarserShapesWhereNoAuditIsMade) {
 }
 
 TEST(PairStep, WaitsForThoseThatHaveWaitedLonger) {
-  LivingPair living;
+  ThreeLevelPair living;
   ASSERT_TRUE(living.meetAndGoTo(2).credited);
   living.plan.auditsFrom = 2.0F;
   const PairOutcome late = living.step(1.52F);
@@ -243,7 +216,7 @@ TEST(PairStep, WaitsForThoseThatHaveWaitedLonger) {
 }
 
 TEST(PairStep, RecyclesNothingOnCredit) {
-  LivingPair living;
+  ThreeLevelPair living;
   living.steps.recycling = 0.001F;
   EXPECT_TRUE(living.meetAndGoTo(1).credited);
   for (int i = 0; i < 5; ++i) {
@@ -253,7 +226,7 @@ TEST(PairStep, RecyclesNothingOnCredit) {
 }
 
 TEST(PairStep, StaysWhereASwitchIsNotSafe) {
-  LivingPair living;
+  ThreeLevelPair living;
   living.plan.rules.credit = false;
   const PairOutcome outcome = living.meetAndGoTo(1);
   EXPECT_EQ(outcome.choice.kind, SwitchKind::kBlocked);
@@ -263,7 +236,7 @@ TEST(PairStep, StaysWhereASwitchIsNotSafe) {
 }
 
 TEST(PairStep, KeepsItsContactsUntilItHasMovedTooFar) {
-  LivingPair living;
+  ThreeLevelPair living;
   living.step(3.0F);
   const int looked = living.step(1.59F).work.counts.detectorRuns;
   EXPECT_GT(looked, 0);
@@ -282,7 +255,7 @@ TEST(PairStep, KeepsItsContactsUntilItHasMovedTooFar) {
 }
 
 TEST(PairStep, PressesAtItsFinestLevelWhatPressedBefore) {
-  LivingPair living;
+  ThreeLevelPair living;
   living.meetAndGoTo(2);
   EXPECT_NEAR(living.press(), 0.01F, 1e-4F) << "the contacts that it holds";
   living.plan.target = kFinest;
@@ -293,7 +266,7 @@ TEST(PairStep, PressesAtItsFinestLevelWhatPressedBefore) {
 }
 
 TEST(PairStep, PressesWhatSinksOnceItHasSettled) {
-  LivingPair living;
+  ThreeLevelPair living;
   living.step(3.0F);
   living.plan.target = 2;
   living.plan.rules.safe = false;
@@ -311,7 +284,7 @@ TEST(PairStep, PressesWhatSinksOnceItHasSettled) {
 }
 
 TEST(PairStep, KeepsItsFinestContactsOnCreditWithTheirCredit) {
-  LivingPair living;
+  ThreeLevelPair living;
   living.step(3.0F);
   living.plan.target = 2;
   living.plan.rules.safe = false;
@@ -331,7 +304,7 @@ TEST(PairStep, KeepsItsFinestContactsOnCreditWithTheirCredit) {
 }
 
 TEST(PairStep, LeavesShapesThatAreNoPartListsToTheEngine) {
-  LivingPair living;
+  ThreeLevelPair living;
   living.step(3.0F);
   living.step(1.59F);
   EXPECT_GT(living.engine.manifolds(), 0);
@@ -346,7 +319,7 @@ TEST(PairStep, LeavesShapesThatAreNoPartListsToTheEngine) {
 }
 
 TEST(PairStep, BeginsAnewWithNewParts) {
-  LivingPair living;
+  ThreeLevelPair living;
   living.step(3.0F);
   living.step(1.59F);
   living.step(1.59F);
@@ -357,7 +330,7 @@ TEST(PairStep, BeginsAnewWithNewParts) {
 }
 
 TEST(PairStep, CountsItsOwnWorkOnly) {
-  LivingPair living;
+  ThreeLevelPair living;
   living.step(3.0F);
   const PairWork before = living.work;
   const PairOutcome outcome = living.step(1.59F);
@@ -371,7 +344,7 @@ TEST(PairStep, CountsItsOwnWorkOnly) {
 TEST(PairStep, NeverPressesByASwitch) {
   testing::Random random(7);
   for (int trial = 0; trial < 200; ++trial) {
-    LivingPair living;
+    ThreeLevelPair living;
     living.steps.recycling = trial % 2 == 0 ? 0.0F : 0.001F;
     float x = random.uniform(1.7F, 2.5F);
     for (int step = 0; step < 120; ++step) {
