@@ -311,6 +311,17 @@ TEST(Governor, AStepIsShortOnceItCostsMoreThanItsBudgetBears) {
   EXPECT_TRUE(governor.isShort());
 }
 
+TEST(Governor, AStepIsShortNoMoreOncePairsHavePutOffEnough) {
+  CostModel costs{CostWeights{}};
+  Governor governor({});
+  std::vector<PlannedPair> pairs = knownPairs(costs, 100, 3);
+  governor.plan(pairs, costs, 100.0, 1200.0);
+  for (std::size_t i = 0; i < 10; ++i) governor.spend(pairs[i], 12.0, 12.0);
+  EXPECT_TRUE(governor.isShort());
+  for (std::size_t i = 10; i < 40; ++i) governor.spend(pairs[i], 4.0, 10.0);
+  EXPECT_FALSE(governor.isShort());
+}
+
 // In a crash contacts become more at once.
 TEST(Governor, ExpectsPairsToBeAsDearAsThoseBeforeThem) {
   CostModel costs{CostWeights{}};
