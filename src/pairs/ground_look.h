@@ -11,17 +11,17 @@ namespace scatter::pairs {
 struct GroundScratch {
   /// A piece and a part that may touch.
   struct Found {
-    std::uint16_t piece;
-    std::uint16_t part;
-    float distance;  ///< Of the contact that is known; otherwise the engine's detector must look.
-    bool isKnown;
-    PartContact contact;
+    std::uint16_t piece = 0;
+    std::uint16_t part = 0;
+    float distance = 0.0F;  ///< Of the contact that is known; otherwise the engine's detector must look.
+    bool isKnown = false;
+    PartContact contact{};
   };
 
   /// Where the contacts of the level before press the body, and how deep.
   struct Press {
-    Vec3 position;
-    float depth;
+    Vec3 position{};
+    float depth = 0.0F;
   };
 
   RegionScratch region{};

@@ -11,10 +11,10 @@ namespace scatter::pairs {
 /// Memory for HeldContacts::gather(), used in turn.
 struct HeldScratch {
   struct Candidate {
-    void* manifold;
-    int index;
-    ContactPoint point;
-    float difference;  ///< From those that were chosen.
+    void* manifold = nullptr;
+    int index = 0;
+    ContactPoint point{};
+    float difference = 0.0F;  ///< From those that were chosen.
   };
   std::vector<Candidate> candidates{};
   std::vector<Candidate> replaced{};
