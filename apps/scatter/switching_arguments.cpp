@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <utility>
 
 #include "lod/make_policy.h"
 #include "number_checks.h"
@@ -124,15 +125,18 @@ Result<BudgetDef> readRecording(const std::string& file) {
     return fail("--replay: the run in " + file +
                 " had no budget, so there is nothing to replay; record one with --budget-ms");
   }
-  const auto isSettled = hasFrameColumn(file, "settled_units");
-  if (!isSettled || !*isSettled) {
-    return budget;
+  for (const auto& [column, left] :
+       {std::pair{"revised_units", &budget.revised}, std::pair{"settled_units", &budget.settled}}) {
+    const auto isThere = hasFrameColumn(file, column);
+    if (!isThere || !*isThere) {
+      continue;
+    }
+    auto read = readUnits(file, column);
+    if (!read) {
+      return tl::unexpected(read.error());
+    }
+    *left = std::move(*read);
   }
-  auto settled = readUnits(file, "settled_units");
-  if (!settled) {
-    return tl::unexpected(settled.error());
-  }
-  budget.settled = std::move(*settled);
   return budget;
 }
 

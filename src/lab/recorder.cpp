@@ -97,6 +97,7 @@ void FrameRecorder::addChannels() {
   awake_ = data_.addChannel({"awake_bodies", "", ChannelKind::kInteger});
   measured_[kBudget] = real("budget_ms", "ms");
   measured_[kUnits] = real("budget_units", "");
+  measured_[kRevised] = real("revised_units", "");
   measured_[kSettled] = real("settled_units", "");
   measured_[kEnergy] = real("kinetic_energy", "J");
   measured_[kPenetration] = real("max_penetration", "m");
@@ -122,6 +123,7 @@ Result<void> FrameRecorder::step() {
   recordCounters();
   data_.set(measured_[kBudget], budgetMs_);
   data_.set(measured_[kUnits], physics.switching().budgetUnits());
+  data_.set(measured_[kRevised], physics.switching().revisedUnits());
   data_.set(measured_[kSettled], physics.switching().settledUnits());
   data_.set(measured_[kEnergy], physics.kineticEnergy());
   data_.set(measured_[kPenetration], physics.maxPenetration());

@@ -66,6 +66,12 @@ class Governor {
   }
   void spend(double units) { spent_ += units; }
 
+  /// Of what the step under way is expected to cost besides the fixed units, as much as has been spent.
+  [[nodiscard]] double shareSpent() const { return spent_ > 0.0 ? spent_ / (comesTo() - fixed_) : 0.0; }
+
+  /// The step under way may cost this instead.
+  void revise(double budget) { budget_ = budget; }
+
   /// A pair went to the finer level that it has now, which did cost so much in this step.
   void learnFiner(const PlannedPair& pair, const CostModel& costs, double units);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "lod/solver_iterations.h"
 
@@ -16,7 +17,8 @@ void StepBudget::set(const UnitBudget& budget) {
   contacts_ = ContactThinning(costs_.weights().hiddenContact);
 }
 
-void StepBudget::begin(const StepLoad& load) {
+void StepBudget::begin(const StepLoad& load, StepClock clock) {
+  clock_ = std::move(clock);
   ownSpare_ = 0;
   shownUnits_ = 0.0;
   iterationsLeftOut_ = 0;
@@ -28,7 +30,8 @@ void StepBudget::begin(const StepLoad& load) {
   fixedUnits_ = costs_.units(load) + looseUnits_ - looseSaved_;
   units_ = fixedUnits_;
   budgetUnits_ = budget_.next();
-  settledUnits_ = budgetUnits_;
+  revisedUnits_ = settledUnits_ = budgetUnits_;
+  isRevised_ = false;
   audits_.begin(budgetUnits_);
 }
 
@@ -55,6 +58,13 @@ void StepBudget::spend(double units) {
 
 void StepBudget::spendQueries(int queries) {
   for (int i = 0; i < queries; ++i) spend(costs_.weights().separationQuery);
+}
+
+void StepBudget::revise() {
+  if (isRevised_ || !isLimited() || governor_.shareSpent() < kEnough) return;
+  isRevised_ = true;
+  revisedUnits_ = budget_.revise(unitsSoFar(), elapsed());
+  governor_.revise(revisedUnits_);
 }
 
 PairUnits StepBudget::takeWork(PlannedPair& pair, const PairWorkload& work) {
@@ -86,14 +96,15 @@ void StepBudget::takeLoose(const LooseContacts& contacts) {
 
 void StepBudget::settle(const SolverWork& solver, const ContactThinning::Find& find) {
   if (!isLimited()) return;
-  settledUnits_ = budget_.settle({units_ + savedUnits_, restUnits(), solver.milliseconds});
+  settledUnits_ = budget_.settle(unitsSoFar(), elapsed());
   settleContacts(find);
   settleIterations(solver);
 }
 
-double StepBudget::restUnits() const {
+double StepBudget::unitsSoFar() const {
   const CostWeights& weights = costs_.weights();
-  return weights.contact * contactsFound_ + weights.joint * load_.joints + weights.awakeBody * load_.awake;
+  return units_ + savedUnits_ - weights.contact * contactsFound_ - weights.joint * load_.joints -
+         weights.awakeBody * load_.awake;
 }
 
 // The governor plans as if none was shown that need not be: before detail is taken all of them are hidden.

@@ -30,10 +30,12 @@ UnitBudget UnitBudget::ofMilliseconds(double milliseconds, std::vector<double> m
   return budget;
 }
 
-UnitBudget UnitBudget::replay(std::vector<double> units, std::vector<double> settled) {
+UnitBudget UnitBudget::replay(std::vector<double> units, std::vector<double> settled,
+                              std::vector<double> revised) {
   UnitBudget budget;
   budget.units_ = std::move(units);
   budget.settledUnits_ = std::move(settled);
+  budget.revisedUnits_ = std::move(revised);
   return budget;
 }
 
@@ -51,27 +53,31 @@ double UnitBudget::ofShared(double units) {
 }
 
 double UnitBudget::next() {
-  soFar_ = 0.0;
+  revision_.begin();
+  settlement_.begin();
   given_ = nextUnits();
   return given_;
 }
 
-double UnitBudget::settle(const UnitsSoFar& step) {
-  if (milliseconds_ > 0.0) return settleTime(step);
-  if (settledUnits_.empty() || step_ == 0) return given_;
-  const double units = settledUnits_[std::min(step_, settledUnits_.size()) - 1];
+double UnitBudget::recorded(const std::vector<double>& all) const {
+  if (all.empty() || step_ == 0) return given_;
+  const double units = all[std::min(step_, all.size()) - 1];
   return units > 0.0 ? units : given_;
 }
 
-// What comes after the contacts takes another time for each unit than the whole: it is learned apart.
-double UnitBudget::settleTime(const UnitsSoFar& step) {
-  soFar_ = timeOf(step.all - step.rest, step.milliseconds);
+double UnitBudget::revise(double units, double milliseconds) {
+  return milliseconds_ > 0.0 ? roomAt(revision_, units, milliseconds) : recorded(revisedUnits_);
+}
+
+double UnitBudget::settle(double units, double milliseconds) {
+  return milliseconds_ > 0.0 ? roomAt(settlement_, units, milliseconds) : recorded(settledUnits_);
+}
+
+double UnitBudget::roomAt(StepPoint& point, double units, double measured) {
+  point.pass(units, timeOf(units, measured));
   const double known = unitTime_.millisecondsPerUnit();
-  const double whole = known > 0.0 ? known : 1.0 / kUnitsPerMillisecond;
-  const double ofRest = restTime_.millisecondsPerUnit();
-  const double left = std::max(given_ * whole - soFar_, 0.0);
-  const double room = step.all - step.rest + left / (ofRest > 0.0 ? ofRest : whole);
-  return std::clamp(room, kLeastShare * given_, given_);
+  const double room = point.room(given_, known > 0.0 ? known : 1.0 / kUnitsPerMillisecond);
+  return std::max(room, kLeastShare * given_);
 }
 
 double UnitBudget::nextUnits() {
@@ -86,7 +92,7 @@ double UnitBudget::nextUnits() {
   return units > 0.0 ? units : std::numeric_limits<double>::infinity();
 }
 
-void UnitBudget::learn(double units, double milliseconds, double rest) {
+void UnitBudget::learn(double units, double milliseconds) {
   if (milliseconds_ <= 0.0) return;
   if (!machine_.empty()) machineStep_ = (machineStep_ + 1) % machine_.size();
   // In a light step most of the time goes into what no unit stands for.
@@ -96,7 +102,8 @@ void UnitBudget::learn(double units, double milliseconds, double rest) {
   const double allowed = known > 0.0 ? known : share * kUnitsPerMillisecond;
   if (units < kLight * allowed && milliseconds < kLight * share) return;
   unitTime_.learn(units, milliseconds);
-  if (soFar_ > 0.0) restTime_.learn(rest, milliseconds - soFar_);
+  revision_.learn(units, milliseconds);
+  settlement_.learn(units, milliseconds);
 }
 
 }  // namespace scatter::lod

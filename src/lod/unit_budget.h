@@ -4,15 +4,9 @@
 #include <vector>
 
 #include "lod/cost_model.h"
+#include "lod/step_point.h"
 
 namespace scatter::lod {
-
-/// Of a step whose contacts are known.
-struct UnitsSoFar {
-  double all = 0.0;           ///< That it is going to cost.
-  double rest = 0.0;          ///< Of these, of what has not begun yet.
-  double milliseconds = 0.0;  ///< That it has taken, measured; only a budget that needsTime() asks for them.
-};
 
 /// What the next step may cost, in units, from what the user has given.
 class UnitBudget {
@@ -27,8 +21,10 @@ class UnitBudget {
   [[nodiscard]] static UnitBudget ofMilliseconds(double milliseconds, std::vector<double> machine = {});
 
   /// What next() gave in an earlier run, step by step; what is not above 0 is no budget. After the last one
-  /// it stays. Empty: no budget. `settled`: likewise of settle(); for steps without one, all that was given.
-  [[nodiscard]] static UnitBudget replay(std::vector<double> units, std::vector<double> settled = {});
+  /// it stays. Empty: no budget. `settled`, `revised`: likewise of settle() and revise(); for steps without
+  /// one, all that was given.
+  [[nodiscard]] static UnitBudget replay(std::vector<double> units, std::vector<double> settled = {},
+                                         std::vector<double> revised = {});
 
   /// The next so many steps share one budget: those that the caller makes at once.
   void share(int steps);
@@ -36,10 +32,12 @@ class UnitBudget {
   /// Once a step: units for it; infinite for no budget.
   [[nodiscard]] double next();
 
-  /// After next(), when the contacts of the step are known: what it may cost now, at most what next() gave,
-  /// of what it would cost with all of them solved. Less of a budget of milliseconds whose step has taken
-  /// longer than its units say, so that the rest of it has less time.
-  [[nodiscard]] double settle(const UnitsSoFar& step);
+  /// After next(), among the contacts of the step, and when they are known: what it may cost now, at most
+  /// what next() gave. Less of a budget of milliseconds if the `units` that it has made have taken longer
+  /// than they say, so that the rest of it has less time. `milliseconds`: measured, if the budget
+  /// needsTime().
+  [[nodiscard]] double revise(double units, double milliseconds);
+  [[nodiscard]] double settle(double units, double milliseconds);
 
   /// What the step did cost, for those that share its budget.
   void take(double units) { taken_ += units; }
@@ -49,9 +47,8 @@ class UnitBudget {
     return machine_.empty() ? measured : units * machine_[machineStep_];
   }
 
-  /// After a step that cost so much and took so long; `rest`: of the units, what came after settle(). Only a
-  /// budget of milliseconds learns.
-  void learn(double units, double milliseconds, double rest = 0.0);
+  /// After a step that cost so much and took so long. Only a budget of milliseconds learns.
+  void learn(double units, double milliseconds);
 
   /// A step's share of a budget of milliseconds that is less than these.
   [[nodiscard]] bool isExceededBy(double milliseconds) const {
@@ -70,7 +67,8 @@ class UnitBudget {
 
  private:
   [[nodiscard]] double nextUnits();
-  [[nodiscard]] double settleTime(const UnitsSoFar& step);
+  [[nodiscard]] double roomAt(StepPoint& point, double units, double measured);
+  [[nodiscard]] double recorded(const std::vector<double>& units) const;
   [[nodiscard]] double ofShared(double units);
 
   double milliseconds_ = 0.0;
@@ -82,11 +80,12 @@ class UnitBudget {
   std::size_t machineStep_ = 0;  ///< Of these, that of the step under way.
   std::vector<double> units_;
   std::vector<double> settledUnits_;
+  std::vector<double> revisedUnits_;
   std::size_t step_ = 0;
   double given_ = 0.0;  ///< By next().
-  double soFar_ = 0.0;  ///< Milliseconds, at settle().
   UnitTime unitTime_;
-  UnitTime restTime_;  ///< Of what comes after settle().
+  StepPoint revision_;
+  StepPoint settlement_;
 };
 
 }  // namespace scatter::lod

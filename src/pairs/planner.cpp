@@ -27,12 +27,9 @@ constexpr int kOwedInterval = 30;
 
 /// Portions of the pairs of a step that may put off their look, after each of which threads wait for each
 /// other: half of them, half of what is left, and so on, as the more is known of a step the later it is.
-/// Where it is planned to take more than it may, equal ones: else too many keep their contacts at once, and
-/// have all come too far in the next step. `scatter bench budget --families sleepers --seeds 1,2,3,31,32,33
-/// --scale 0.5`: with 20 equal ones, with 8, and with the 5 others in all steps, 2, 3 and 5 of 10080 frames
-/// are over 1.05, and 0.59, 0.57 and 0.56 of the touching pairs at their finest level.
-constexpr int kPortions = 5;
-constexpr int kPortionsOfShort = 20;
+/// `scatter bench budget --families rooms,implosion,bowl,sleepers --seeds 1,2,3 --scale 0.5`: of 22320 frames
+/// with 5 portions 8 are over 1.02 and 4 over 1.05, with 7 portions 4 and 3, with 20 equal ones 6 and 3.
+constexpr int kPortions = 7;
 
 /// A pair on credit is taken to cost what it did in about so many steps.
 constexpr float kCostMemory = 8.0F;
@@ -173,7 +170,8 @@ void Planner::applyAsked(std::size_t pair) {
 void Planner::plan(const PlanInput& input) {
   ++step_;
   own_ = {};
-  budget_.begin(input.load);
+  const std::size_t turns = std::exchange(turns_, 0);
+  budget_.begin(input.load, input.clock);
   plans_ = budget_.isLimited() || !policies_.empty() || asks_ || numBelowFinest_ > 0;
   if (!plans_) return;
   if (!policies_.empty()) {
@@ -197,29 +195,39 @@ void Planner::plan(const PlanInput& input) {
   advisesAll_ = false;
   budget_.plan(planned_, settings_.creditLevel);
   for (std::size_t i = 0; i < planned_.size(); ++i) followRequest(i);
-  partOut();
+  partOut(turns);
 }
 
-// In the order of the table, which is about that in which their turns come.
-void Planner::partOut() {
-  const bool isLimited = budget_.isLimited();
-  const auto isOne = [&](const PlannedPair& planned) {
-    return isLimited && planned.target == planned.view.level && mayKeep(planned);
-  };
-  const auto count = static_cast<int>(std::ranges::count_if(planned_, isOne));
-  const bool isShort = budget_.isShort();
-  portions_.assign(isShort ? kPortionsOfShort : kPortions, {});
-  int next = 0;
+// In the order in which their turns came in the step before, as it changes little. Who had none comes last.
+void Planner::findTurns(std::size_t turns) {
+  inTurn_.assign(turns, kNobody);
   for (std::size_t i = 0; i < planned_.size(); ++i) {
+    const PlannedPair& planned = planned_[i];
     Known& known = known_[i];
     known.keeps = false;
     known.portion = kNoPortion;
-    if (!isOne(planned_[i])) continue;
-    known.portion = isShort ? next * kPortionsOfShort / count : portionAt(next, count);
-    ++next;
-    Portion& portion = portions_[static_cast<std::size_t>(known.portion)];
-    if (portion.end == 0) portion.first = i;
-    portion.end = i + 1;
+    if (planned.target != planned.view.level || !mayKeep(planned)) continue;
+    if (known.step == step_ - 1 && known.turn < turns) {
+      inTurn_[known.turn] = i;
+    } else {
+      inTurn_.push_back(i);
+    }
+  }
+  std::erase(inTurn_, kNobody);
+}
+
+void Planner::partOut(std::size_t turns) {
+  findTurns(turns);
+  if (!budget_.isLimited()) inTurn_.clear();
+  const auto count = static_cast<int>(inTurn_.size());
+  portions_.assign(kPortions, {});
+  for (int next = 0; next < count; ++next) {
+    const int portion = portionAt(next, count);
+    const auto place = static_cast<std::size_t>(next);
+    known_[inTurn_[place]].portion = portion;
+    Portion& its = portions_[static_cast<std::size_t>(portion)];
+    if (its.end == 0) its.first = place;
+    its.end = place + 1;
   }
 }
 
@@ -230,11 +238,12 @@ void Planner::beginPortion(int index) {
   Portion& portion = portions_[static_cast<std::size_t>(index)];
   if (portion.hasBegun) return;
   portion.hasBegun = true;
+  budget_.revise();
   double missing = budget_.missing();
-  const std::size_t end = std::min(portion.end, planned_.size());
   for (const bool hasKept : {false, true}) {
-    for (std::size_t i = portion.first; i < end && missing > 0.0; ++i) {
-      if (known_[i].portion != index || known_[i].hasKept != hasKept) continue;
+    for (std::size_t place = portion.first; place < portion.end && missing > 0.0; ++place) {
+      const std::size_t i = inTurn_[place];
+      if (i >= planned_.size() || known_[i].portion != index || known_[i].hasKept != hasKept) continue;
       known_[i].keeps = true;
       missing -= budget_.savedByKeeping(planned_[i]);
     }
@@ -435,6 +444,7 @@ void Planner::takeWork(std::size_t pair, const PairOutcome& outcome, int before)
   lod::PairUnits units = budget_.takeWork(planned, outcome.work);
   known.step = step_;
   known.units = static_cast<float>(units.all);
+  known.turn = turns_++;
   known.hasKept = outcome.work.reuses;
   if (wasRefused(outcome, planned.target)) planned.bound = planned.taken;
   if (hasGoneFiner(outcome, before)) budget_.learnFiner(planned, units.all);
@@ -468,6 +478,7 @@ void Planner::finish() {
   counts_.plannedUnits = plans_ ? budget_.plannedUnits() : 0.0;
   // Steps of a replayed run may have had none.
   counts_.budgetUnits = std::isfinite(budget_.budgetUnits()) ? budget_.budgetUnits() : 0.0;
+  counts_.revisedUnits = counts_.budgetUnits > 0.0 ? budget_.revisedUnits() : 0.0;
   counts_.settledUnits = counts_.budgetUnits > 0.0 ? budget_.settledUnits() : 0.0;
   counts_.hiddenContacts = budget_.hiddenContacts();
   counts_.iterationsLeftOut = budget_.iterationsLeftOut();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -32,6 +33,7 @@ struct SwitchSettings {
 struct PlanInput {
   std::span<const lod::BodyView> bodies{};  ///< Stays valid until the next plan. Only if needsBodies().
   lod::StepLoad load{};
+  lod::StepClock clock{};  ///< Until finish().
 };
 
 /// A body that meets others at a coarser level than it could, and the coarsest level in its pairs.
@@ -205,20 +207,24 @@ class Planner {
     bool keeps = false;         ///< Its contacts, once its portion has begun.
     bool hasKept = false;       ///< It did when it was last processed.
     int step = 0;               ///< The last one in which it was processed.
+    std::size_t turn = 0;       ///< In that step, of the pairs that were not left without a look.
     float averageUnits = 0.0F;  ///< What it costs a step on credit below its finest level: audits are bursts.
     float units = 0.0F;         ///< What it took in that step.
   };
 
   static constexpr std::uint8_t kByProgram = 255;  ///< As lod::Wish::askedBy.
 
-  /// Of the table of pairs, where those of a portion are.
+  static constexpr std::size_t kNobody = std::numeric_limits<std::size_t>::max();
+
+  /// Where its pairs are in inTurn_.
   struct Portion {
     std::size_t first = 0;
     std::size_t end = 0;
     bool hasBegun = false;
   };
 
-  void partOut();
+  void findTurns(std::size_t turns);
+  void partOut(std::size_t turns);
   void showPairs();
   void lookUpBodies(std::size_t pair);
   void advise(std::size_t pair);
@@ -243,7 +249,9 @@ class Planner {
   std::vector<lod::PlannedPair> planned_;
   std::vector<Known> known_;  ///< In the same order.
   std::vector<lod::PairView> views_;
-  std::vector<Portion> portions_;  ///< Of the step under way.
+  std::vector<Portion> portions_;    ///< Of the step under way.
+  std::vector<std::size_t> inTurn_;  ///< Pairs of portions.
+  std::size_t turns_ = 0;            ///< Pairs that have had their turn, and were looked at.
   lod::PolicyList policies_;
   lod::Situation situation_;
   lod::StepBudget budget_;

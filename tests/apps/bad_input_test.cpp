@@ -224,6 +224,7 @@ TEST_F(ProgramTest, ARecordingThatCannotBeReplayedIsRefused) {
       {"frame,budget_units\n1,-3\n", "budget_units below 0"},
       {"budget_units,settled_units\n30,-1\n", "settled_units below 0"},
       {"budget_units,settled_units\n30,30\n30,\n", "line 3"},
+      {"budget_units,revised_units\n30,-1\n", "revised_units below 0"},
       {"frame,budget_units\n1,0\n2,0\n", "had no budget"},
   };
   const fs::path file = fs::temp_directory_path() / (folder.filename().string() + ".csv");

@@ -28,7 +28,8 @@ constexpr const char* kHeader =
     "units,floor_units,reachable_units,budget_verdict,withheld_pairs,overdue_pairs,"
     "pairs_skipped,list_rebuilds,child_pairs,child_pairs_asleep,recycled,bounds_rejected,axis_rejected,gjk_"
     "runs,"
-    "gjk_iterations,detector_runs,half_space_runs,ground_pieces,awake_bodies,budget_ms,budget_units,settled_"
+    "gjk_iterations,detector_runs,half_space_runs,ground_pieces,awake_bodies,budget_ms,budget_units,revised_"
+    "units,settled_"
     "units,"
     "kinetic_energy,max_penetration,state_hash";
 
@@ -163,10 +164,10 @@ TEST_F(RunTest, ARecordedBudgetIsReplayedToTheSameStates) {
   auto replayed = base;
   replayed.insert(replayed.end(), {"--replay", "recorded/frames.csv"});
   EXPECT_EQ(hashes(replayed, "replayed"), states);
-  EXPECT_EQ(columnOf(folder / "replayed/frames.csv", "budget_units"),
-            columnOf(folder / "recorded/frames.csv", "budget_units"));
-  EXPECT_EQ(columnOf(folder / "replayed/frames.csv", "settled_units"),
-            columnOf(folder / "recorded/frames.csv", "settled_units"));
+  for (const char* column : {"budget_units", "revised_units", "settled_units"}) {
+    EXPECT_EQ(columnOf(folder / "replayed/frames.csv", column),
+              columnOf(folder / "recorded/frames.csv", column));
+  }
   const auto options = nlohmann::json::parse(readText(folder / "replayed/summary.json"))["options"];
   EXPECT_EQ(options["switching"]["budget"]["replayed_steps"], 450);
 }

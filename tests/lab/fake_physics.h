@@ -41,6 +41,7 @@ class FakeSwitching final : public LevelSwitching {
   std::vector<LevelEvent> events;
 
   double budgetUnits() const override { return static_cast<double>(steps) / 7.0; }
+  double revisedUnits() const override { return static_cast<double>(steps) / 8.0; }
   double settledUnits() const override { return static_cast<double>(steps) / 9.0; }
   std::span<const LevelEvent> levelEvents() const override { return events; }
 };

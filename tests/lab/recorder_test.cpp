@@ -41,7 +41,7 @@ TEST(FrameRecorder, HasExactlyTheAgreedColumnsInOrder) {
       "awake_"
       "bodies,budget_"
       "ms,budget_"
-      "units,settled_units,kinetic_"
+      "units,revised_units,settled_units,kinetic_"
       "energy,max_"
       "penetration,state_hash");
 }
@@ -65,6 +65,7 @@ TEST(FrameRecorder, FillsAFrameFromOneStep) {
   EXPECT_EQ(value("narrowphase_pairs"), 4.0);
   EXPECT_EQ(value("budget_ms"), 5.0);
   EXPECT_EQ(value("budget_units"), 2.0 / 7.0);
+  EXPECT_EQ(value("revised_units"), 2.0 / 8.0);
   EXPECT_EQ(value("settled_units"), 2.0 / 9.0);
   EXPECT_EQ(value("kinetic_energy"), 2.0 / 3.0);
   EXPECT_EQ(value("max_penetration"), 0.25);

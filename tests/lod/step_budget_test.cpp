@@ -86,8 +86,9 @@ TEST(StepBudget, CountsContactsOfNoPairOfItsOwn) {
 }
 
 /// A step of one pair with so many contacts, of which the solver is shown a quarter where a rung says so.
-double stepUnits(StepBudget& budget, PlannedPair& pair, int contacts, const SolverWork& solver = {}) {
-  budget.begin({});
+double stepUnits(StepBudget& budget, PlannedPair& pair, int contacts, const SolverWork& solver = {},
+                 const StepClock& clock = {}) {
+  budget.begin({}, clock);
   budget.plan({&pair, 1}, 1);
   PairWorkload load;
   load.contacts = contacts;
@@ -167,7 +168,7 @@ TEST_F(StepBudgetOfContacts, AreSolvedWithAllIterationsWhileBodiesLieStill) {
   StepBudget tight;
   tight.set(UnitBudget::ofUnits(0.97 * least));
   int asked = 0;
-  SolverWork solver{.iterations = 10, .milliseconds = 0.0, .isCalm = [&asked] { return ++asked > 0; }};
+  SolverWork solver{.iterations = 10, .isCalm = [&asked] { return ++asked > 0; }};
   EXPECT_NEAR(stepUnits(tight, pair, kContacts, solver), least, 1e-9);
   EXPECT_EQ(tight.iterationsLeftOut(), 0);
   EXPECT_EQ(asked, 1);
@@ -193,13 +194,49 @@ TEST_F(StepBudgetOfContacts, HaveWhatTheClockHasLeft) {
   StepBudget late;
   late.set(UnitBudget::ofMilliseconds(full / 500.0));
   const double found = full - kContacts * CostWeights().contact;
-  SolverWork solver{.iterations = 10, .milliseconds = found / 1000.0};
-  EXPECT_NEAR(stepUnits(late, pair, kContacts, solver), full, 1e-9);
+  double milliseconds = found / 1000.0;
+  const SolverWork solver{.iterations = 10};
+  const StepClock clock = [&milliseconds] { return milliseconds; };
+  EXPECT_NEAR(stepUnits(late, pair, kContacts, solver, clock), full, 1e-9);
   EXPECT_EQ(late.settledUnits(), late.budgetUnits());
-  solver.milliseconds = full / 500.0;
-  stepUnits(late, pair, kContacts, solver);
+  milliseconds = full / 500.0;
+  stepUnits(late, pair, kContacts, solver, clock);
   EXPECT_LT(late.settledUnits(), late.budgetUnits());
   EXPECT_EQ(late.hiddenContacts(), 750);
+}
+
+// As soon as enough of the step has been made, which is when the first of two equal pairs has.
+TEST(StepBudget, LooksOnceAtTheClockAmongThePairs) {
+  std::vector<PlannedPair> pairs(2);
+  PairWorkload load;
+  load.contacts = 5000;
+  StepBudget budget;
+  budget.set(UnitBudget::ofMilliseconds(4.0));
+  int looks = 0;
+  const auto step = [&](double slowness) {
+    looks = 0;
+    budget.begin({}, [&] { return (++looks, slowness * (budget.units() - 1000.0) / 1000.0); });
+    for (PlannedPair& pair : pairs) {
+      pair.view.level = pair.view.finest = pair.target = 1;
+      pair.expected = 1000.0F;
+    }
+    budget.plan(pairs, 1);
+    budget.revise();
+    EXPECT_EQ(looks, 0) << "nothing has been made";
+    budget.takeWork(pairs[0], load);
+    budget.revise();
+    budget.revise();
+    EXPECT_EQ(looks, 1);
+    const bool isShort = budget.isShort();
+    budget.takeWork(pairs[1], load);
+    budget.finish(true);
+    return isShort;
+  };
+  for (int i = 0; i < 10; ++i) step(1.0);
+  EXPECT_FALSE(step(1.0));
+  EXPECT_EQ(budget.revisedUnits(), budget.budgetUnits());
+  EXPECT_TRUE(step(1e6));
+  EXPECT_LT(budget.revisedUnits(), budget.budgetUnits());
 }
 
 TEST(StepBudget, OfMillisecondsNeedsTheClock) {

@@ -122,48 +122,55 @@ UnitBudget onASlowMachine() {
   return budget;
 }
 
-TEST(UnitBudget, SettlesForWhatTheClockHasLeft) {
+TEST(UnitBudget, HasWhatTheClockHasLeft) {
   UnitBudget budget = onASlowMachine();
-  EXPECT_DOUBLE_EQ(budget.settle({.all = 2500.0, .rest = 500.0, .milliseconds = 4.0}), 2500.0);
-  EXPECT_DOUBLE_EQ(budget.settle({.all = 2500.0, .rest = 500.0, .milliseconds = 4.5}), 2250.0);
-  EXPECT_DOUBLE_EQ(budget.settle({.all = 2500.0, .rest = 500.0, .milliseconds = 6.0}), 2000.0);
+  EXPECT_DOUBLE_EQ(budget.settle(2000.0, 4.0), 2500.0);
+  EXPECT_DOUBLE_EQ(budget.settle(2000.0, 4.4), 2000.0 + 0.6 / 0.0022) << "the rest is as slow";
+  EXPECT_DOUBLE_EQ(budget.settle(2000.0, 6.0), 2000.0);
   // A step that has been quick does not get more.
-  EXPECT_DOUBLE_EQ(budget.settle({.all = 2400.0, .rest = 500.0, .milliseconds = 3.0}), 2500.0);
-  EXPECT_DOUBLE_EQ(budget.settle({.all = 900.0, .rest = 900.0, .milliseconds = 9.0}), 250.0);
+  EXPECT_DOUBLE_EQ(budget.settle(1900.0, 3.0), 2500.0);
+  EXPECT_DOUBLE_EQ(budget.settle(100.0, 9.0), 250.0) << "a tenth there is in any case";
+  EXPECT_DOUBLE_EQ(budget.revise(1000.0, 2.0), 2500.0);
+  EXPECT_DOUBLE_EQ(budget.revise(1000.0, 4.0), 1250.0) << "twice as slow";
 }
 
 TEST(UnitBudget, LearnsApartWhatTheRestOfAStepTakes) {
   UnitBudget budget = onASlowMachine();
   for (int i = 0; i < 20; ++i) {
     static_cast<void>(budget.next());
-    static_cast<void>(budget.settle({.all = 2000.0, .rest = 1000.0, .milliseconds = 1.0}));
-    budget.learn(2000.0, 4.0, 1000.0);
+    static_cast<void>(budget.settle(1000.0, 1.0));
+    budget.learn(2000.0, 4.0);
   }
   EXPECT_DOUBLE_EQ(budget.next(), 2500.0);
-  EXPECT_DOUBLE_EQ(budget.settle({.all = 2500.0, .rest = 1000.0, .milliseconds = 2.0}), 2500.0);
-  EXPECT_DOUBLE_EQ(budget.settle({.all = 2500.0, .rest = 1000.0, .milliseconds = 3.5}), 2000.0);
+  EXPECT_DOUBLE_EQ(budget.settle(1500.0, 1.5), 2500.0);
+  EXPECT_DOUBLE_EQ(budget.settle(1500.0, 3.0), 1500.0 + 2.0 / (2.0 * 0.003));
+  EXPECT_DOUBLE_EQ(budget.revise(1000.0, 2.0), 2500.0) << "another point";
 }
 
-TEST(UnitBudget, OfUnitsHasNoClockToSettleFor) {
+TEST(UnitBudget, OfUnitsHasNoClock) {
   UnitBudget budget = UnitBudget::ofUnits(100.0);
   EXPECT_EQ(budget.next(), 100.0);
-  EXPECT_EQ(budget.settle({.all = 90.0, .rest = 50.0, .milliseconds = 1e6}), 100.0);
+  EXPECT_EQ(budget.revise(40.0, 1e6), 100.0);
+  EXPECT_EQ(budget.settle(40.0, 1e6), 100.0);
 }
 
 TEST(UnitBudget, ReplaysWhatTheClockHadLeft) {
-  UnitBudget budget = UnitBudget::replay({100.0, 0.0, 200.0}, {80.0, 0.0, 200.0});
-  constexpr UnitsSoFar kLate{.all = 90.0, .rest = 50.0, .milliseconds = 1e6};
+  UnitBudget budget = UnitBudget::replay({100.0, 0.0, 200.0}, {80.0, 0.0, 200.0}, {90.0, 0.0, 150.0});
   EXPECT_EQ(budget.next(), 100.0);
-  EXPECT_EQ(budget.settle(kLate), 80.0);
+  EXPECT_EQ(budget.revise(40.0, 1e6), 90.0);
+  EXPECT_EQ(budget.settle(40.0, 1e6), 80.0);
   EXPECT_TRUE(std::isinf(budget.next()));
-  EXPECT_TRUE(std::isinf(budget.settle(kLate)));
+  EXPECT_TRUE(std::isinf(budget.revise(40.0, 1e6)));
+  EXPECT_TRUE(std::isinf(budget.settle(40.0, 1e6)));
   for (int i = 0; i < 3; ++i) {
     EXPECT_EQ(budget.next(), 200.0);
-    EXPECT_EQ(budget.settle(kLate), 200.0);
+    EXPECT_EQ(budget.revise(40.0, 1e6), 150.0);
+    EXPECT_EQ(budget.settle(40.0, 1e6), 200.0);
   }
   UnitBudget ofUnits = UnitBudget::replay({100.0});
   EXPECT_EQ(ofUnits.next(), 100.0);
-  EXPECT_EQ(ofUnits.settle(kLate), 100.0);
+  EXPECT_EQ(ofUnits.revise(40.0, 1e6), 100.0);
+  EXPECT_EQ(ofUnits.settle(40.0, 1e6), 100.0);
 }
 
 TEST(UnitBudget, FollowsAMachineThatBecomesSlower) {
@@ -185,11 +192,11 @@ TEST(UnitBudget, AMachineThatIsGivenStandsInForTheClock) {
   for (int i = 0; i < 50; ++i) {
     const double perUnit = i % 3 == 0 ? 0.002 : i % 3 == 1 ? 0.003 : 0.001;
     EXPECT_EQ(given.next(), measured.next()) << i;
-    constexpr UnitsSoFar kLate{.all = 2000.0, .rest = 800.0, .milliseconds = 1e6};
-    EXPECT_EQ(given.settle(kLate), measured.settle({2000.0, 800.0, 1200.0 * perUnit})) << i;
+    EXPECT_EQ(given.revise(700.0, 1e6), measured.revise(700.0, 700.0 * perUnit)) << i;
+    EXPECT_EQ(given.settle(1200.0, 1e6), measured.settle(1200.0, 1200.0 * perUnit)) << i;
     EXPECT_EQ(given.timeOf(2000.0, 1e6), 2000.0 * perUnit);
-    measured.learn(2000.0, 2000.0 * perUnit, 800.0);
-    given.learn(2000.0, given.timeOf(2000.0, 1e6), 800.0);
+    measured.learn(2000.0, 2000.0 * perUnit);
+    given.learn(2000.0, given.timeOf(2000.0, 1e6));
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -345,6 +346,15 @@ TEST(Planner, LetsPairsKeepTheirContactsWhereAStepIsShort) {
   EXPECT_EQ(keepsFrom(SwitchKind::kOnCredit, 2, true), PairPlan::kNever) << "they are held already";
 }
 
+/// Of a pair whose look took so many iterations.
+PairOutcome inContact(int gjkIterations) {
+  PairOutcome outcome;
+  outcome.touching = true;
+  outcome.work.contacts = 4;
+  outcome.work.counts.gjkIterations = gjkIterations;
+  return outcome;
+}
+
 // So that all others of a portion can have their turn at once, when its first has it: the rest of a step
 // finds out what it has taken.
 TEST(Planner, DecidesForPortionsWhetherContactsAreKept) {
@@ -358,17 +368,51 @@ TEST(Planner, DecidesForPortionsWhetherContactsAreKept) {
   row.planner.plan({.bodies = row.views, .load = {.objects = 33, .awake = 33, .broadphasePairs = 32}});
   std::vector<int> sizes(static_cast<std::size_t>(row.planner.countPortions()));
   for (const int place : row.places) ++sizes[static_cast<std::size_t>(row.planner.portionOf(place))];
-  EXPECT_EQ(sizes, (std::vector<int>{16, 8, 4, 2, 2}));
-  PairOutcome dear;
-  dear.touching = true;
-  dear.work.contacts = 4;
-  dear.work.counts.gjkIterations = 100'000;
+  EXPECT_EQ(sizes, (std::vector<int>{16, 8, 4, 2, 1, 1, 0}));
   EXPECT_EQ(row.planner.planPair(row.places[0]).keepsFrom, PairPlan::kNever);
-  row.planner.take(row.places[0], dear);
+  row.planner.take(row.places[0], inContact(100'000));
   EXPECT_EQ(row.planner.planPair(row.places[15]).keepsFrom, PairPlan::kNever)
       << "as the first of its portion";
   EXPECT_EQ(row.planner.planPair(row.places[16]).keepsFrom, 0);
   EXPECT_EQ(row.planner.planPair(row.places[23]).keepsFrom, 0);
+}
+
+// Wherever they are in the table: a pair of the last portion knows what most of the step has taken.
+TEST(Planner, HasPortionsOfPairsWhoseTurnsComeOneAfterTheOther) {
+  PlannedRow row(9);
+  row.touching = true;
+  row.contacts = 4;
+  std::ranges::reverse(row.places);
+  row.planner.setBudget(lod::UnitBudget::ofUnits(1e6));
+  for (int i = 0; i < 3; ++i) row.step();
+  row.planner.plan({.bodies = row.views, .load = {.objects = 9, .awake = 9, .broadphasePairs = 8}});
+  std::vector<int> portions;
+  for (const int place : row.places) portions.push_back(row.planner.portionOf(place));
+  EXPECT_EQ(portions, (std::vector<int>{0, 0, 0, 0, 1, 1, 2, 3}));
+}
+
+// The clock has less for the rest of a step than was thought when it began.
+TEST(Planner, LooksAtTheClockAmongThePairs) {
+  for (const bool isSlow : {false, true}) {
+    PlannedRow row(33);
+    row.touching = true;
+    row.contacts = 4;
+    const std::vector<double> enough(100, 1e6);
+    std::vector<double> left = enough;
+    left.back() = isSlow ? 100.0 : 1e6;
+    row.planner.setBudget(lod::UnitBudget::replay(enough, enough, left));
+    for (int i = 0; i < 99; ++i) row.step();
+    row.planner.plan({.bodies = row.views, .load = {.objects = 33, .awake = 33, .broadphasePairs = 32}});
+    for (std::size_t i = 0; i < 16; ++i) {
+      EXPECT_EQ(row.planner.planPair(row.places[i]).keepsFrom, PairPlan::kNever);
+      row.planner.take(row.places[i], inContact(100));
+    }
+    EXPECT_EQ(row.planner.planPair(row.places[16]).keepsFrom, isSlow ? 0 : PairPlan::kNever);
+    row.planner.finish();
+    EXPECT_EQ(row.planner.counts().budgetUnits, 1e6);
+    EXPECT_EQ(row.planner.counts().revisedUnits, left.back());
+    EXPECT_EQ(row.planner.counts().settledUnits, 1e6);
+  }
 }
 
 TEST(Planner, KnowsWhatCouldNotBeGivenUp) {

@@ -14,8 +14,8 @@ inline constexpr double kStepSeconds = 1.0 / 60.0;
 
 /// Steps a world and records what the step cost and did (report, section 5.1.3), in these channels, in this
 /// order: frame, time_s, physics_ms, physics_cpu_ms, the stages of step_report.h, cpu_load, its counters,
-/// awake_bodies (dynamic ones, after the step), budget_ms, budget_units, settled_units, kinetic_energy,
-/// max_penetration, state_hash.
+/// awake_bodies (dynamic ones, after the step), budget_ms, budget_units, revised_units, settled_units,
+/// kinetic_energy, max_penetration, state_hash.
 class FrameRecorder {
  public:
   /// Adds the channels to `data`, which must have none of them. `budgetMs` is the time that a frame's
@@ -34,6 +34,7 @@ class FrameRecorder {
     kLoad,
     kBudget,
     kUnits,
+    kRevised,
     kSettled,
     kEnergy,
     kPenetration,

@@ -33,8 +33,10 @@ struct PairStepCounts {
   double units = 0.0;  ///< What the step cost.
   double plannedUnits = 0.0;
   double budgetUnits = 0.0;  ///< 0 without a budget.
-  double settledUnits =
-      0.0;  ///< What of it the clock had left when contacts were known; all of it without one.
+
+  /// What of it the clock had left among the contacts, and when these were known; all of it without a clock.
+  double revisedUnits = 0.0;
+  double settledUnits = 0.0;
 
   /// Of a step that took more than its budget, about: what it would have cost if every pair had been as
   /// coarse as it may be where the bodies were. 0 of other steps.

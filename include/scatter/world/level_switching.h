@@ -37,7 +37,9 @@ struct BudgetDef {
   /// after the last one it stays. Empty: none.
   std::vector<double> recorded{};
 
-  /// Of the same steps, LevelSwitching::settledUnits(); empty, of a run whose budget was of units: the same.
+  /// Of the same steps, LevelSwitching::revisedUnits() and settledUnits(); empty, of a run whose budget was
+  /// of units: the same.
+  std::vector<double> revised{};
   std::vector<double> settled{};
 
   /// Of a budget of milliseconds: those that a unit takes, each above 0, step by step, and after the last
@@ -117,8 +119,9 @@ class LevelSwitching {
   /// as BudgetDef::recorded.
   [[nodiscard]] virtual double budgetUnits() const { return 0.0; }
 
-  /// What of these the clock had left when the contacts of the step were known; with budgets of units all of
-  /// them. Goes with BudgetDef::recorded as BudgetDef::settled.
+  /// What of these the clock had left among the contacts of the step, and when they were known; with budgets
+  /// of units all of them. Go with BudgetDef::recorded as BudgetDef::revised and settled.
+  [[nodiscard]] virtual double revisedUnits() const { return 0.0; }
   [[nodiscard]] virtual double settledUnits() const { return 0.0; }
 
   /// What has become of the budget in the last step; without one, and in engines that take none, so it says.

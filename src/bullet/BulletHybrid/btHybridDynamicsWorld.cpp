@@ -354,7 +354,7 @@ void btHybridDynamicsWorld::performDiscreteCollisionDetection()
 	}
 	if (m_planner)
 	{
-		m_planner->finish(getDispatcher(), {getSolverInfo().m_numIterations, getStepMilliseconds(),
+		m_planner->finish(getDispatcher(), {getSolverInfo().m_numIterations,
 		                                    [this] { return btHybridEarlyRest::areStill(m_nonStaticRigidBodies); }});
 		closeRequests();
 	}
@@ -463,7 +463,8 @@ void btHybridDynamicsWorld::planPairs()
 			m_requests->acknowledge(m_hybrids[i]);
 	m_planner->setInfo(btHybridEffective(m_pairSwitching));
 	m_planner->plan(m_collisionObjects, m_nonStaticRigidBodies,
-	                m_broadphasePairCache->getOverlappingPairCache()->getNumOverlappingPairs(), m_constraints.size());
+	                m_broadphasePairCache->getOverlappingPairCache()->getNumOverlappingPairs(), m_constraints.size(),
+	                [this] { return getStepMilliseconds(); });
 }
 
 // A body has switched when all its pairs have.

@@ -67,18 +67,22 @@ const char* btHybridDynamicsWorld::setBudgetUnits(double units)
 	return mistake;
 }
 
-const char* btHybridDynamicsWorld::replayBudget(const double* units, int count, const double* settled)
+const char* btHybridDynamicsWorld::replayBudget(const double* units, int count, const double* settled,
+                                                const double* revised)
 {
 	const char* mistake = checkPairCall();
 	if (!mistake)
 		mistake = btHybridCheckReplay(units, count);
 	if (!mistake && settled)
 		mistake = btHybridCheckReplay(settled, count);
+	if (!mistake && revised)
+		mistake = btHybridCheckReplay(revised, count);
 	if (mistake)
 		return mistake;
-	const std::vector<double> left = settled ? std::vector<double>(settled, settled + count) : std::vector<double>();
-	m_planner->setBudget(scatter::lod::UnitBudget::replay(std::vector<double>(units, units + count), left));
-	return mistake;
+	const auto copyOf = [count](const double* all)
+	{ return all ? std::vector<double>(all, all + count) : std::vector<double>(); };
+	m_planner->setBudget(scatter::lod::UnitBudget::replay(copyOf(units), copyOf(settled), copyOf(revised)));
+	return 0;
 }
 
 const char* btHybridDynamicsWorld::removeBudget()

@@ -128,7 +128,7 @@ void btHybridPlanner::addGround(btHybridLevelBodies* body, btHybridLevelBodies* 
 }
 
 void btHybridPlanner::plan(const btCollisionObjectArray& objects, const btAlignedObjectArray<btRigidBody*>& moving,
-                           int numOverlappingPairs, int numJoints)
+                           int numOverlappingPairs, int numJoints, const scatter::lod::StepClock& clock)
 {
 	if (needsBodies())
 	{
@@ -139,7 +139,7 @@ void btHybridPlanner::plan(const btCollisionObjectArray& objects, const btAligne
 	int numAwake = 0;
 	for (int i = 0; i < moving.size(); i++)
 		numAwake += moving[i]->isActive() ? 1 : 0;
-	Planner::plan({m_bodies, {objects.size(), numAwake, numOverlappingPairs, numJoints}});
+	Planner::plan({m_bodies, {objects.size(), numAwake, numOverlappingPairs, numJoints}, clock});
 }
 
 void btHybridPlanner::finish(btDispatcher* dispatcher, const scatter::lod::SolverWork& solver)

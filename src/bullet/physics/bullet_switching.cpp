@@ -46,6 +46,7 @@ void BulletSwitching::endStep(StepCounters& counters) {
     const btHybridPairStepInfo info = hybrid->getPairStepInfo();
     addPairCounts(info, counters);
     budgetUnits_ = info.budgetUnits;
+    revisedUnits_ = info.revisedUnits;
     settledUnits_ = info.settledUnits;
     const BudgetState state = hybrid->getBudgetState();
     counters.budgetVerdict = static_cast<std::uint32_t>(state.verdict);
@@ -139,8 +140,7 @@ Result<void> BulletSwitching::setSwitching(Switching switching) {
   changed.switching = switching;
   if (auto set = engine_.setSwitching(changed); !set) return set;
   def_ = std::move(changed);
-  budgetUnits_ = 0.0;
-  settledUnits_ = 0.0;
+  budgetUnits_ = revisedUnits_ = settledUnits_ = 0.0;
   if (switchesByPair()) {
     applyFocus();
   } else {

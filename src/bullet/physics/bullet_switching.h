@@ -29,6 +29,7 @@ class BulletSwitching final : public LevelSwitching {
   [[nodiscard]] int pairLevel(BodyId a, BodyId b) const override;
   void coarsestLevels(std::vector<std::uint8_t>& levels) const override;
   [[nodiscard]] double budgetUnits() const override { return budgetUnits_; }
+  [[nodiscard]] double revisedUnits() const override { return revisedUnits_; }
   [[nodiscard]] double settledUnits() const override { return settledUnits_; }
   [[nodiscard]] BudgetState budgetState() const override;
   bool setBudget(const BudgetDef& budget) override;
@@ -58,6 +59,7 @@ class BulletSwitching final : public LevelSwitching {
   LevelListener listener_;
   std::optional<ViewFocus> focus_;
   double budgetUnits_ = 0.0;
+  double revisedUnits_ = 0.0;
   double settledUnits_ = 0.0;
 };
 

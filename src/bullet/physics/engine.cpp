@@ -43,10 +43,12 @@ bool isLimited(const BudgetDef& budget) {
 bool applyBudget(btHybridDynamicsWorld& world, const BudgetDef& budget) {
   if (!budget.recorded.empty()) {
     const std::vector<double>& units = budget.recorded;
-    const bool isSettled = budget.settled.size() == units.size();
-    assert(isSettled || budget.settled.empty());
+    const auto ofSameSteps = [&units](const std::vector<double>& left) {
+      assert(left.empty() || left.size() == units.size());
+      return left.size() == units.size() ? left.data() : nullptr;
+    };
     return isDone(world.replayBudget(units.data(), static_cast<int>(units.size()),
-                                     isSettled ? budget.settled.data() : nullptr));
+                                     ofSameSteps(budget.settled), ofSameSteps(budget.revised)));
   }
   if (budget.units != 0.0) return isDone(world.setBudgetUnits(budget.units));
   if (budget.milliseconds != 0.0 && !budget.machine.empty()) {

@@ -40,7 +40,8 @@ class Gathering : public PairTestWorld {
 struct Recording {
   std::vector<std::vector<std::uint32_t>> bits;
   std::vector<double> units;    ///< That each step was allowed,
-  std::vector<double> settled;  ///< and once its contacts were known.
+  std::vector<double> revised;  ///< among its contacts,
+  std::vector<double> settled;  ///< and once these were known.
   std::vector<int> switches;
   int onCredit = 0;
 };
@@ -52,6 +53,7 @@ Recording record(Gathering& w) {
     const btHybridPairStepInfo info = w.pairInfo();
     run.bits.push_back(w.bits());
     run.units.push_back(info.budgetUnits);
+    run.revised.push_back(info.revisedUnits);
     run.settled.push_back(info.settledUnits);
     run.switches.push_back(info.switchesCoarser + info.switchesFiner);
     run.onCredit += info.creditSwitches;
@@ -87,10 +89,11 @@ TEST(Budget, InMillisecondsIsReplayedFromItsUnits) {
   const Recording recorded = record(timed);
   Gathering replayed;
   replayed.world.replayBudget(recorded.units.data(), static_cast<int>(recorded.units.size()),
-                              recorded.settled.data());
+                              recorded.settled.data(), recorded.revised.data());
   const Recording replay = record(replayed);
   expectSame(recorded, replay);
   EXPECT_EQ(recorded.units, replay.units);
+  EXPECT_EQ(recorded.revised, replay.revised);
   EXPECT_EQ(recorded.settled, replay.settled);
   int switches = 0;
   for (const int count : recorded.switches) switches += count;
@@ -114,7 +117,8 @@ TEST(Budget, InMillisecondsOfAMachineThatIsGivenIsKeptAndTheSameEveryTime) {
   expectSame(one, record(second));
   Gathering replayed;
   for (int i = 0; i < 60; ++i) replayed.pull();
-  replayed.world.replayBudget(one.units.data(), static_cast<int>(one.units.size()), one.settled.data());
+  replayed.world.replayBudget(one.units.data(), static_cast<int>(one.units.size()), one.settled.data(),
+                              one.revised.data());
   expectSame(one, record(replayed));
   for (int i = 30; i < 60; ++i) {
     EXPECT_NEAR(one.units[static_cast<std::size_t>(i)], dearest, 1e-9 * dearest) << i;
