@@ -68,7 +68,7 @@ void StepBudget::revise() {
 }
 
 PairUnits StepBudget::takeWork(PlannedPair& pair, const PairWorkload& work) {
-  const int spare = contacts_.concerns(work.contacts) ? work.contacts : 0;
+  const int spare = ContactThinning::concerns(work.contacts) ? work.contacts : 0;
   const double saved = contacts_.expected(spare);
   const double hidden = costs_.weights().hiddenContact * spare;
   ownSpare_ += spare;

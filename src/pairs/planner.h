@@ -196,8 +196,8 @@ class Planner {
 
  private:
   struct Known {
-    PlannedBody* bodies[2];
-    int* place;             ///< Where its owner keeps its index.
+    PlannedBody* bodies[2]{};
+    int* place = nullptr;   ///< Where its owner keeps its index.
     int coarsest = 1;       ///< The level that it can have.
     bool isGround = false;  ///< The second body has no levels, and is no list of parts.
     PairRequest request{};
