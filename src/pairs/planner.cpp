@@ -200,13 +200,14 @@ void Planner::plan(const PlanInput& input) {
 
 // In the order in which their turns came in the step before, as it changes little. Who had none comes last.
 void Planner::findTurns(std::size_t turns) {
-  inTurn_.assign(turns, kNobody);
+  const bool isLimited = budget_.isLimited();
+  inTurn_.assign(isLimited ? turns : 0, kNobody);
   for (std::size_t i = 0; i < planned_.size(); ++i) {
     const PlannedPair& planned = planned_[i];
     Known& known = known_[i];
     known.keeps = false;
     known.portion = kNoPortion;
-    if (planned.target != planned.view.level || !mayKeep(planned)) continue;
+    if (!isLimited || planned.target != planned.view.level || !mayKeep(planned)) continue;
     if (known.step == step_ - 1 && known.turn < turns) {
       inTurn_[known.turn] = i;
     } else {
@@ -218,7 +219,6 @@ void Planner::findTurns(std::size_t turns) {
 
 void Planner::partOut(std::size_t turns) {
   findTurns(turns);
-  if (!budget_.isLimited()) inTurn_.clear();
   const auto count = static_cast<int>(inTurn_.size());
   portions_.assign(kPortions, {});
   for (int next = 0; next < count; ++next) {
