@@ -119,14 +119,15 @@ Result<BudgetDef> readRecording(const std::string& file) {
   if (!units) {
     return tl::unexpected(units.error());
   }
-  budget.recorded = std::move(*units);
-  if (std::all_of(budget.recorded.begin(), budget.recorded.end(),
-                  [](double value) { return value == 0.0; })) {
+  if (std::ranges::all_of(*units, [](double value) { return value == 0.0; })) {
     return fail("--replay: the run in " + file +
                 " had no budget, so there is nothing to replay; record one with --budget-ms");
   }
-  for (const auto& [column, left] :
-       {std::pair{"revised_units", &budget.revised}, std::pair{"settled_units", &budget.settled}}) {
+  for (const double given : *units) {
+    budget.recorded.push_back({.given = given});
+  }
+  for (const auto& [column, left] : {std::pair{"revised_units", &BudgetUnits::revised},
+                                     std::pair{"settled_units", &BudgetUnits::settled}}) {
     const auto isThere = hasFrameColumn(file, column);
     if (!isThere || !*isThere) {
       continue;
@@ -135,7 +136,9 @@ Result<BudgetDef> readRecording(const std::string& file) {
     if (!read) {
       return tl::unexpected(read.error());
     }
-    *left = std::move(*read);
+    for (std::size_t i = 0; i < read->size(); ++i) {
+      budget.recorded[i].*left = (*read)[i];
+    }
   }
   return budget;
 }

@@ -180,10 +180,9 @@ public:
 	const char* setBudgetUnits(double units);
 
 	/// The units of every step, as btHybridPairStepInfo::budgetUnits had them in an earlier run, which is repeated
-	/// exactly; 0 is a step without a budget. After the last one it stays. Refuses 0 steps, and units that are negative
-	/// or not finite. settled, revised: as many of settledUnits and revisedUnits; 0, of a run whose budget was of
-	/// units: the same.
-	const char* replayBudget(const double* units, int count, const double* settled = 0, const double* revised = 0);
+	/// exactly; a step that was given 0 is one without a budget, and what was revised or settled to 0 stays as it was
+	/// given. After the last one it stays. Refuses 0 steps, and units that are negative or not finite.
+	const char* replayBudget(const btHybridBudgetUnits* steps, int count);
 	const char* removeBudget();
 
 	/// What has become of the budget in the last step: kept, exceeded, or impossible, and what was given up for it.

@@ -121,4 +121,7 @@ typedef scatter::BudgetState btHybridBudgetState;
 /// Counts of one step.
 typedef scatter::PairStepCounts btHybridPairStepInfo;
 
+/// What a step may cost.
+typedef scatter::BudgetUnits btHybridBudgetUnits;
+
 #endif  // BT_HYBRID_SWITCHING_H

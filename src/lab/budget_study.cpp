@@ -73,10 +73,10 @@ struct Cut {
 /// A budget that is cut in the middle of the run.
 BudgetDef cutBudget(double before, double after, const Cut& cut) {
   BudgetDef def;
-  def.recorded.assign(cut.first, before);
+  def.recorded.assign(cut.first, {.given = before});
   // The last one stays.
-  def.recorded.resize(cut.end < cut.frames ? cut.end : cut.first + 1, after);
-  if (cut.end < cut.frames) def.recorded.push_back(before);
+  def.recorded.resize(cut.end < cut.frames ? cut.end : cut.first + 1, {.given = after});
+  if (cut.end < cut.frames) def.recorded.push_back({.given = before});
   return def;
 }
 

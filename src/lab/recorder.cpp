@@ -122,9 +122,10 @@ Result<void> FrameRecorder::step() {
   }
   recordCounters();
   data_.set(measured_[kBudget], budgetMs_);
-  data_.set(measured_[kUnits], physics.switching().budgetUnits());
-  data_.set(measured_[kRevised], physics.switching().revisedUnits());
-  data_.set(measured_[kSettled], physics.switching().settledUnits());
+  const BudgetUnits budget = physics.switching().budgetUnits();
+  data_.set(measured_[kUnits], budget.given);
+  data_.set(measured_[kRevised], budget.revised);
+  data_.set(measured_[kSettled], budget.settled);
   data_.set(measured_[kEnergy], physics.kineticEnergy());
   data_.set(measured_[kPenetration], physics.maxPenetration());
   data_.setHash(hash_, physics.stateHash());

@@ -29,16 +29,16 @@ void StepBudget::begin(const StepLoad& load, StepClock clock) {
   savedUnits_ = looseSaved_;
   fixedUnits_ = costs_.units(load) + looseUnits_ - looseSaved_;
   units_ = fixedUnits_;
-  budgetUnits_ = budget_.next();
-  revisedUnits_ = settledUnits_ = budgetUnits_;
+  const double given = budget_.next();
+  allowed_ = {given, given, given};
   isRevised_ = false;
-  audits_.begin(budgetUnits_);
+  audits_.begin(given);
 }
 
 void StepBudget::plan(std::span<PlannedPair> pairs, int creditLevel) {
   governor_.awaitNew(newPairs_);
   governor_.setCreditLevel(creditLevel);
-  governor_.plan(pairs, costs_, fixedUnits_, budgetUnits_);
+  governor_.plan(pairs, costs_, fixedUnits_, allowed_.given);
 }
 
 void StepBudget::planNew(PlannedPair& pair) {
@@ -63,8 +63,8 @@ void StepBudget::spendQueries(int queries) {
 void StepBudget::revise() {
   if (isRevised_ || !isLimited() || governor_.shareSpent() < kEnough) return;
   isRevised_ = true;
-  revisedUnits_ = budget_.revise(unitsSoFar(), elapsed());
-  governor_.revise(revisedUnits_);
+  allowed_.revised = budget_.revise(unitsSoFar(), elapsed());
+  governor_.revise(allowed_.revised);
 }
 
 PairUnits StepBudget::takeWork(PlannedPair& pair, const PairWorkload& work) {
@@ -96,7 +96,7 @@ void StepBudget::takeLoose(const LooseContacts& contacts) {
 
 void StepBudget::settle(const SolverWork& solver, const ContactThinning::Find& find) {
   if (!isLimited()) return;
-  settledUnits_ = budget_.settle(unitsSoFar(), elapsed());
+  allowed_.settled = budget_.settle(unitsSoFar(), elapsed());
   settleContacts(find);
   settleIterations(solver);
 }
@@ -109,7 +109,7 @@ double StepBudget::unitsSoFar() const {
 
 // The governor plans as if none was shown that need not be: before detail is taken all of them are hidden.
 void StepBudget::settleContacts(const ContactThinning::Find& find) {
-  contacts_.settle(units_ + savedUnits_, settledUnits_, find);
+  contacts_.settle(units_ + savedUnits_, allowed_.settled, find);
   spend(savedUnits_ - contacts_.mostSaved());
   savedUnits_ = contacts_.mostSaved();
   looseSaved_ = std::max(savedUnits_ - contacts_.expected(ownSpare_), 0.0);
@@ -123,7 +123,7 @@ void StepBudget::settleIterations(const SolverWork& solver) {
   const CostWeights& weights = costs_.weights();
   const double each =
       weights.contactIteration * (contactsFound_ - hiddenContacts()) + weights.jointIteration * load_.joints;
-  const int leftOut = lod::iterationsLeftOut(units_, settledUnits_, each, solver.iterations);
+  const int leftOut = lod::iterationsLeftOut(units_, allowed_.settled, each, solver.iterations);
   if (leftOut == 0 || (solver.isCalm && solver.isCalm())) return;
   iterationsLeftOut_ = leftOut;
   iterationUnits_ = each * iterationsLeftOut_;
@@ -136,23 +136,31 @@ void StepBudget::finish(bool isPlanned) {
   lastUnits_ = units_;
 }
 
+bool StepBudget::takeTime() {
+  const double milliseconds = budget_.timeOf(units_, elapsed());
+  const bool isExceeded = budget_.isExceededBy(milliseconds);
+  budget_.learn(units_, milliseconds);
+  return isExceeded;
+}
+
 BudgetState StepBudget::state(double floor) const {
   constexpr double kKept = 1.02;
   BudgetState state;
-  if (!isLimited() || std::isinf(budgetUnits_)) return state;
-  state.budget = budgetUnits_;
+  if (!hasBudget()) return state;
+  const double budget = allowed_.given;
+  state.budget = budget;
   state.taken = units_;
   state.fixed = fixedUnits_;
   state.reachable = std::min(governor_.reachableUnits() - iterationUnits_, units_);
   state.millisecondsPerUnit = budget_.millisecondsPerUnit();
   state.verdict = BudgetVerdict::kKept;
-  if (units_ <= kKept * budgetUnits_) return state;
+  if (units_ <= kKept * budget) return state;
   state.floor = std::min(floor, units_);
   state.isVain = governor_.isVain();
-  if (state.reachable > budgetUnits_) {
+  if (state.reachable > budget) {
     state.verdict = BudgetVerdict::kImpossible;
   } else {
-    const bool isStuck = state.floor > budgetUnits_;
+    const bool isStuck = state.floor > budget;
     state.verdict = isStuck ? BudgetVerdict::kImpossibleNow : BudgetVerdict::kExceeded;
   }
   return state;

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <scatter/lod/budget_state.h>
+#include <scatter/lod/budget_units.h>
 
+#include <cmath>
 #include <functional>
 #include <span>
 
@@ -29,7 +31,7 @@ struct SolverWork {
   std::function<bool()> isCalm{};
 };
 
-/// Milliseconds that the step under way has taken, measured; asked for if needsTime(). None: 0.
+/// Milliseconds that the step under way has taken, measured; asked if needsTime(). None: 0.
 using StepClock = std::function<double()>;
 
 /// What the step under way costs and may cost: the governor with what it is given to govern by. Clock-free
@@ -48,7 +50,7 @@ class StepBudget {
   void share(int steps) { budget_.share(steps); }
 
   /// Begins a step. Contacts that belong to no pair are taken to be those of the step before until
-  /// takeLoose() tells. `clock`: until the step ends.
+  /// takeLoose() tells. `clock`: until takeTime().
   void begin(const StepLoad& load, StepClock clock = {});
 
   /// Gives every pair its target.
@@ -119,21 +121,14 @@ class StepBudget {
   /// Ends a step; `isPlanned`: plan() was called in it.
   void finish(bool isPlanned);
 
-  /// After a step: of processor time, measured.
-  void takeTime(double milliseconds) { budget_.learn(units_, budget_.timeOf(units_, milliseconds)); }
-
-  /// Before takeTime().
-  [[nodiscard]] bool isExceededBy(double milliseconds) const {
-    return budget_.isExceededBy(budget_.timeOf(units_, milliseconds));
-  }
+  /// After a step, if needsTime(): looks at the clock, and learns. Whether it has taken more than its budget.
+  bool takeTime();
 
   [[nodiscard]] double units() const { return units_; }  ///< Of the step under way, or made last.
   [[nodiscard]] double lastUnits() const { return lastUnits_; }
   [[nodiscard]] double plannedUnits() const { return governor_.planned(); }
-  [[nodiscard]] double budgetUnits() const { return budgetUnits_; }  ///< Infinite for none.
-  [[nodiscard]] double revisedUnits() const { return revisedUnits_; }
-  [[nodiscard]] double settledUnits() const { return settledUnits_; }
-  [[nodiscard]] bool isExceeded() const { return isLimited() && units_ > budgetUnits_; }
+  [[nodiscard]] BudgetUnits budgetUnits() const { return hasBudget() ? allowed_ : BudgetUnits(); }
+  [[nodiscard]] bool isExceeded() const { return isLimited() && units_ > allowed_.given; }
 
   /// Of the step that has ended; `floor`: its floorUnits(), if it isExceeded(). What pairs have given up is
   /// the planner's to tell.
@@ -145,6 +140,8 @@ class StepBudget {
   }
 
  private:
+  /// Steps of a run that is replayed may have none.
+  [[nodiscard]] bool hasBudget() const { return isLimited() && std::isfinite(allowed_.given); }
   [[nodiscard]] double elapsed() const { return clock_ && needsTime() ? clock_() : 0.0; }
   void spend(double units);
   void settleContacts(const ContactThinning::Find& find);
@@ -177,10 +174,8 @@ class StepBudget {
   double looseUnits_ = 0.0;  ///< Of these, as they are taken to be.
   double units_ = 0.0;
   double lastUnits_ = 0.0;
-  double budgetUnits_ = 0.0;
-  double revisedUnits_ = 0.0;  ///< What the budget is, once the clock was looked at among the pairs,
-  double settledUnits_ = 0.0;  ///< and once contacts are known.
-  bool isRevised_ = false;     ///< In this step.
+  BudgetUnits allowed_;     ///< Infinite for none.
+  bool isRevised_ = false;  ///< In this step.
 };
 
 }  // namespace scatter::lod

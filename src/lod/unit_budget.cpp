@@ -30,12 +30,9 @@ UnitBudget UnitBudget::ofMilliseconds(double milliseconds, std::vector<double> m
   return budget;
 }
 
-UnitBudget UnitBudget::replay(std::vector<double> units, std::vector<double> settled,
-                              std::vector<double> revised) {
+UnitBudget UnitBudget::replay(std::vector<BudgetUnits> steps) {
   UnitBudget budget;
-  budget.units_ = std::move(units);
-  budget.settledUnits_ = std::move(settled);
-  budget.revisedUnits_ = std::move(revised);
+  budget.recorded_ = std::move(steps);
   return budget;
 }
 
@@ -59,18 +56,18 @@ double UnitBudget::next() {
   return given_;
 }
 
-double UnitBudget::recorded(const std::vector<double>& all) const {
-  if (all.empty() || step_ == 0) return given_;
-  const double units = all[std::min(step_, all.size()) - 1];
-  return units > 0.0 ? units : given_;
+double UnitBudget::recorded(double BudgetUnits::*units) const {
+  if (recorded_.empty() || step_ == 0) return given_;
+  const double all = recorded_[std::min(step_, recorded_.size()) - 1].*units;
+  return all > 0.0 ? all : given_;
 }
 
 double UnitBudget::revise(double units, double milliseconds) {
-  return milliseconds_ > 0.0 ? roomAt(revision_, units, milliseconds) : recorded(revisedUnits_);
+  return milliseconds_ > 0.0 ? roomAt(revision_, units, milliseconds) : recorded(&BudgetUnits::revised);
 }
 
 double UnitBudget::settle(double units, double milliseconds) {
-  return milliseconds_ > 0.0 ? roomAt(settlement_, units, milliseconds) : recorded(settledUnits_);
+  return milliseconds_ > 0.0 ? roomAt(settlement_, units, milliseconds) : recorded(&BudgetUnits::settled);
 }
 
 double UnitBudget::roomAt(StepPoint& point, double units, double measured) {
@@ -86,8 +83,8 @@ double UnitBudget::nextUnits() {
     return ofShared(units > 0.0 ? units : milliseconds_ * kUnitsPerMillisecond);
   }
   if (constant_ > 0.0) return ofShared(constant_);
-  if (units_.empty()) return std::numeric_limits<double>::infinity();
-  const double units = units_[std::min(step_, units_.size() - 1)];
+  if (recorded_.empty()) return std::numeric_limits<double>::infinity();
+  const double units = recorded_[std::min(step_, recorded_.size() - 1)].given;
   ++step_;
   return units > 0.0 ? units : std::numeric_limits<double>::infinity();
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <scatter/lod/budget_units.h>
+
 #include <cstddef>
 #include <vector>
 
@@ -20,11 +22,10 @@ class UnitBudget {
   /// takes is worked out from its units, clock-free. Empty: what is measured.
   [[nodiscard]] static UnitBudget ofMilliseconds(double milliseconds, std::vector<double> machine = {});
 
-  /// What next() gave in an earlier run, step by step; what is not above 0 is no budget. After the last one
-  /// it stays. Empty: no budget. `settled`, `revised`: likewise of settle() and revise(); for steps without
-  /// one, all that was given.
-  [[nodiscard]] static UnitBudget replay(std::vector<double> units, std::vector<double> settled = {},
-                                         std::vector<double> revised = {});
+  /// What next(), revise() and settle() gave in an earlier run, step by step; where next() gave nothing above
+  /// 0 there is no budget, and where the others did what next() gave stays. So does the last step, and none
+  /// is no budget.
+  [[nodiscard]] static UnitBudget replay(std::vector<BudgetUnits> steps);
 
   /// The next so many steps share one budget: those that the caller makes at once.
   void share(int steps);
@@ -63,12 +64,14 @@ class UnitBudget {
   /// Of milliseconds: learn() must be told how long steps take.
   [[nodiscard]] bool needsTime() const { return milliseconds_ > 0.0; }
 
-  [[nodiscard]] bool isLimited() const { return milliseconds_ > 0.0 || constant_ > 0.0 || !units_.empty(); }
+  [[nodiscard]] bool isLimited() const {
+    return milliseconds_ > 0.0 || constant_ > 0.0 || !recorded_.empty();
+  }
 
  private:
   [[nodiscard]] double nextUnits();
   [[nodiscard]] double roomAt(StepPoint& point, double units, double measured);
-  [[nodiscard]] double recorded(const std::vector<double>& units) const;
+  [[nodiscard]] double recorded(double BudgetUnits::*units) const;
   [[nodiscard]] double ofShared(double units);
 
   double milliseconds_ = 0.0;
@@ -78,11 +81,9 @@ class UnitBudget {
   double taken_ = 0.0;           ///< Units that those before them did cost.
   std::vector<double> machine_;  ///< Milliseconds that a unit takes; empty: measured.
   std::size_t machineStep_ = 0;  ///< Of these, that of the step under way.
-  std::vector<double> units_;
-  std::vector<double> settledUnits_;
-  std::vector<double> revisedUnits_;
-  std::size_t step_ = 0;
-  double given_ = 0.0;  ///< By next().
+  std::vector<BudgetUnits> recorded_;
+  std::size_t step_ = 0;  ///< Of these, the one after that under way.
+  double given_ = 0.0;    ///< By next().
   UnitTime unitTime_;
   StepPoint revision_;
   StepPoint settlement_;

@@ -180,7 +180,7 @@ void Planner::plan(const PlanInput& input) {
     situation_.pairs = views_;
     situation_.step = static_cast<std::uint64_t>(step_);
     situation_.load.units = budget_.lastUnits();
-    situation_.load.budget = budget_.isLimited() ? budget_.budgetUnits() : 0.0;
+    situation_.load.budget = budget_.budgetUnits().given;
     policies_.observe(situation_);
   }
   for (std::size_t i = 0; i < planned_.size(); ++i) {
@@ -476,10 +476,7 @@ void Planner::finish() {
   for (std::size_t i = 0; plans_ && i < planned_.size(); ++i) finishPair(i);
   counts_.units = budget_.units();
   counts_.plannedUnits = plans_ ? budget_.plannedUnits() : 0.0;
-  // Steps of a replayed run may have had none.
-  counts_.budgetUnits = std::isfinite(budget_.budgetUnits()) ? budget_.budgetUnits() : 0.0;
-  counts_.revisedUnits = counts_.budgetUnits > 0.0 ? budget_.revisedUnits() : 0.0;
-  counts_.settledUnits = counts_.budgetUnits > 0.0 ? budget_.settledUnits() : 0.0;
+  counts_.budgetUnits = budget_.budgetUnits();
   counts_.hiddenContacts = budget_.hiddenContacts();
   counts_.iterationsLeftOut = budget_.iterationsLeftOut();
   if (budget_.isExceeded()) counts_.floorUnits = budget_.floorUnits(planned_);
@@ -559,9 +556,8 @@ void Planner::findCoarser(std::vector<CoarserBody>& bodies) const {
   for (const CoarserBody& found : bodies) found.body->coarser_ = PlannedBody::kNowhere;
 }
 
-void Planner::takeTime(double milliseconds) {
-  if (budget_.isExceededBy(milliseconds)) lastCounts_.floorUnits = budget_.floorUnits(planned_);
-  budget_.takeTime(milliseconds);
+void Planner::takeTime() {
+  if (budget_.takeTime()) lastCounts_.floorUnits = budget_.floorUnits(planned_);
 }
 
 int Planner::findFinerPair(const void* object) const {

@@ -33,7 +33,7 @@ struct SwitchSettings {
 struct PlanInput {
   std::span<const lod::BodyView> bodies{};  ///< Stays valid until the next plan. Only if needsBodies().
   lod::StepLoad load{};
-  lod::StepClock clock{};  ///< Until finish().
+  lod::StepClock clock{};  ///< Until takeTime().
 };
 
 /// A body that meets others at a coarser level than it could, and the coarsest level in its pairs.
@@ -184,8 +184,8 @@ class Planner {
   /// once, until it switches.
   void findOwed(std::vector<PlannedBody*>& bodies);
 
-  /// After the step, of processor time.
-  void takeTime(double milliseconds);
+  /// After the step, if needsTime().
+  void takeTime();
 
   /// Of the last step.
   [[nodiscard]] const PairStepCounts& counts() const { return lastCounts_; }

@@ -114,8 +114,8 @@ TEST(BudgetStudy, ABudgetThatIsCutIsJudgedOnceThereWasTimeForIt) {
                                    .cut = 2.0});
   ASSERT_TRUE(study);
   ASSERT_EQ(budgets.back().recorded.size(), 61U);
-  EXPECT_EQ(budgets.back().recorded.front(), 200.0);
-  EXPECT_EQ(budgets.back().recorded.back(), 100.0);
+  EXPECT_EQ(budgets.back().recorded.front().given, 200.0);
+  EXPECT_EQ(budgets.back().recorded.back().given, 100.0);
   EXPECT_EQ(study->trials.front().over2, 0);
   EXPECT_DOUBLE_EQ(study->trials.front().worst, 0.99);
 }
@@ -139,8 +139,8 @@ TEST(BudgetStudy, TellsWhenDetailIsBackAfterACut) {
   ASSERT_TRUE(study);
   ASSERT_EQ(budgets.size(), 3U);
   EXPECT_EQ(budgets[1].recorded, [] {
-    std::vector<double> units(91, 200.0);
-    std::fill_n(units.begin() + 60, 30, 100.0);
+    std::vector<BudgetUnits> units(91, {.given = 200.0});
+    std::fill_n(units.begin() + 60, 30, BudgetUnits{.given = 100.0});
     return units;
   }());
   EXPECT_EQ(budgets[2].units, 200.0);

@@ -210,10 +210,10 @@ TEST(Experiment, ABudgetThatIsChangedStaysChanged) {
   ASSERT_TRUE(experiment->setBudget({.units = 300.0}));
   EXPECT_EQ(experiment->summary().physics.switching.budget.units, 300.0);
   test::run(*experiment, 1);
-  EXPECT_EQ(experiment->world().physics().switching().budgetUnits(), 300.0);
+  EXPECT_EQ(experiment->world().physics().switching().budgetUnits().given, 300.0);
   ASSERT_TRUE(experiment->restart());
   test::run(*experiment, 1);
-  EXPECT_EQ(experiment->world().physics().switching().budgetUnits(), 300.0);
+  EXPECT_EQ(experiment->world().physics().switching().budgetUnits().given, 300.0);
 }
 
 }  // namespace

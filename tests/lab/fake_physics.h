@@ -40,9 +40,10 @@ class FakeSwitching final : public LevelSwitching {
   std::uint64_t steps = 0;
   std::vector<LevelEvent> events;
 
-  double budgetUnits() const override { return static_cast<double>(steps) / 7.0; }
-  double revisedUnits() const override { return static_cast<double>(steps) / 8.0; }
-  double settledUnits() const override { return static_cast<double>(steps) / 9.0; }
+  BudgetUnits budgetUnits() const override {
+    const auto units = static_cast<double>(steps);
+    return {units / 7.0, units / 8.0, units / 9.0};
+  }
   std::span<const LevelEvent> levelEvents() const override { return events; }
 };
 

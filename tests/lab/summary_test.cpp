@@ -144,7 +144,7 @@ TEST(WriteSummary, HoldsTheContactCheckAndTheMemoryOfTheFrameWithTheMostChildPai
 TEST(WriteSummary, HoldsBudgetsAndPoliciesOfPairSwitching) {
   RunOptions options = test::fakeRun(WorldKind::kHybrid, 2);
   options.physics.switching.policies = {"speed:from=5", "held"};
-  options.physics.switching.budget.recorded = {1.0, 2.0, 3.0};
+  options.physics.switching.budget.recorded.resize(3, {.given = 1.0});
   options.physics.switching.credit = false;
   const auto run = runScene(options);
   ASSERT_TRUE(run);

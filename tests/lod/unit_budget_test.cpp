@@ -54,7 +54,7 @@ TEST(UnitBudget, MillisecondsAreSharedToo) {
 }
 
 TEST(UnitBudget, WhatIsRecordedIsNotShared) {
-  UnitBudget budget = UnitBudget::replay({100.0, 200.0});
+  UnitBudget budget = UnitBudget::replay({{.given = 100.0}, {.given = 200.0}});
   budget.share(2);
   EXPECT_EQ(budget.next(), 100.0);
   budget.take(1000.0);
@@ -93,8 +93,7 @@ TEST(UnitBudget, FindsOutHowSlowAVerySlowMachineIs) {
 }
 
 TEST(UnitBudget, ReplaysExactlyAndStaysAtTheLast) {
-  const std::vector<double> recorded{1000.1, 0.0, 997.3};
-  UnitBudget budget = UnitBudget::replay(recorded);
+  UnitBudget budget = UnitBudget::replay({{.given = 1000.1}, {}, {.given = 997.3}});
   EXPECT_EQ(budget.next(), 1000.1);
   budget.learn(1000.0, 50.0);
   EXPECT_TRUE(std::isinf(budget.next()));
@@ -105,13 +104,13 @@ TEST(UnitBudget, ReplaysExactlyAndStaysAtTheLast) {
 
 TEST(UnitBudget, ARecordingRepeatsARunThatDependedOnTheClock) {
   UnitBudget first = UnitBudget::ofMilliseconds(3.0);
-  std::vector<double> recorded;
+  std::vector<BudgetUnits> recorded;
   for (int i = 0; i < 50; ++i) {
-    recorded.push_back(first.next());
+    recorded.push_back({.given = first.next()});
     first.learn(1000.0 + i, 1.0 + 0.1 * (i % 7));
   }
   UnitBudget second = UnitBudget::replay(recorded);
-  for (const double units : recorded) EXPECT_EQ(second.next(), units);
+  for (const BudgetUnits& units : recorded) EXPECT_EQ(second.next(), units.given);
 }
 
 /// Of milliseconds, on a machine that takes two microseconds for a unit: 2500 of them in 5 ms.
@@ -155,7 +154,7 @@ TEST(UnitBudget, OfUnitsHasNoClock) {
 }
 
 TEST(UnitBudget, ReplaysWhatTheClockHadLeft) {
-  UnitBudget budget = UnitBudget::replay({100.0, 0.0, 200.0}, {80.0, 0.0, 200.0}, {90.0, 0.0, 150.0});
+  UnitBudget budget = UnitBudget::replay({{100.0, 90.0, 80.0}, {}, {200.0, 150.0, 200.0}});
   EXPECT_EQ(budget.next(), 100.0);
   EXPECT_EQ(budget.revise(40.0, 1e6), 90.0);
   EXPECT_EQ(budget.settle(40.0, 1e6), 80.0);
@@ -167,7 +166,7 @@ TEST(UnitBudget, ReplaysWhatTheClockHadLeft) {
     EXPECT_EQ(budget.revise(40.0, 1e6), 150.0);
     EXPECT_EQ(budget.settle(40.0, 1e6), 200.0);
   }
-  UnitBudget ofUnits = UnitBudget::replay({100.0});
+  UnitBudget ofUnits = UnitBudget::replay({{.given = 100.0}});
   EXPECT_EQ(ofUnits.next(), 100.0);
   EXPECT_EQ(ofUnits.revise(40.0, 1e6), 100.0);
   EXPECT_EQ(ofUnits.settle(40.0, 1e6), 100.0);

@@ -50,14 +50,14 @@ class WorldControlTest : public testing::Test {
 
 TEST_F(WorldControlTest, ABudgetHoldsFromTheNextStepOn) {
   step(5);
-  EXPECT_EQ(hybrid().switching().budgetUnits(), 0.0);
+  EXPECT_EQ(hybrid().switching().budgetUnits().given, 0.0);
   control_->setBudgetMilliseconds(0.5);
   EXPECT_THAT(control_->message(), IsEmpty());
   step(3);
-  EXPECT_GT(hybrid().switching().budgetUnits(), 0.0);
+  EXPECT_GT(hybrid().switching().budgetUnits().given, 0.0);
   control_->setBudgetMilliseconds(0.0);
   step(3);
-  EXPECT_EQ(hybrid().switching().budgetUnits(), 0.0);
+  EXPECT_EQ(hybrid().switching().budgetUnits().given, 0.0);
 }
 
 TEST_F(WorldControlTest, AWorldBesideOneWithABudgetStaysAsItIs) {

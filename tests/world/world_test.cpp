@@ -213,7 +213,7 @@ TEST_F(WorldTest, AnEngineThatCannotSwitchSaysSo) {
   switching.retractRequest(BodyId{1});
   switching.retractAllRequests();
   EXPECT_EQ(switching.pairLevel(BodyId{1}, BodyId{2}), 0);
-  EXPECT_EQ(switching.budgetUnits(), 0.0);
+  EXPECT_EQ(switching.budgetUnits(), BudgetUnits());
   EXPECT_FALSE(switching.setBudget({.units = 5.0}));
   EXPECT_FALSE(switching.setPolicies(Policy::kNone, {}));
   EXPECT_FALSE(switching.setSwitching(Switching::kBody));

@@ -19,7 +19,7 @@ struct BudgetState {
   BudgetVerdict verdict = BudgetVerdict::kNone;
   int steps = 0;  ///< For so many it has been that, this one included.
 
-  double budget = 0.0;  ///< Units that the step was allowed; infinite for none.
+  double budget = 0.0;  ///< Units that the step was allowed; 0 for none.
   double taken = 0.0;   ///< That it took.
   double fixed = 0.0;   ///< Of these, what no level changes: bodies, broadphase, joints, contacts of others.
   double floor = 0.0;   ///< About what it would have taken with all given up that can be, as the bodies lie;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <scatter/lod/budget_units.h>
+
 namespace scatter {
 
 /// What became of the pairs that switch, in one step. Exact counts: the same run after run.
@@ -32,11 +34,7 @@ struct PairStepCounts {
 
   double units = 0.0;  ///< What the step cost.
   double plannedUnits = 0.0;
-  double budgetUnits = 0.0;  ///< 0 without a budget.
-
-  /// What of it the clock had left among the contacts, and when these were known; all of it without a clock.
-  double revisedUnits = 0.0;
-  double settledUnits = 0.0;
+  BudgetUnits budgetUnits{};
 
   /// Of a step that took more than its budget, about: what it would have cost if every pair had been as
   /// coarse as it may be where the bodies were. 0 of other steps.

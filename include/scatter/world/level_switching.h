@@ -1,6 +1,7 @@
 #pragma once
 
 #include <scatter/lod/budget_state.h>
+#include <scatter/lod/budget_units.h>
 #include <scatter/math.h>
 #include <scatter/result.h>
 #include <scatter/world/body.h>
@@ -33,14 +34,9 @@ struct BudgetDef {
   double milliseconds = 0.0;  ///< Of processor time; 0: no budget. Depends on the clock, but for `machine`.
   double units = 0.0;         ///< Of predicted cost; 0: no budget. The same run after run.
 
-  /// Units a step, as LevelSwitching::budgetUnits() gave them in an earlier run, which is repeated exactly;
-  /// after the last one it stays. Empty: none.
-  std::vector<double> recorded{};
-
-  /// Of the same steps, LevelSwitching::revisedUnits() and settledUnits(); empty, of a run whose budget was
-  /// of units: the same.
-  std::vector<double> revised{};
-  std::vector<double> settled{};
+  /// Step by step, as LevelSwitching::budgetUnits() gave them in an earlier run, which is repeated exactly;
+  /// after the last one it stays. Empty: none. What is revised or settled to 0 stays as it was given.
+  std::vector<BudgetUnits> recorded{};
 
   /// Of a budget of milliseconds: those that a unit takes, each above 0, step by step, and after the last
   /// from the first again. Then the clock is not asked: the same run after run. Empty: as the clock has it.
@@ -115,14 +111,8 @@ class LevelSwitching {
   /// level() is what is in use.
   virtual void coarsestLevels(std::vector<std::uint8_t>& levels) const { levels.clear(); }
 
-  /// What the last step was allowed to cost, in units; 0 without a budget. Repeats the run exactly when given
-  /// as BudgetDef::recorded.
-  [[nodiscard]] virtual double budgetUnits() const { return 0.0; }
-
-  /// What of these the clock had left among the contacts of the step, and when they were known; with budgets
-  /// of units all of them. Go with BudgetDef::recorded as BudgetDef::revised and settled.
-  [[nodiscard]] virtual double revisedUnits() const { return 0.0; }
-  [[nodiscard]] virtual double settledUnits() const { return 0.0; }
+  /// What the last step was allowed to cost. Repeats the run exactly when given as BudgetDef::recorded.
+  [[nodiscard]] virtual BudgetUnits budgetUnits() const { return {}; }
 
   /// What has become of the budget in the last step; without one, and in engines that take none, so it says.
   [[nodiscard]] virtual BudgetState budgetState() const { return {}; }

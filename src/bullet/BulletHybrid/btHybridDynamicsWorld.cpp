@@ -392,7 +392,7 @@ void btHybridDynamicsWorld::internalSingleStepSimulation(btScalar timeStep)
 	m_stepBegan = btHybridStepClock::getThreadMilliseconds();
 	m_isTimed = true;
 	btDiscreteDynamicsWorld::internalSingleStepSimulation(timeStep);
-	m_planner->takeTime(getStepMilliseconds());
+	m_planner->takeTime();
 	m_isTimed = false;
 }
 

@@ -67,22 +67,14 @@ const char* btHybridDynamicsWorld::setBudgetUnits(double units)
 	return mistake;
 }
 
-const char* btHybridDynamicsWorld::replayBudget(const double* units, int count, const double* settled,
-                                                const double* revised)
+const char* btHybridDynamicsWorld::replayBudget(const btHybridBudgetUnits* steps, int count)
 {
 	const char* mistake = checkPairCall();
 	if (!mistake)
-		mistake = btHybridCheckReplay(units, count);
-	if (!mistake && settled)
-		mistake = btHybridCheckReplay(settled, count);
-	if (!mistake && revised)
-		mistake = btHybridCheckReplay(revised, count);
-	if (mistake)
-		return mistake;
-	const auto copyOf = [count](const double* all)
-	{ return all ? std::vector<double>(all, all + count) : std::vector<double>(); };
-	m_planner->setBudget(scatter::lod::UnitBudget::replay(copyOf(units), copyOf(settled), copyOf(revised)));
-	return 0;
+		mistake = btHybridCheckReplay(steps, count);
+	if (!mistake)
+		m_planner->setBudget(scatter::lod::UnitBudget::replay(std::vector<btHybridBudgetUnits>(steps, steps + count)));
+	return mistake;
 }
 
 const char* btHybridDynamicsWorld::removeBudget()

@@ -65,12 +65,13 @@ const char* btHybridCheckBudgetUnits(double units)
 	           : "a budget must be a finite number of units above 0; removeBudget() ends one";
 }
 
-const char* btHybridCheckReplay(const double* units, int count)
+const char* btHybridCheckReplay(const btHybridBudgetUnits* steps, int count)
 {
-	if (!units || count <= 0)
+	if (!steps || count <= 0)
 		return "a budget to be replayed needs the units of at least one step; removeBudget() ends one";
+	const auto isUnits = [](double units) { return std::isfinite(units) && units >= 0; };
 	for (int i = 0; i < count; i++)
-		if (!std::isfinite(units[i]) || units[i] < 0)
+		if (!isUnits(steps[i].given) || !isUnits(steps[i].revised) || !isUnits(steps[i].settled))
 			return "a budget to be replayed needs finite units in every step, not negative; 0 is a step without a "
 			       "budget";
 	return 0;

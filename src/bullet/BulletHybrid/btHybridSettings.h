@@ -15,7 +15,7 @@ btHybridCollisionInfo btHybridEffective(const btHybridCollisionInfo& info);
 const char* btHybridCheckThreads(int threads);
 const char* btHybridCheckBudget(double milliseconds);
 const char* btHybridCheckBudgetUnits(double units);
-const char* btHybridCheckReplay(const double* units, int count);
+const char* btHybridCheckReplay(const btHybridBudgetUnits* steps, int count);
 const char* btHybridCheckMachine(const double* millisecondsPerUnit, int count);
 const char* btHybridCheckFocus(const btVector3& eye, const btVector3& target, btScalar fieldOfView);
 

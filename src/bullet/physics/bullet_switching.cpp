@@ -46,8 +46,6 @@ void BulletSwitching::endStep(StepCounters& counters) {
     const btHybridPairStepInfo info = hybrid->getPairStepInfo();
     addPairCounts(info, counters);
     budgetUnits_ = info.budgetUnits;
-    revisedUnits_ = info.revisedUnits;
-    settledUnits_ = info.settledUnits;
     const BudgetState state = hybrid->getBudgetState();
     counters.budgetVerdict = static_cast<std::uint32_t>(state.verdict);
     counters.reachableUnits = static_cast<std::uint32_t>(std::lround(state.reachable));
@@ -140,7 +138,7 @@ Result<void> BulletSwitching::setSwitching(Switching switching) {
   changed.switching = switching;
   if (auto set = engine_.setSwitching(changed); !set) return set;
   def_ = std::move(changed);
-  budgetUnits_ = revisedUnits_ = settledUnits_ = 0.0;
+  budgetUnits_ = {};
   if (switchesByPair()) {
     applyFocus();
   } else {

@@ -28,9 +28,7 @@ class BulletSwitching final : public LevelSwitching {
   void retractAllRequests() override;
   [[nodiscard]] int pairLevel(BodyId a, BodyId b) const override;
   void coarsestLevels(std::vector<std::uint8_t>& levels) const override;
-  [[nodiscard]] double budgetUnits() const override { return budgetUnits_; }
-  [[nodiscard]] double revisedUnits() const override { return revisedUnits_; }
-  [[nodiscard]] double settledUnits() const override { return settledUnits_; }
+  [[nodiscard]] BudgetUnits budgetUnits() const override { return budgetUnits_; }
   [[nodiscard]] BudgetState budgetState() const override;
   bool setBudget(const BudgetDef& budget) override;
   [[nodiscard]] Result<void> setPolicies(Policy policy, const std::vector<std::string>& policies) override;
@@ -58,9 +56,7 @@ class BulletSwitching final : public LevelSwitching {
   BulletBodies& bodies_;
   LevelListener listener_;
   std::optional<ViewFocus> focus_;
-  double budgetUnits_ = 0.0;
-  double revisedUnits_ = 0.0;
-  double settledUnits_ = 0.0;
+  BudgetUnits budgetUnits_;
 };
 
 }  // namespace scatter

@@ -42,13 +42,7 @@ bool isLimited(const BudgetDef& budget) {
 
 bool applyBudget(btHybridDynamicsWorld& world, const BudgetDef& budget) {
   if (!budget.recorded.empty()) {
-    const std::vector<double>& units = budget.recorded;
-    const auto ofSameSteps = [&units](const std::vector<double>& left) {
-      assert(left.empty() || left.size() == units.size());
-      return left.size() == units.size() ? left.data() : nullptr;
-    };
-    return isDone(world.replayBudget(units.data(), static_cast<int>(units.size()),
-                                     ofSameSteps(budget.settled), ofSameSteps(budget.revised)));
+    return isDone(world.replayBudget(budget.recorded.data(), static_cast<int>(budget.recorded.size())));
   }
   if (budget.units != 0.0) return isDone(world.setBudgetUnits(budget.units));
   if (budget.milliseconds != 0.0 && !budget.machine.empty()) {

@@ -76,8 +76,8 @@ inline std::vector<PairCall> soundPairCalls() {
       },
       [](btHybridDynamicsWorld& w) { return w.setBudgetUnits(4); },
       [](btHybridDynamicsWorld& w) {
-        const double units[] = {3, 0, 5};
-        return w.replayBudget(units, 3, units);
+        const btHybridBudgetUnits steps[] = {{3, 3, 3}, {}, {5, 4, 5}};
+        return w.replayBudget(steps, 3);
       },
       [](btHybridDynamicsWorld& w) { return w.removeBudget(); },
       [](btHybridDynamicsWorld& w) { return w.addPolicy("speed"); },

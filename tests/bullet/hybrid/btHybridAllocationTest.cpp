@@ -178,8 +178,10 @@ TEST(Allocations, PairsThatSwitchWithinABudgetMakeNoneAfterWarmUp) {
     }
     return count;
   };
-  std::vector<double> units;
-  for (int i = 0; i < 100 * Swaying::kPeriod; ++i) units.push_back(i % Swaying::kPeriod < 25 ? 150 : 20000);
+  std::vector<btHybridBudgetUnits> units;
+  for (int i = 0; i < 100 * Swaying::kPeriod; ++i) {
+    units.push_back({.given = i % Swaying::kPeriod < 25 ? 150.0 : 20000.0});
+  }
   w.world.replayBudget(units.data(), static_cast<int>(units.size()));
   EXPECT_GT(run(24 * Swaying::kPeriod), 0);
   switches = 0;

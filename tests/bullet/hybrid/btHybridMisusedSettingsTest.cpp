@@ -38,30 +38,33 @@ TEST_F(MisuseTest, BudgetsThatMakeNoSenseAreRefused) {
     const double units[] = {1, bad};
     EXPECT_THAT(w->setBudgetMilliseconds(bad, units, 1), HasSubstr("finite number of milliseconds")) << bad;
     EXPECT_THAT(w->setBudgetMilliseconds(4, units, 2), HasSubstr("above 0 for a unit of every step")) << bad;
-    if (bad != 0.0) {
-      EXPECT_THAT(w->replayBudget(units, 2), HasSubstr("finite units")) << bad;
+    for (const btHybridBudgetUnits& step : {btHybridBudgetUnits{bad, 1, 1}, {1, bad, 1}, {1, 1, bad}}) {
+      if (bad == 0.0) continue;
+      const btHybridBudgetUnits steps[] = {{1, 1, 1}, step};
+      EXPECT_THAT(w->replayBudget(steps, 2), HasSubstr("finite units")) << bad;
     }
   }
   const double sound[] = {1, 2};
+  const btHybridBudgetUnits step{1, 1, 1};
   EXPECT_NE(w->replayBudget(nullptr, 2), nullptr);
-  EXPECT_NE(w->replayBudget(sound, 0), nullptr);
-  EXPECT_NE(w->replayBudget(sound, -1), nullptr);
+  EXPECT_NE(w->replayBudget(&step, 0), nullptr);
+  EXPECT_NE(w->replayBudget(&step, -1), nullptr);
   EXPECT_THAT(w->setBudgetMilliseconds(4, nullptr, 2), HasSubstr("at least one step"));
   EXPECT_THAT(w->setBudgetMilliseconds(4, sound, 0), HasSubstr("at least one step"));
   w.step();
-  EXPECT_EQ(w->getPairStepInfo().budgetUnits, 1234) << "nothing has changed";
+  EXPECT_EQ(w->getPairStepInfo().budgetUnits.given, 1234) << "nothing has changed";
 }
 
 TEST_F(MisuseTest, ReplayedStepsWithoutBudgetAreReportedAsSuch) {
   LooseWorld w;
   auto one = body();
   w->addRigidBody(one.get());
-  const double units[] = {0, 70};
-  ASSERT_EQ(w->replayBudget(units, 2), nullptr);
+  const btHybridBudgetUnits steps[] = {{}, {.given = 70}};
+  ASSERT_EQ(w->replayBudget(steps, 2), nullptr);
   w.step();
-  EXPECT_EQ(w->getPairStepInfo().budgetUnits, 0);
+  EXPECT_EQ(w->getPairStepInfo().budgetUnits, btHybridBudgetUnits());
   w.step();
-  EXPECT_EQ(w->getPairStepInfo().budgetUnits, 70);
+  EXPECT_EQ(w->getPairStepInfo().budgetUnits, (btHybridBudgetUnits{70, 70, 70}));
 }
 
 TEST_F(MisuseTest, PoliciesAndFocusThatMakeNoSenseAreRefused) {

@@ -39,9 +39,7 @@ class Gathering : public PairTestWorld {
 
 struct Recording {
   std::vector<std::vector<std::uint32_t>> bits;
-  std::vector<double> units;    ///< That each step was allowed,
-  std::vector<double> revised;  ///< among its contacts,
-  std::vector<double> settled;  ///< and once these were known.
+  std::vector<btHybridBudgetUnits> units;  ///< That each step was allowed.
   std::vector<int> switches;
   int onCredit = 0;
 };
@@ -53,8 +51,6 @@ Recording record(Gathering& w) {
     const btHybridPairStepInfo info = w.pairInfo();
     run.bits.push_back(w.bits());
     run.units.push_back(info.budgetUnits);
-    run.revised.push_back(info.revisedUnits);
-    run.settled.push_back(info.settledUnits);
     run.switches.push_back(info.switchesCoarser + info.switchesFiner);
     run.onCredit += info.creditSwitches;
   }
@@ -88,13 +84,10 @@ TEST(Budget, InMillisecondsIsReplayedFromItsUnits) {
   timed.world.setBudgetMilliseconds(0.05);
   const Recording recorded = record(timed);
   Gathering replayed;
-  replayed.world.replayBudget(recorded.units.data(), static_cast<int>(recorded.units.size()),
-                              recorded.settled.data(), recorded.revised.data());
+  replayed.world.replayBudget(recorded.units.data(), static_cast<int>(recorded.units.size()));
   const Recording replay = record(replayed);
   expectSame(recorded, replay);
   EXPECT_EQ(recorded.units, replay.units);
-  EXPECT_EQ(recorded.revised, replay.revised);
-  EXPECT_EQ(recorded.settled, replay.settled);
   int switches = 0;
   for (const int count : recorded.switches) switches += count;
   EXPECT_GT(switches, 20);
@@ -117,12 +110,11 @@ TEST(Budget, InMillisecondsOfAMachineThatIsGivenIsKeptAndTheSameEveryTime) {
   expectSame(one, record(second));
   Gathering replayed;
   for (int i = 0; i < 60; ++i) replayed.pull();
-  replayed.world.replayBudget(one.units.data(), static_cast<int>(one.units.size()), one.settled.data(),
-                              one.revised.data());
+  replayed.world.replayBudget(one.units.data(), static_cast<int>(one.units.size()));
   expectSame(one, record(replayed));
   for (int i = 30; i < 60; ++i) {
-    EXPECT_NEAR(one.units[static_cast<std::size_t>(i)], dearest, 1e-9 * dearest) << i;
-    EXPECT_NEAR(one.units[static_cast<std::size_t>(i + 60)], dearest / 2, 1e-9 * dearest) << i;
+    EXPECT_NEAR(one.units[static_cast<std::size_t>(i)].given, dearest, 1e-9 * dearest) << i;
+    EXPECT_NEAR(one.units[static_cast<std::size_t>(i + 60)].given, dearest / 2, 1e-9 * dearest) << i;
   }
 }
 
@@ -131,13 +123,13 @@ TEST(Budget, IsSharedByTheStepsOfACall) {
   constexpr double kUnits = 3000;
   w.world.setBudgetUnits(kUnits);
   w.pull();
-  EXPECT_EQ(w.pairInfo().budgetUnits, kUnits);
+  EXPECT_EQ(w.pairInfo().budgetUnits.given, kUnits);
   EXPECT_EQ(w.world.stepSimulation(3.0F / 60 + 1e-4F, 3, 1.0F / 60), 3);
   // The last of three has what the others have left, which cost less than two thirds.
-  EXPECT_GT(w.pairInfo().budgetUnits, kUnits / 3);
-  EXPECT_LT(w.pairInfo().budgetUnits, kUnits);
+  EXPECT_GT(w.pairInfo().budgetUnits.given, kUnits / 3);
+  EXPECT_LT(w.pairInfo().budgetUnits.given, kUnits);
   w.pull();
-  EXPECT_EQ(w.pairInfo().budgetUnits, kUnits);
+  EXPECT_EQ(w.pairInfo().budgetUnits.given, kUnits);
 }
 
 TEST(Budget, SaysWhetherItIsKeptAndWhatCannotBeGivenUp) {
@@ -307,9 +299,8 @@ class CountedSlabs : public Slabs {
   /// The same of what a budget of as much as is wanted has left when contacts are known, in its second step.
   double findShortRest() {
     return findFirst([this](double units) {
-      const double all[] = {kEnough, kEnough};
-      const double settled[] = {kEnough, units};
-      world.replayBudget(all, 2, settled);
+      const btHybridBudgetUnits steps[] = {{.given = kEnough}, {.given = kEnough, .settled = units}};
+      world.replayBudget(steps, 2);
       static_cast<void>(iterations());
     });
   }
@@ -355,17 +346,14 @@ TEST(Budget, LeavesOutNoIterationsOfWhatLiesStill) {
 TEST(Budget, ReplaysWhatTheClockHadLeftOfIt) {
   CountedSlabs w;
   const double enough = CountedSlabs::kEnough;
-  const std::vector<double> units{enough, enough, enough};
+  std::vector<btHybridBudgetUnits> steps(3, {enough, enough, enough});
   // The slabs slide on meanwhile, and take a little less.
-  const std::vector<double> settled{enough, 0.9 * w.findShortRest(), enough};
-  w.world.replayBudget(units.data(), 3, settled.data());
-  for (const double left : settled) {
-    EXPECT_EQ(*w.iterations().begin() < 10, left < enough);
-    EXPECT_EQ(w.pairInfo().budgetUnits, enough);
-    EXPECT_EQ(w.pairInfo().settledUnits, left);
+  steps[1].settled = 0.9 * w.findShortRest();
+  w.world.replayBudget(steps.data(), 3);
+  for (const btHybridBudgetUnits& allowed : steps) {
+    EXPECT_EQ(*w.iterations().begin() < 10, allowed.settled < enough);
+    EXPECT_EQ(w.pairInfo().budgetUnits, allowed);
   }
-  const std::vector<double> negative{enough, -1, enough};
-  EXPECT_NE(w.world.replayBudget(units.data(), 3, negative.data()), nullptr);
 }
 
 // What was decided for a step's contacts does not outlive them.
@@ -405,13 +393,13 @@ TEST(Budget, SeldomChangesHowManyContactsItLeavesToOthers) {
 TEST(Budget, IsThereAfterItIsSetAndGoneWhenItIsRemoved) {
   Gathering w;
   w.pull();
-  EXPECT_EQ(w.pairInfo().budgetUnits, 0);
+  EXPECT_EQ(w.pairInfo().budgetUnits.given, 0);
   w.world.setBudgetUnits(100);
   w.pull();
-  EXPECT_EQ(w.pairInfo().budgetUnits, 100);
+  EXPECT_EQ(w.pairInfo().budgetUnits.given, 100);
   w.world.removeBudget();
   w.pull();
-  EXPECT_EQ(w.pairInfo().budgetUnits, 0);
+  EXPECT_EQ(w.pairInfo().budgetUnits.given, 0);
 }
 
 TEST(Audit, IsMadeAfterTheMotionThatIsAllowedAndNeverAtZero) {

@@ -71,7 +71,7 @@ TEST(Quiet, NothingIsPlannedWithoutAReason) {
     w.pull();
     const btHybridPairStepInfo info = w.pairInfo();
     ASSERT_EQ(info.plannedUnits, 0);
-    ASSERT_EQ(info.budgetUnits, 0);
+    ASSERT_EQ(info.budgetUnits, btHybridBudgetUnits());
     ASSERT_EQ(info.separationQueries, 0);
     ASSERT_EQ(info.audits, 0);
     ASSERT_EQ(info.switchesCoarser + info.switchesFiner, 0);

@@ -38,12 +38,12 @@ TEST(BudgetAtRunTime, TakesDetailAwayAndGivesItBack) {
   EXPECT_EQ(countLevels(swarm.physics()).coarse, 0);
   ASSERT_TRUE(swarm.squeeze());
   swarm.step(60);
-  EXPECT_EQ(swarm.physics().switching().budgetUnits(), 80.0);
+  EXPECT_EQ(swarm.physics().switching().budgetUnits().given, 80.0);
   EXPECT_GT(countLevels(swarm.physics()).coarse, 20);
   const int coarse = countLevels(swarm.physics()).coarse;
   ASSERT_TRUE(swarm.physics().switching().setBudget({}));
   swarm.step(240);
-  EXPECT_EQ(swarm.physics().switching().budgetUnits(), 0.0);
+  EXPECT_EQ(swarm.physics().switching().budgetUnits().given, 0.0);
   EXPECT_LT(countLevels(swarm.physics()).coarse, coarse);
 }
 

@@ -1,0 +1,15 @@
+#pragma once
+
+namespace scatter {
+
+/// What a step may cost, in units: ever better known while it is made. Of a budget of units, and of one
+/// without a clock, all three are the same.
+struct BudgetUnits {
+  double given = 0.0;    ///< When the step began; 0 without a budget.
+  double revised = 0.0;  ///< What of it the clock had left among the pairs,
+  double settled = 0.0;  ///< and once all contacts were known.
+
+  friend bool operator==(const BudgetUnits&, const BudgetUnits&) = default;
+};
+
+}  // namespace scatter
