@@ -1,6 +1,7 @@
 #include <scatter/lab/budget_study.h>
 #include <scatter/lab/recorded_machine.h>
 
+#include "lab/repeats.h"
 #include "lab/run_series.h"
 #include "lab/text.h"
 #include "lab/text_table.h"
@@ -20,8 +21,12 @@ using Cells = std::vector<std::string>;
 constexpr double kOver2 = 1.02;
 constexpr double kOver5 = 1.05;
 
+bool asksTheClock(const BudgetStudyOptions& options) {
+  return options.byClock && options.machine.empty();
+}
+
 const char* measured(const BudgetStudyOptions& options) {
-  return options.byClock && options.machine.empty() ? "physics_cpu_ms" : "cost_units";
+  return asksTheClock(options) ? "physics_cpu_ms" : "cost_units";
 }
 
 /// What a frame takes: units, or milliseconds by the clock or on the machine.
@@ -30,15 +35,19 @@ std::vector<double> costsOf(const Run& run, const BudgetStudyOptions& options) {
   return options.machine.empty() ? values : timeOnMachine(values, options.machine);
 }
 
-/// Odd frames are the clock's. On a machine that becomes slower and quicker budgets are to be such that they
-/// can be kept while it is slow.
-double floorOf(const Run& run, const BudgetStudyOptions& options) {
+/// Of runs of the coarsest world. Odd frames are the clock's. On a machine that becomes slower and quicker
+/// budgets are to be such that they can be kept while it is slow.
+double floorOf(const std::vector<std::vector<double>>& runs, const BudgetStudyOptions& options) {
   constexpr double kUsual = 0.99;
   constexpr double kSlow = 0.9;
-  const bool isGiven = !options.machine.empty();
-  const double share = options.byClock && !isGiven ? kUsual : 1.0;
-  const double dearest = nearestRank(run.table.values(measured(options)), share);
-  return isGiven ? dearest * nearestRank(options.machine, kSlow) : dearest;
+  const double share = asksTheClock(options) ? kUsual : 1.0;
+  const double dearest = nearestRank(lab::framewiseMedian(runs), share);
+  return options.machine.empty() ? dearest : dearest * nearestRank(options.machine, kSlow);
+}
+
+/// Runs of the coarsest world; by the clock several, as all budgets depend on what is measured in it.
+std::size_t countFloorRuns(const BudgetStudyOptions& options) {
+  return asksTheClock(options) ? 3 : 1;
 }
 
 BudgetDef constantBudget(double budget, const BudgetStudyOptions& options) {
@@ -157,15 +166,20 @@ class Runner {
  public:
   Runner(const BudgetStudyOptions& options, const std::function<void(const CompareProgress&)>& progress)
       : options_(options),
-        series_(options.scenes.size() * (2 + (options.cutFrames > 0 ? 2 : 1) * options.floors.size()),
+        series_(options.scenes.size() *
+                    (1 + countFloorRuns(options) + (options.cutFrames > 0 ? 2 : 1) * options.floors.size()),
                 progress) {}
 
   Result<void> addScene(const BudgetScene& scene, BudgetStudy& study) {
-    const auto coarsest = series_.run(scene.coarsest, scene.name + ", coarsest");
-    if (!coarsest) {
-      return tl::unexpected(coarsest.error());
+    std::vector<std::vector<double>> coarsest;
+    for (std::size_t i = 0; i < countFloorRuns(options_); ++i) {
+      const auto run = series_.run(scene.coarsest, scene.name + ", coarsest");
+      if (!run) {
+        return tl::unexpected(run.error());
+      }
+      coarsest.push_back(run->table.values(measured(options_)));
     }
-    const double floor = floorOf(*coarsest, options_);
+    const double floor = floorOf(coarsest, options_);
     if (!(floor > 0.0)) {
       study.idle.push_back(scene.name);
       return {};

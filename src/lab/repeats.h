@@ -3,6 +3,7 @@
 #include <scatter/lab/comparison.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <utility>
@@ -34,6 +35,21 @@ namespace scatter::lab {
   }
   const auto [min, max] = std::minmax_element(ratios.begin(), ratios.end());
   return {.median = medianOf(ratios), .min = *min, .max = *max};
+}
+
+/// Of runs that do the same in every frame: frame by frame the median of what they took, without what the
+/// machine has added to one of them. As many frames as the shortest has.
+[[nodiscard]] inline std::vector<double> framewiseMedian(const std::vector<std::vector<double>>& runs) {
+  std::vector<double> medians;
+  for (std::size_t frame = 0; !runs.empty(); ++frame) {
+    std::vector<double> values;
+    for (const std::vector<double>& run : runs) {
+      if (frame >= run.size()) return medians;
+      values.push_back(run[frame]);
+    }
+    medians.push_back(medianOf(std::move(values)));
+  }
+  return medians;
 }
 
 }  // namespace scatter::lab

@@ -1,6 +1,7 @@
 #include <scatter/lab/budget_study.h>
 
 #include "lab/fake_physics.h"
+#include "lab/repeats.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -84,6 +85,35 @@ TEST(BudgetStudy, TellsHowMuchIsUsedOfTheBudgetWhereThereIsNotEnough) {
   ASSERT_TRUE(study);
   EXPECT_EQ(study->trials.front().overloaded, 3);
   EXPECT_DOUBLE_EQ(study->trials.front().use, 0.9);
+}
+
+// What the machine adds to one of three is not in their medians.
+TEST(BudgetStudy, ByTheClockTheFloorIsFoundInThreeRuns) {
+  for (const bool byClock : {true, false}) {
+    std::vector<BudgetDef> coarsest;
+    int runs = 0;
+    int last = 0;
+    const auto study = studyBudgets({.scenes = {{.name = "a",
+                                                 .governed = costing({{90, 0}}, 5),
+                                                 .coarsest = costing({{100, 0}}, 5, &coarsest)}},
+                                     .floors = {1.5},
+                                     .byClock = byClock},
+                                    [&](const CompareProgress& progress) {
+                                      runs = progress.runs;
+                                      last = progress.run;
+                                    });
+    ASSERT_TRUE(study);
+    EXPECT_EQ(coarsest.size(), byClock ? 3U : 1U);
+    EXPECT_EQ(runs, byClock ? 5 : 3);
+    EXPECT_EQ(last, runs - 1) << "as many as were announced";
+  }
+}
+
+TEST(FramewiseMedian, LeavesOutWhatOneRunHasOfItsOwn) {
+  EXPECT_EQ(lab::framewiseMedian({{1.0, 9.0, 3.0}, {7.0, 2.0, 3.0}, {1.5, 2.5, 0.1}}),
+            (std::vector<double>{1.5, 2.5, 3.0}));
+  EXPECT_EQ(lab::framewiseMedian({{1.0, 9.0}, {3.0}}), (std::vector<double>{2.0})) << "the shortest";
+  EXPECT_TRUE(lab::framewiseMedian({}).empty());
 }
 
 TEST(BudgetStudy, AMachineStandsInForTheClockInFramesThatCostSomething) {
