@@ -191,29 +191,29 @@ btHybridForeseen btHybridGroundAlgorithm::foresee(btHybridAhead& ahead, btHybrid
 	AheadEngine engine(ahead.m_meshes, memory, step.notes, static_cast<btCollisionDispatcher*>(m_dispatcher),
 	                   m_narrowphase->getObjects(), *m_bodies, call.m_call, m_fallback, memory.m_bounds);
 	const size_t used = memory.m_foresight.used;
-	const bool keeps =
-	    m_planIndex >= 0 &&
-	    scatter::pairs::onlyKeeps(pair, m_narrowphase->getPlanner()->planPair(m_planIndex), placed, ground, version);
+	scatter::pairs::PairPlan plan;
+	if (m_planIndex >= 0)
+		plan = m_narrowphase->getPlanner()->planPair(m_planIndex);
+	const bool keeps = m_planIndex >= 0 && scatter::pairs::onlyKeeps(pair, plan, placed, ground, version);
 	bool isDecided = keeps || scatter::pairs::onlyCarries(pair, placed, m_bodies->m_level, ground, version, steps);
 	if (!isDecided && scatter::pairs::isForeseeable(pair, placed, m_bodies->m_level, ground, version, steps))
 		isDecided = scatter::pairs::foresee(pair, placed, ground, steps, engine, memory.m_step.ground.region,
 		                                    memory.m_foresight);
 	if (!isDecided || !btHybridAheadRules::mayStep(ahead, m_bodies->m_object->getObject(), m_bodies->m_groundObject))
 		return btHybridForeseen::IN_PART;
-	stepAhead(step, engine, memory);
+	stepAhead(step, plan, engine, memory);
 	// The step has made use of it: the next pair may have its memory.
 	memory.m_foresight.used = used;
 	return btHybridForeseen(btHybridForeseen::MADE, &step);
 }
 
 // As the dispatcher's near callback calls it, and processCollision() the pair.
-void btHybridGroundAlgorithm::stepAhead(scatter::pairs::StepAhead& step, btHybridGroundEngine& engine,
-                                        btHybridStepMemory& memory)
+void btHybridGroundAlgorithm::stepAhead(scatter::pairs::StepAhead& step, const scatter::pairs::PairPlan& plan,
+                                        btHybridGroundEngine& engine, btHybridStepMemory& memory)
 {
 	const scatter::PairSteps& steps = m_narrowphase->getSteps();
 	if (m_planIndex >= 0)
-		step.outcome = scatter::pairs::stepGround(getPair(), m_narrowphase->getPlanner()->planPair(m_planIndex), steps,
-		                                          engine, memory.m_step, step.work);
+		step.outcome = scatter::pairs::stepGround(getPair(), plan, steps, engine, memory.m_step, step.work);
 	else
 		scatter::pairs::collideGround(getPair(), m_bodies->m_level, steps, engine, memory.m_step, step.work);
 }

@@ -18,7 +18,8 @@ class btHybridGroundAlgorithm : public btHybridAlgorithm
 	scatter::pairs::GroundPair& getPair() const;
 	scatter::pairs::PlacedBody getPlaced() const;
 	void shareGround();
-	void stepAhead(scatter::pairs::StepAhead& step, btHybridGroundEngine& engine, btHybridStepMemory& memory);
+	void stepAhead(scatter::pairs::StepAhead& step, const scatter::pairs::PairPlan& plan, btHybridGroundEngine& engine,
+	               btHybridStepMemory& memory);
 	void takeAhead(const scatter::pairs::StepAhead& step);
 	bool staysQuiet(btHybridGroundEngine& engine) const;
 

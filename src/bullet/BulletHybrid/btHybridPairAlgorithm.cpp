@@ -204,25 +204,25 @@ btHybridForeseen btHybridPairAlgorithm::foresee(btHybridAhead& ahead, btHybridSt
 	if (!scatter::pairs::isForeseeable(pair, bodies, peek))
 		return btHybridForeseen::NOTHING;
 	const size_t used = memory.m_foresight.used;
-	const bool isDecided = keepsContacts(bodies) || scatter::pairs::foresee(pair, bodies, m_narrowphase->getSteps(),
-	                                                                        peek, ahead.m_locks, memory.m_foresight);
+	scatter::pairs::PairPlan plan;
+	if (m_switches)
+		plan = m_narrowphase->getPlanner()->planPair(m_planIndex);
+	const bool keeps =
+	    m_switches && scatter::pairs::keepsContacts(pair, plan, 0, relativeFrame(bodies.a->frame(), bodies.b->frame()));
+	const bool isDecided = keeps || scatter::pairs::foresee(pair, bodies, m_narrowphase->getSteps(), peek,
+	                                                        ahead.m_locks, memory.m_foresight);
 	if (!isDecided ||
 	    !btHybridAheadRules::mayStep(ahead, m_bodies.m_objects[0]->getObject(), m_bodies.m_objects[1]->getObject()))
 		return btHybridForeseen::IN_PART;
-	const scatter::pairs::StepAhead* made = stepAhead(ahead, memory);
+	const scatter::pairs::StepAhead* made = stepAhead(ahead, plan, memory);
 	// The step has made use of it: the next pair may have its memory.
 	memory.m_foresight.used = used;
 	return btHybridForeseen(btHybridForeseen::MADE, made);
 }
 
-bool btHybridPairAlgorithm::keepsContacts(const scatter::pairs::PlacedBodies& bodies) const
-{
-	return m_switches && scatter::pairs::keepsContacts(getPair(), m_narrowphase->getPlanner()->planPair(m_planIndex), 0,
-	                                                   relativeFrame(bodies.a->frame(), bodies.b->frame()));
-}
-
 // As the dispatcher's near callback calls it, and processCollision() the pair.
 const scatter::pairs::StepAhead* btHybridPairAlgorithm::stepAhead(const btHybridAhead& ahead,
+                                                                  const scatter::pairs::PairPlan& plan,
                                                                   btHybridStepMemory& memory)
 {
 	btHybridNarrowphase& shared = *m_narrowphase;
@@ -239,8 +239,7 @@ const scatter::pairs::StepAhead* btHybridPairAlgorithm::stepAhead(const btHybrid
 	    m_fallback, shared.getSteps().ownGjk, m_switches);
 	Pair& pair = getPair();
 	if (m_switches)
-		step.outcome = scatter::pairs::stepPair(pair, shared.getPlanner()->planPair(m_planIndex), shared.getSteps(),
-		                                        engine, memory.m_step, step.work);
+		step.outcome = scatter::pairs::stepPair(pair, plan, shared.getSteps(), engine, memory.m_step, step.work);
 	else
 		scatter::pairs::collidePair(pair, m_bodies.m_level, shared.getSteps(), engine, memory.m_step, step.work);
 	return &step;

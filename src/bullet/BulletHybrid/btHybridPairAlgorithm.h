@@ -17,8 +17,8 @@ class btHybridPairAlgorithm : public btHybridAlgorithm
 	scatter::pairs::Pair& getPair() const;
 	bool staysQuiet(const scatter::pairs::PlacedBodies& bodies) const;
 	scatter::pairs::PlacedBodies getPlaced() const;
-	bool keepsContacts(const scatter::pairs::PlacedBodies& bodies) const;
-	const scatter::pairs::StepAhead* stepAhead(const btHybridAhead& ahead, btHybridStepMemory& memory);
+	const scatter::pairs::StepAhead* stepAhead(const btHybridAhead& ahead, const scatter::pairs::PairPlan& plan,
+	                                           btHybridStepMemory& memory);
 	void takeAhead(const scatter::pairs::StepAhead& step);
 	void takeQuiet();
 	btHybridForeseen foreseeQuiet(btHybridStepMemory& memory) const;
