@@ -136,7 +136,8 @@ Result<BudgetDef> readRecording(const std::string& file) {
     if (!read) {
       return tl::unexpected(read.error());
     }
-    for (std::size_t i = 0; i < read->size(); ++i) {
+    // The file of a run that still goes on has become longer.
+    for (std::size_t i = 0; i < std::min(read->size(), budget.recorded.size()); ++i) {
       budget.recorded[i].*left = (*read)[i];
     }
   }

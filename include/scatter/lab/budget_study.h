@@ -85,8 +85,8 @@ struct BudgetStudy {
 /// Runs each scene once in its coarsest world, by the clock three times, once in its governed world without a
 /// budget, and once there for each budget. The reachable floor is what the dearest frame of the coarsest
 /// world takes (by the clock: of the medians of a frame's three times one dearer than 99 % of them, as odd
-/// frames are the machine's). Scenes whose coarsest world costs nothing are
-/// left out. Fails as runScene does, and without a scene or a floor, or if there is nothing to govern in any.
+/// frames are the machine's). Scenes whose coarsest world costs nothing are left out. Fails as runScene does,
+/// and without a scene or a floor, or if there is nothing to govern in any.
 [[nodiscard]] Result<BudgetStudy> studyBudgets(
     const BudgetStudyOptions& options, const std::function<void(const CompareProgress&)>& progress = {});
 

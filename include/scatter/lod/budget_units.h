@@ -9,7 +9,10 @@ struct BudgetUnits {
   double revised = 0.0;  ///< What of it the clock had left among the pairs,
   double settled = 0.0;  ///< and once all contacts were known.
 
-  friend bool operator==(const BudgetUnits&, const BudgetUnits&) = default;
+  // Not a default one, as BulletHybrid's headers are for programs of any standard from C++11 on.
+  friend bool operator==(const BudgetUnits& a, const BudgetUnits& b) {
+    return a.given == b.given && a.revised == b.revised && a.settled == b.settled;
+  }
 };
 
 }  // namespace scatter
