@@ -1,7 +1,6 @@
 #include "lod/step_budget.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "lod/solver_iterations.h"

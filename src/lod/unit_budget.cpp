@@ -56,18 +56,12 @@ double UnitBudget::next() {
   return given_;
 }
 
-double UnitBudget::recorded(double BudgetUnits::*units) const {
-  if (recorded_.empty() || step_ == 0) return given_;
-  const double all = recorded_[std::min(step_, recorded_.size()) - 1].*units;
-  return all > 0.0 ? all : given_;
-}
-
 double UnitBudget::revise(double units, double milliseconds) {
-  return milliseconds_ > 0.0 ? roomAt(revision_, units, milliseconds) : recorded(&BudgetUnits::revised);
+  return milliseconds_ > 0.0 ? roomAt(revision_, units, milliseconds) : orGiven(now_.revised);
 }
 
 double UnitBudget::settle(double units, double milliseconds) {
-  return milliseconds_ > 0.0 ? roomAt(settlement_, units, milliseconds) : recorded(&BudgetUnits::settled);
+  return milliseconds_ > 0.0 ? roomAt(settlement_, units, milliseconds) : orGiven(now_.settled);
 }
 
 double UnitBudget::roomAt(StepPoint& point, double units, double measured) {
@@ -84,9 +78,9 @@ double UnitBudget::nextUnits() {
   }
   if (constant_ > 0.0) return ofShared(constant_);
   if (recorded_.empty()) return std::numeric_limits<double>::infinity();
-  const double units = recorded_[std::min(step_, recorded_.size() - 1)].given;
+  now_ = recorded_[std::min(step_, recorded_.size() - 1)];
   ++step_;
-  return units > 0.0 ? units : std::numeric_limits<double>::infinity();
+  return now_.given > 0.0 ? now_.given : std::numeric_limits<double>::infinity();
 }
 
 void UnitBudget::learn(double units, double milliseconds) {

@@ -23,8 +23,8 @@ class UnitBudget {
   [[nodiscard]] static UnitBudget ofMilliseconds(double milliseconds, std::vector<double> machine = {});
 
   /// What next(), revise() and settle() gave in an earlier run, step by step; where next() gave nothing above
-  /// 0 there is no budget, and where the others did what next() gave stays. So does the last step, and none
-  /// is no budget.
+  /// 0 there is no budget, and where the others did what next() gave stays. After the last step it stays.
+  /// Empty: no budget.
   [[nodiscard]] static UnitBudget replay(std::vector<BudgetUnits> steps);
 
   /// The next so many steps share one budget: those that the caller makes at once.
@@ -71,7 +71,7 @@ class UnitBudget {
  private:
   [[nodiscard]] double nextUnits();
   [[nodiscard]] double roomAt(StepPoint& point, double units, double measured);
-  [[nodiscard]] double recorded(double BudgetUnits::*units) const;
+  [[nodiscard]] double orGiven(double units) const { return units > 0.0 ? units : given_; }
   [[nodiscard]] double ofShared(double units);
 
   double milliseconds_ = 0.0;
@@ -82,7 +82,8 @@ class UnitBudget {
   std::vector<double> machine_;  ///< Milliseconds that a unit takes; empty: measured.
   std::size_t machineStep_ = 0;  ///< Of these, that of the step under way.
   std::vector<BudgetUnits> recorded_;
-  std::size_t step_ = 0;  ///< Of these, the one after that under way.
+  std::size_t step_ = 0;  ///< Of these, the one to come.
+  BudgetUnits now_;       ///< Of these, the one under way.
   double given_ = 0.0;    ///< By next().
   UnitTime unitTime_;
   StepPoint revision_;

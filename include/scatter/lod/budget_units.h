@@ -2,8 +2,8 @@
 
 namespace scatter {
 
-/// What a step may cost, in units: ever better known while it is made. Of a budget of units, and of one
-/// without a clock, all three are the same.
+/// What a step may cost, in units: ever better known while it is made. Of a budget of units all three are the
+/// same.
 struct BudgetUnits {
   double given = 0.0;    ///< When the step began; 0 without a budget.
   double revised = 0.0;  ///< What of it the clock had left among the pairs,
