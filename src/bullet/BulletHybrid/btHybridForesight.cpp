@@ -169,11 +169,18 @@ void btHybridForesight::begin(btHybridNarrowphase& narrowphase, btCollisionDispa
                               btOverlappingPairCache& overlaps, const btDispatcherInfo& info)
 {
 	m_pairs.clear();
+	m_isExpecting = false;
 	const size_t own = narrowphase.countPairs() + size_t(narrowphase.getGrounds().count());
-	if (!m_threads->areMany() || m_pause-- > 0 || own < c_fewestPairs ||
+	if (!m_threads->areMany() || own < c_fewestPairs ||
 	    !btHybridAheadRules::isDispatchSure(dispatcher, info, m_promises))
 		return;
-	m_pause = 0;
+	if (m_pause > 0)
+	{
+		--m_pause;
+		m_isExpecting = m_pause == 0;
+		return;
+	}
+	m_isExpecting = true;
 	m_ahead.m_info = &info;
 	m_ahead.m_mayStep = btHybridAheadRules::mayStep();
 	m_ahead.m_mayAdd = btHybridAheadRules::mayAdd(m_promises);
@@ -202,7 +209,10 @@ void btHybridForesight::end(btHybridNarrowphase& narrowphase)
 		memory->reset();
 	}
 	if (!m_pairs.empty() && milliseconds < c_leastMilliseconds)
+	{
 		m_pause = c_pause;
+		m_isExpecting = false;
+	}
 	m_pairs.clear();
 }
 

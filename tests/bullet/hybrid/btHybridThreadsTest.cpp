@@ -3,7 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <charconv>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
 #include <functional>
+#include <string>
 #include <thread>
 
 #include "../../trials.h"
@@ -521,6 +526,44 @@ TEST(Threads, LeaveContactsOfPairsThatAreLeftOut) {
     ASSERT_EQ(other.bits(), one.bits()) << "step " << step;
   }
   skipsNow = false;
+}
+
+/// How often threads of this process have gone to sleep by themselves; 0 where that is not to be had.
+int countSleeps() {
+  int sleeps = 0;
+  std::error_code error;
+  for (const auto& thread : std::filesystem::directory_iterator("/proc/self/task", error)) {
+    constexpr std::string_view kKey = "voluntary_ctxt_switches:\t";
+    std::ifstream status(thread.path() / "status");
+    for (std::string line; std::getline(status, line);) {
+      if (!line.starts_with(kKey)) continue;
+      int count = 0;
+      std::from_chars(line.data() + kKey.size(), line.data() + line.size(), count);
+      sleeps += count;
+    }
+  }
+  return sleeps;
+}
+
+void rest() {
+  std::this_thread::sleep_for(std::chrono::milliseconds(1));
+}
+
+// To wake a thread takes a tenth of the step of a scene in which nothing is to be shared.
+TEST(Threads, SleepWhereNothingIsToBeShared) {
+  constexpr int kSteps = 100;
+  PairTestWorld world;
+  world.world.setNumThreads(3);
+  for (int i = 0; i < 8; ++i) world.addBlock(btVector3(static_cast<float>(10 * i), 0, 0), 1);
+  for (int i = 0; i < 10; ++i) rest();
+  const int before = countSleeps();
+  if (before == 0) GTEST_SKIP() << "this system does not count how often threads sleep";
+  for (int step = 0; step < kSteps; ++step) {
+    world.step();
+    rest();
+  }
+  // This thread rests after each step, and two others might.
+  EXPECT_LT(countSleeps() - before, 2 * kSteps);
 }
 
 TEST(Threads, AreFrom1To64) {
