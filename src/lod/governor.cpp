@@ -358,10 +358,11 @@ void Governor::shareOut() {
   const double loyalty = std::min(kLoyalty, admission_);
   for (Kind& kind : kinds_) {
     for (const bool has : {false, true}) {
-      const double share = std::min(admission_ + (has ? loyalty : 0.0), 1.0);
-      const double cheapness =
-          kind.weight > 0.0 ? units / (weight * std::max(kind.units, kLeastKindUnits)) : 1.0;
-      kind.share[has ? 1 : 0] = 1.0 - std::pow(1.0 - share, std::pow(cheapness, kThrift));
+      double& share = kind.share[has ? 1 : 0];
+      share = std::min(admission_ + (has ? loyalty : 0.0), 1.0);
+      if (share >= 1.0 || kind.weight <= 0.0) continue;
+      const double cheapness = units / (weight * std::max(kind.units, kLeastKindUnits));
+      share = 1.0 - std::pow(1.0 - share, std::pow(cheapness, kThrift));
     }
   }
 }

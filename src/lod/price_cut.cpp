@@ -9,6 +9,12 @@ namespace {
 constexpr std::uint32_t kFineBuckets = 1U << PriceCut::kFineBits;
 constexpr std::uint32_t kCoarseBuckets = 1U << 11U;
 
+double sumOf(std::span<const Offer> offers) {
+  double sum = 0.0;
+  for (const Offer& offer : offers) sum += static_cast<double>(offer.cost);
+  return sum;
+}
+
 // The dearest bucket that does not fit any more, and what is left for it; 0 if all fit.
 std::uint32_t firstWithoutRoom(std::span<const double> costs, double& room) {
   for (auto bucket = static_cast<std::uint32_t>(costs.size()); bucket-- > 0;) {
@@ -22,6 +28,7 @@ std::uint32_t firstWithoutRoom(std::span<const double> costs, double& room) {
 
 PriceCut PriceSearch::find(std::span<const Offer> offers, double room) {
   room = std::max(room, 0.0);
+  if (sumOf(offers) <= room) return {};
   costs_.assign(kCoarseBuckets, 0.0);
   for (const Offer& offer : offers) costs_[PriceCut::keyOf(offer.price) >> PriceCut::kFineBits] += offer.cost;
   const std::uint32_t coarse = firstWithoutRoom(costs_, room);
