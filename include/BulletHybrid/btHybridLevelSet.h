@@ -25,11 +25,16 @@ class btHybridLevelSet
 	btAlignedObjectArray<float>
 	    m_balls;  ///< of which level 1 is the hull: all x, all y, all z, all radii; none where Bullet's bounds do
 	btAlignedObjectArray<char> m_mistake;
+	btScalar m_coarsestRadius;
 
 	const char* refuse(const char* mistake);
 	void findBalls();
 
 public:
+	btHybridLevelSet() : m_coarsestRadius(0)
+	{
+	}
+
 	/// Adds the next finer level; bodies that were made before do not have it. Returns 0, or what is wrong and how to
 	/// mend it, valid until the next call, and then the level is not added:
 	/// - no shape; one that is neither convex nor a compound (a plane, mesh, height field, empty shape); a compound
@@ -65,6 +70,13 @@ public:
 	btCollisionShape* getLevelShape(int level) const
 	{
 		return level >= 1 && level <= m_levels.size() ? m_levels[level - 1] : 0;
+	}
+
+	/// Of a ball around the origin of the frame that holds level 1, by its bounding sphere in Bullet; metres, 0
+	/// without levels.
+	btScalar getCoarsestRadius() const
+	{
+		return m_coarsestRadius;
 	}
 
 	/// World bounds of level 1, which hold every level. Where it is made of hulls, boxes, spheres and capsules with at

@@ -10,6 +10,7 @@
 #include "btHybridConvexPart.h"
 #include "btHybridFinite.h"
 #include "btHybridNesting.h"
+#include "btHybridShapeRadius.h"
 #include "collision/ball_bounds.h"
 #include "collision/simd.h"
 
@@ -150,7 +151,10 @@ const char* btHybridLevelSet::addLevel(btCollisionShape* shape, btHybridNesting 
 	}
 	m_levels.push_back(shape);
 	if (level == 1)
+	{
 		findBalls();
+		m_coarsestRadius = btHybridRadiusOf(shape);
+	}
 	return 0;
 }
 

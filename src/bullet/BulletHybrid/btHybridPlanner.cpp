@@ -5,6 +5,7 @@
 #include "BulletHybrid/btHybridRigidBody.h"
 #include "btHybridConversions.h"
 #include "btHybridLevelBodies.h"
+#include "btHybridShapeRadius.h"
 
 using scatter::lod::BodyView;
 using scatter::lod::LooseContacts;
@@ -13,15 +14,6 @@ using scatter::lod::PlannedPair;
 namespace
 {
 const char c_noSpecification[] = "a policy needs a name, such as \"speed\"; 0 was given";
-
-btScalar radiusOf(const btCollisionObject* object, const btHybridRigidBody* hybrid)
-{
-	btVector3 center;
-	btScalar radius;
-	const btCollisionShape* shape = hybrid ? hybrid->getLevels().getLevelShape(1) : object->getCollisionShape();
-	shape->getBoundingSphere(center, radius);
-	return center.length() + radius;
-}
 
 BodyView viewOf(const btCollisionObject* object)
 {
@@ -35,7 +27,7 @@ BodyView viewOf(const btCollisionObject* object)
 		view.mass = 1 / body->getInvMass();
 	}
 	const btHybridRigidBody* hybrid = btHybridRigidBody::upcast(object);
-	view.radius = radiusOf(object, hybrid);
+	view.radius = hybrid ? hybrid->getLevels().getCoarsestRadius() : btHybridRadiusOf(object->getCollisionShape());
 	view.held = hybrid && hybrid->isHeld();
 	return view;
 }

@@ -375,6 +375,14 @@ TEST_F(LevelSetTest, CoarsestBoundsOfATurnedHullAreCloserThanThoseOfItsBox) {
   EXPECT_GE(high.x(), 5 * SIMDSQRT12);
 }
 
+TEST_F(LevelSetTest, CoarsestRadiusIsThatOfLevelOne) {
+  btHybridLevelSet levels;
+  ASSERT_EQ(levels.addLevel(box(1, 2, 2)), nullptr);
+  EXPECT_FLOAT_EQ(levels.getCoarsestRadius(), 3);
+  ASSERT_EQ(levels.addLevel(box(1, 1, 1)), nullptr);
+  EXPECT_FLOAT_EQ(levels.getCoarsestRadius(), 3);
+}
+
 TEST_F(LevelSetTest, LevelsThatAreNotThereAreNull) {
   btHybridLevelSet levels;
   btVector3 low;
@@ -383,6 +391,7 @@ TEST_F(LevelSetTest, LevelsThatAreNotThereAreNull) {
   EXPECT_EQ(low, btVector3(1, 2, 3));
   EXPECT_EQ(high, btVector3(1, 2, 3));
   EXPECT_EQ(levels.getLevelShape(1), nullptr);
+  EXPECT_EQ(levels.getCoarsestRadius(), 0);
   btBoxShape* shape = box(1, 1, 1);
   ASSERT_EQ(levels.addLevel(shape), nullptr);
   EXPECT_EQ(levels.getLevelShape(1), shape);
