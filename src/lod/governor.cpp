@@ -347,7 +347,8 @@ void Governor::learnCredit(const PlannedPair& pair, double units) {
   kind.beforeCredit = kKept * kind.beforeCredit + 0.5 * (static_cast<double>(pair.relieved) + kind.units);
 }
 
-/// As detail costs less in one kind of pairs than in another, a larger share of them is admitted.
+/// As detail costs less in one kind of pairs than in another, a larger share of them is admitted. Nothing is
+/// known of kinds without weight.
 void Governor::shareOut() {
   double units = 0.0;
   double weight = 0.0;

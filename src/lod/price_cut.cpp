@@ -28,6 +28,7 @@ std::uint32_t firstWithoutRoom(std::span<const double> costs, double& room) {
 
 PriceCut PriceSearch::find(std::span<const Offer> offers, double room) {
   room = std::max(room, 0.0);
+  // Most often all of them fit, or there is none: to clear the buckets takes longer than to see that.
   if (sumOf(offers) <= room) return {};
   costs_.assign(kCoarseBuckets, 0.0);
   for (const Offer& offer : offers) costs_[PriceCut::keyOf(offer.price) >> PriceCut::kFineBits] += offer.cost;

@@ -180,7 +180,6 @@ void btHybridForesight::begin(btHybridNarrowphase& narrowphase, btCollisionDispa
 		m_isExpecting = m_pause == 0;
 		return;
 	}
-	m_isExpecting = true;
 	m_ahead.m_info = &info;
 	m_ahead.m_mayStep = btHybridAheadRules::mayStep();
 	m_ahead.m_mayAdd = btHybridAheadRules::mayAdd(m_promises);
@@ -208,10 +207,10 @@ void btHybridForesight::end(btHybridNarrowphase& narrowphase)
 		narrowphase.takeQuiet(memory->m_quiet);
 		memory->reset();
 	}
-	if (!m_pairs.empty() && milliseconds < c_leastMilliseconds)
+	if (!m_pairs.empty())
 	{
-		m_pause = c_pause;
-		m_isExpecting = false;
+		m_isExpecting = milliseconds >= c_leastMilliseconds;
+		m_pause = m_isExpecting ? 0 : c_pause;
 	}
 	m_pairs.clear();
 }

@@ -74,8 +74,9 @@ public:
 		return m_promises;
 	}
 
-	/// Early in a step, before anything that takes a while. Threads are woken only for what is likely to come: that
-	/// costs a scene without detailed bodies a tenth of its step.
+	/// Early in a step, before anything that takes a while. Threads are woken only for what is likely to come: woken
+	/// in every step, two made one of a scene without detailed bodies 1.09 times as long (`bench/in_turn --scene
+	/// quiet-12.toml --worlds finest,finest@2threads`, a file of `scatter families`).
 	void expect() const
 	{
 		if (m_isExpecting)
