@@ -51,10 +51,10 @@ double CostModel::Mean::with(double prior) const {
   return std::max((units * weight + prior * kPriorPairs) / (weight + kPriorPairs), kLeastUnits);
 }
 
-double CostModel::units(const PairWorkload& work) const {
+double CostModel::units(const PairWorkload& work, int pairs) const {
   const PairWork& counts = work.counts;
   const int awake = counts.childPairs - counts.childPairsAsleep;
-  return weights_.pair + weights_.rebuild * counts.rebuilds + weights_.childPair * awake +
+  return weights_.pair * pairs + weights_.rebuild * counts.rebuilds + weights_.childPair * awake +
          weights_.gjkIteration * counts.gjkIterations + weights_.detectorRun * counts.detectorRuns +
          weights_.halfSpaceRun * counts.halfSpaceRuns + weights_.contact * work.contacts +
          weights_.manifold * work.manifolds + weights_.piece * counts.pieces;

@@ -82,7 +82,8 @@ class CostModel {
   explicit CostModel(const CostWeights& weights) : weights_(weights) {}
 
   [[nodiscard]] const CostWeights& weights() const { return weights_; }
-  [[nodiscard]] double units(const PairWorkload& work) const;
+  /// `pairs`: whose work it is, if it is of several.
+  [[nodiscard]] double units(const PairWorkload& work, int pairs = 1) const;
 
   /// Of these, what contacts take that stay: with looking at their parts again.
   [[nodiscard]] double contactUnits(const PairWorkload& work) const;

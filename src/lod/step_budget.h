@@ -94,6 +94,10 @@ class StepBudget {
   /// What a pair's step did cost.
   PairUnits takeWork(PlannedPair& pair, const PairWorkload& work);
 
+  /// What a pair's step did cost where nothing is planned; and that of all such pairs of a step.
+  [[nodiscard]] double unplanned(const PairWorkload& work) const { return costs_.units(work); }
+  void takeUnplanned(const PairWorkload& work, int pairs) { spend(costs_.units(work, pairs)); }
+
   /// A pair was left without a look.
   void takeQuiet(PlannedPair& pair) { governor_.spend(pair, 0.0, 0.0); }
 

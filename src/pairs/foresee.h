@@ -65,6 +65,9 @@ struct ForesightScratch {
   /// Empty, but with the memory of an earlier one. Good until `used` is 0 again, or `stepsUsed`.
   [[nodiscard]] Foresight& take();
   [[nodiscard]] StepAhead& takeStep();
+
+  /// The last one, which is not needed any more.
+  void giveBackStep() { --stepsUsed; }
 };
 
 /// Whether what is found out about a pair is independent of the rest of its step: it looks for contacts of

@@ -25,12 +25,6 @@ struct PairPlan {
   static constexpr int kNever = std::numeric_limits<int>::max();
 };
 
-/// Pairs that were left without a look.
-struct QuietPairs {
-  int all = 0;
-  int atFinest = 0;  ///< Of those, at their finest level.
-};
-
 /// How far the parts of a pair, or of a body and its ground, may move against each other without a look for
 /// contacts, metres. Small bodies may move less: a multiple of the distance at which their contacts end,
 /// which is a fiftieth of their size. Bodies of a metre have the usual audit distance.
@@ -57,6 +51,36 @@ struct PairOutcome {
   bool credited = false;
   float late = 0.0F;      ///< How late an audit is that was not made.
   float lateNext = 0.0F;  ///< How late it is going to be if the pair goes on moving as it does.
+};
+
+/// Whether a pair has looked for its contacts at the level that it had, and nothing else.
+[[nodiscard]] inline bool isPlain(const PairOutcome& outcome) {
+  const bool asks = outcome.tried || outcome.choiceQueries > 0 || outcome.gapQueries > 0 || outcome.audited;
+  const bool isOnCredit = outcome.credited || outcome.isUnsafe || outcome.late >= lod::lateness::kLate;
+  return !asks && !isOnCredit && !outcome.work.reuses;
+}
+
+/// What became of pairs that were plain, or left without a look, in a step without a plan: sums, to which it
+/// is of no matter in which order pairs had their turn.
+struct UnplannedPairs {
+  int all = 0;
+  int quiet = 0;  ///< Of those, left without a look.
+  int atFinest = 0;
+  int touching = 0;
+  int touchingFinest = 0;
+  lod::PairWorkload work{};  ///< Of all.
+
+  UnplannedPairs& operator+=(const UnplannedPairs& other) {
+    all += other.all;
+    quiet += other.quiet;
+    atFinest += other.atFinest;
+    touching += other.touching;
+    touchingFinest += other.touchingFinest;
+    work.counts += other.work.counts;
+    work.contacts += other.work.contacts;
+    work.manifolds += other.work.manifolds;
+    return *this;
+  }
 };
 
 }  // namespace scatter::pairs

@@ -362,6 +362,10 @@ PairPlan Planner::planPair(int index) {
 }
 
 void Planner::take(int index, const PairOutcome& outcome) {
+  if (!plans_ && isPlain(outcome)) {
+    takeUnplanned(index, outcome, unplanned_);
+    return;
+  }
   const auto i = static_cast<std::size_t>(index);
   const int before = planned_[i].view.level;
   if (outcome.tried) acknowledge(i);
@@ -422,19 +426,47 @@ void Planner::count(const PlannedPair& planned) {
 }
 
 void Planner::takeQuiet(int index) {
+  if (!plans_) {
+    takeQuiet(index, unplanned_);
+    return;
+  }
   const auto i = static_cast<std::size_t>(index);
   const int portion = portionOf(index);
   if (portion != kNoPortion) beginPortion(portion);
   known_[i].step = step_;
-  known_[i].units = 0.0F;
   budget_.takeQuiet(planned_[i]);
   budget_.learn(planned_[i], planned_[i].view.touching, {});
   count(planned_[i]);
 }
 
-void Planner::takeQuiet(const QuietPairs& pairs) {
-  counts_.pairs += pairs.all;
-  counts_.finestPairs += pairs.atFinest;
+void Planner::takeQuiet(int index, UnplannedPairs& pairs) const {
+  ++pairs.all;
+  ++pairs.quiet;
+  pairs.atFinest += isAtFinest(index) ? 1 : 0;
+}
+
+void Planner::takeUnplanned(int index, const PairOutcome& outcome, UnplannedPairs& pairs) {
+  const auto i = static_cast<std::size_t>(index);
+  PlannedPair& planned = planned_[i];
+  known_[i].step = step_;
+  planned.taken = static_cast<float>(budget_.unplanned(outcome.work));
+  takeContacts(planned, outcome);
+  const int finest = isAtFinest(index) ? 1 : 0;
+  const int touching = outcome.touching ? 1 : 0;
+  pairs += {.all = 1,
+            .atFinest = finest,
+            .touching = touching,
+            .touchingFinest = finest * touching,
+            .work = outcome.work};
+}
+
+void Planner::settleUnplanned() {
+  counts_.pairs += unplanned_.all;
+  counts_.finestPairs += unplanned_.atFinest;
+  counts_.touchingPairs += unplanned_.touching;
+  counts_.touchingFinest += unplanned_.touchingFinest;
+  budget_.takeUnplanned(unplanned_.work, unplanned_.all - unplanned_.quiet);
+  unplanned_ = {};
 }
 
 void Planner::takeWork(std::size_t pair, const PairOutcome& outcome, int before) {
@@ -443,7 +475,6 @@ void Planner::takeWork(std::size_t pair, const PairOutcome& outcome, int before)
   Known& known = known_[pair];
   lod::PairUnits units = budget_.takeWork(planned, outcome.work);
   known.step = step_;
-  known.units = static_cast<float>(units.all);
   known.turn = turns_++;
   known.hasKept = outcome.work.reuses;
   if (wasRefused(outcome, planned.target)) planned.bound = planned.taken;
@@ -456,6 +487,14 @@ void Planner::takeWork(std::size_t pair, const PairOutcome& outcome, int before)
     units.all = static_cast<double>(known.averageUnits);
   }
   if (!outcome.work.reuses) budget_.learn(planned, outcome.touching, units);
+  takeContacts(planned, outcome);
+  count(planned);
+  counts_.touchingPairs += outcome.touching ? 1 : 0;
+  counts_.touchingFinest += outcome.touching && view.level == view.finest ? 1 : 0;
+}
+
+void Planner::takeContacts(PlannedPair& planned, const PairOutcome& outcome) {
+  PairView& view = planned.view;
   constexpr std::uint16_t kMost = std::numeric_limits<std::uint16_t>::max();
   if (!outcome.touching) {
     view.contactSteps = 0;
@@ -465,12 +504,10 @@ void Planner::takeWork(std::size_t pair, const PairOutcome& outcome, int before)
   view.touching = outcome.touching;
   planned.hasContacts = outcome.work.contacts > 0;
   view.credited = outcome.credited;
-  count(planned);
-  counts_.touchingPairs += outcome.touching ? 1 : 0;
-  counts_.touchingFinest += outcome.touching && view.level == view.finest ? 1 : 0;
 }
 
 void Planner::finish() {
+  settleUnplanned();
   budget_.finish(plans_);
   numBelowFinest_ = numOwed_ = 0;
   for (std::size_t i = 0; plans_ && i < planned_.size(); ++i) finishPair(i);

@@ -88,8 +88,8 @@ class Planner {
 
   /// What a pair took of the last step; 0 if it was left without a look.
   [[nodiscard]] float units(int pair) const {
-    const Known& known = known_[static_cast<std::size_t>(pair)];
-    return known.step == step_ ? known.units : 0.0F;
+    const auto i = static_cast<std::size_t>(pair);
+    return known_[i].step == step_ ? planned_[i].taken : 0.0F;
   }
   [[nodiscard]] Asker askerOf(int pair) const;
   [[nodiscard]] int step() const { return step_; }
@@ -126,9 +126,14 @@ class Planner {
   [[nodiscard]] PairPlan planPair(int pair);
   void take(int pair, const PairOutcome& outcome);
 
-  /// A pair that is settled was left without a look; or several were, in a step without a plan.
+  /// A pair that is settled was left without a look.
   void takeQuiet(int pair);
-  void takeQuiet(const QuietPairs& pairs);
+
+  /// The same in a step without a plan, and of an outcome that isPlain(): on any thread, as what is of all
+  /// pairs is left to be taken later.
+  void takeUnplanned(int pair, const PairOutcome& outcome, UnplannedPairs& pairs);
+  void takeQuiet(int pair, UnplannedPairs& pairs) const;
+  void take(const UnplannedPairs& pairs) { unplanned_ += pairs; }
 
   /// All bodies of pairs that are coarser than they could be, after a step.
   void findCoarser(std::vector<CoarserBody>& bodies) const;
@@ -209,7 +214,6 @@ class Planner {
     int step = 0;               ///< The last one in which it was processed.
     std::size_t turn = 0;       ///< In that step, of the pairs that were not left without a look.
     float averageUnits = 0.0F;  ///< What it costs a step on credit below its finest level: audits are bursts.
-    float units = 0.0F;         ///< What it took in that step.
   };
 
   static constexpr std::uint8_t kByProgram = 255;  ///< As lod::Wish::askedBy.
@@ -241,6 +245,8 @@ class Planner {
   void takeBlocked(std::size_t pair);
   void takeQueries(int queries);
   void takeWork(std::size_t pair, const PairOutcome& outcome, int before);
+  static void takeContacts(lod::PlannedPair& planned, const PairOutcome& outcome);
+  void settleUnplanned();
   void count(const lod::PlannedPair& planned);
   void finishPair(std::size_t pair);
   [[nodiscard]] bool restsOwed(std::size_t pair) const;
@@ -260,7 +266,8 @@ class Planner {
   PairListener* listener_ = nullptr;
   PairStepCounts counts_;  ///< Of the step under way, and of what happened since the last one.
   PairStepCounts lastCounts_;
-  lod::LooseContacts own_;  ///< Of the step under way.
+  lod::LooseContacts own_;    ///< Of the step under way.
+  UnplannedPairs unplanned_;  ///< The same, if it was not planned.
   BudgetState budgetState_;
   int step_ = 0;
   std::uint32_t numCreated_ = 0;  ///< Pairs, ever.

@@ -222,6 +222,76 @@ TEST(Planner, KnowsWhichPairsTheStepHasLeftOut) {
   EXPECT_FALSE(row.planner.pair(row.places[2]).rests);
 }
 
+/// What pairs found in a step without a plan.
+std::vector<PairOutcome> plainOutcomes(int count) {
+  std::vector<PairOutcome> outcomes(static_cast<std::size_t>(count));
+  int i = 0;
+  for (PairOutcome& outcome : outcomes) {
+    ++i;
+    outcome.touching = i % 2 == 0;
+    outcome.work = {.counts = {.pairs = 1, .childPairs = 3 * i, .gjkIterations = 7 * i},
+                    .contacts = i,
+                    .manifolds = i % 3};
+  }
+  return outcomes;
+}
+
+void beginUnplanned(PlannedRow& row) {
+  row.step();
+  row.planner.plan({.bodies = row.views, .load = {.objects = 8, .awake = 8, .broadphasePairs = 7}});
+  ASSERT_FALSE(row.planner.plans());
+}
+
+TEST(Planner, TakesPairsThatNobodyPlansInAnyOrder) {
+  const std::vector<PairOutcome> outcomes = plainOutcomes(6);
+  PlannedRow inTurn(8);
+  PlannedRow apart(8);
+  beginUnplanned(inTurn);
+  beginUnplanned(apart);
+  for (std::size_t i = 0; i < outcomes.size(); ++i) inTurn.planner.take(inTurn.places[i], outcomes[i]);
+  inTurn.planner.takeQuiet(inTurn.places[6]);
+  UnplannedPairs threads[2];
+  for (const std::size_t i : {5U, 0U, 3U, 1U, 4U, 2U})
+    apart.planner.takeUnplanned(apart.places[i], outcomes[i], threads[i % 2]);
+  apart.planner.takeQuiet(apart.places[6], threads[0]);
+  for (const UnplannedPairs& thread : threads) apart.planner.take(thread);
+  inTurn.planner.finish();
+  apart.planner.finish();
+  const PairStepCounts& counts = inTurn.planner.counts();
+  EXPECT_EQ(counts.pairs, 7);
+  EXPECT_EQ(counts.finestPairs, 7);
+  EXPECT_EQ(counts.touchingPairs, 3);
+  EXPECT_EQ(counts.touchingFinest, 3);
+  EXPECT_EQ(apart.planner.counts().pairs, 7);
+  EXPECT_EQ(apart.planner.counts().touchingFinest, 3);
+  EXPECT_EQ(apart.planner.counts().units, counts.units) << "to the last bit";
+  double fixed = counts.units;
+  for (int i = 0; i < 7; ++i) {
+    EXPECT_EQ(apart.planner.units(apart.places[static_cast<std::size_t>(i)]), inTurn.planner.units(i));
+    fixed -= static_cast<double>(inTurn.planner.units(i));
+  }
+  EXPECT_EQ(inTurn.planner.units(6), 0.0F) << "it was left without a look";
+  const double alone =
+      lod::CostModel(lod::CostWeights()).units({.objects = 8, .awake = 8, .broadphasePairs = 7});
+  EXPECT_NEAR(fixed, alone, 1e-4) << "what pairs took is all that there is besides";
+}
+
+TEST(Planner, TakesSwitchesInTheirTurnAlone) {
+  PairOutcome outcome;
+  EXPECT_TRUE(isPlain(outcome));
+  const auto isPlainWith = [&](const auto& change) {
+    PairOutcome other;
+    change(other);
+    return isPlain(other);
+  };
+  EXPECT_FALSE(isPlainWith([](PairOutcome& other) { other.tried = true; }));
+  EXPECT_FALSE(isPlainWith([](PairOutcome& other) { other.gapQueries = 1; }));
+  EXPECT_FALSE(isPlainWith([](PairOutcome& other) { other.audited = true; }));
+  EXPECT_FALSE(isPlainWith([](PairOutcome& other) { other.credited = true; }));
+  EXPECT_FALSE(isPlainWith([](PairOutcome& other) { other.late = lod::lateness::kLate; }));
+  EXPECT_FALSE(isPlainWith([](PairOutcome& other) { other.work.reuses = true; }));
+}
+
 /// Two pairs that touch at a coarser level for want of budget, and then are asleep.
 class Owed : public ::testing::Test {
  protected:

@@ -9,6 +9,7 @@
 #include "btHybridStepMemory.h"
 
 class btHybridNarrowphase;
+class btHybridPlanner;
 
 /// What has been found out about the step of a pair before it comes.
 struct btHybridForeseen
@@ -19,8 +20,8 @@ struct btHybridForeseen
 		LATER,    ///< when its portion begins, see scatter::pairs::Planner::portionOf()
 		IN_PART,  ///< what needs nothing of Bullet; its step makes use of it
 		QUIET,    ///< its bodies stay apart
-		COUNTED,  ///< and it has been counted as such
-		MADE      ///< it has been made, which is m_made
+		MADE,     ///< it has been made, which is m_made
+		DONE      ///< either, and nothing is left to be told to anyone
 	};
 	Kind m_kind;
 	const scatter::pairs::StepAhead* m_made;
@@ -39,6 +40,16 @@ class btHybridAlgorithm : public btCollisionAlgorithm
 protected:
 	btHybridNarrowphase* const m_narrowphase;
 	btHybridFallback m_fallback;
+
+	/// What the pair's bodies have to do with levels; 0 if it does not switch.
+	btHybridPlanner* getPlanner() const;
+
+	/// Its step is quiet: of what has been found out, and now that it has come.
+	btHybridForeseen foreseeQuiet(btHybridStepMemory& memory) const;
+	void takeQuiet() const;
+
+	/// Its step has been made, the last of `memory`, by a thread.
+	btHybridForeseen foreseeMade(const scatter::pairs::StepAhead& made, btHybridStepMemory& memory) const;
 
 	/// Adds the manifolds of the fallback, which have no credit.
 	void addFallback(btAlignedObjectArray<btHybridManifoldView>& manifolds) const

@@ -109,29 +109,32 @@ void btHybridForesight::follow(btCollisionDispatcher* dispatcher)
 	{
 		if (i + c_algorithmsAhead < m_pairs.size())
 			btHybridLookahead::fetch(m_pairs[i + c_algorithmsAhead], c_algorithmBytes);
-		if (m_pairs[i] && !m_pairs[i]->follow(dispatcher))
+		if (!m_pairs[i])
+			continue;
+		if (m_pairs[i]->follow(dispatcher))
+			addPlace(i);
+		else
 			m_pairs[i] = 0;
 	}
 }
 
-// Pairs that depend on what others take wait for their portion. Where each is it must know before its turn comes.
-void btHybridForesight::partOut()
+void btHybridForesight::beginPortions()
 {
 	m_atOnce.clear();
 	m_portions.resize(m_planner ? size_t(m_planner->countPortions()) : 0);
 	for (std::vector<int>& places : m_portions)
 		places.clear();
-	for (size_t i = 0; i < m_pairs.size(); ++i)
-	{
-		if (!m_pairs[i])
-			continue;
-		const int index = m_pairs[i]->getPlanIndex();
-		const int portion = index >= 0 ? m_planner->portionOf(index) : btHybridPlanner::kNoPortion;
-		(portion == btHybridPlanner::kNoPortion ? m_atOnce : m_portions[portion]).push_back(int(i));
-		if (portion != btHybridPlanner::kNoPortion)
-			m_foreseen[i] = btHybridForeseen::LATER;
-		m_pairs[i]->setPlace(int(i));
-	}
+}
+
+// Pairs that depend on what others take wait for their portion. Where each is it must know before its turn comes.
+void btHybridForesight::addPlace(size_t place)
+{
+	const int index = m_portions.empty() ? -1 : m_pairs[place]->getPlanIndex();
+	const int portion = index >= 0 ? m_planner->portionOf(index) : btHybridPlanner::kNoPortion;
+	(portion == btHybridPlanner::kNoPortion ? m_atOnce : m_portions[portion]).push_back(int(place));
+	if (portion != btHybridPlanner::kNoPortion)
+		m_foreseen[place] = btHybridForeseen::LATER;
+	m_pairs[place]->setPlace(int(place));
 }
 
 void btHybridForesight::foreseePortionOf(size_t place)
@@ -188,9 +191,9 @@ void btHybridForesight::begin(btHybridNarrowphase& narrowphase, btCollisionDispa
 	m_foreseen.assign(count, btHybridForeseen::NOTHING);
 	const btBroadphasePair* pairs = overlaps.getOverlappingPairArrayPtr();
 	forEachBlock(count, [&](int first, int last) { choose(pairs, first, last, narrowphase); });
-	follow(dispatcher);
 	m_planner = narrowphase.getPlanner();
-	partOut();
+	beginPortions();
+	follow(dispatcher);
 	foresee(m_atOnce);
 }
 
@@ -204,7 +207,7 @@ void btHybridForesight::end(btHybridNarrowphase& narrowphase)
 	for (const auto& memory : m_memories)
 	{
 		milliseconds += memory->m_milliseconds;
-		narrowphase.takeQuiet(memory->m_quiet);
+		narrowphase.takeDone(*memory);
 		memory->reset();
 	}
 	if (!m_pairs.empty())

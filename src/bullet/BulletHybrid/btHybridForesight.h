@@ -45,7 +45,8 @@ class btHybridForesight
 	void forEachBlock(int count, const Work& work) const;
 	void choose(const btBroadphasePair* pairs, int first, int last, const btHybridNarrowphase& narrowphase);
 	void follow(btCollisionDispatcher* dispatcher);
-	void partOut();
+	void beginPortions();
+	void addPlace(size_t place);
 	void foresee(const std::vector<int>& places);
 	void foresee(const std::vector<int>& places, int first, int last);
 	void foreseePortionOf(size_t place);
@@ -106,7 +107,7 @@ public:
 			return false;
 		const btHybridForeseen foreseen = m_foreseen[place];
 		m_foreseen[place] = btHybridForeseen::NOTHING;
-		if (foreseen.m_kind != btHybridForeseen::COUNTED)
+		if (foreseen.m_kind != btHybridForeseen::DONE)
 			m_pairs[place]->takeForeseen(foreseen);
 		return true;
 	}

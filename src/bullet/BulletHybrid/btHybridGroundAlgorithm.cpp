@@ -91,11 +91,17 @@ bool btHybridGroundAlgorithm::hasRestarted() const
 }
 
 // Most bodies over a ground do not touch it: they are left without a look at anything but where they are.
+bool btHybridGroundAlgorithm::isSettled() const
+{
+	const btHybridPlanner* planner = getPlanner();
+	return getPair().quietUntil >= 0 && (!planner || planner->isSettled(m_planIndex));
+}
+
 bool btHybridGroundAlgorithm::staysQuiet(btHybridGroundEngine& engine) const
 {
 	const GroundPair& pair = getPair();
 	scatter::pairs::PlacedBody body;
-	if (!(pair.quietUntil >= 0) || (m_planIndex >= 0 && !m_narrowphase->getPlanner()->isSettled(m_planIndex)))
+	if (!isSettled())
 		return false;
 	const float ahead = m_narrowphase->getSteps().passages ? glm::length(engine.wayAhead()) : 0;
 	return engine.follow(body) &&
@@ -184,8 +190,8 @@ btHybridForeseen btHybridGroundAlgorithm::foresee(btHybridAhead& ahead, btHybrid
 	const scatter::Vec3 way = steps.passages ? btHybridWayAhead(m_bodies->m_object->getObject(),
 	                                                            m_bodies->m_groundObject, ahead.m_info->m_timeStep)
 	                                         : scatter::Vec3(0);
-	if (pair.quietUntil >= 0 && scatter::pairs::staysQuiet(pair, placed, ground, version, glm::length(way)))
-		return btHybridForeseen::NOTHING;
+	if (isSettled() && scatter::pairs::staysQuiet(pair, placed, ground, version, glm::length(way)))
+		return foreseeQuiet(memory);
 	CallAhead call(*m_bodies, *ahead.m_info);
 	scatter::pairs::StepAhead& step = memory.m_foresight.takeStep();
 	AheadEngine engine(ahead.m_meshes, memory, step.notes, static_cast<btCollisionDispatcher*>(m_dispatcher),
@@ -204,7 +210,7 @@ btHybridForeseen btHybridGroundAlgorithm::foresee(btHybridAhead& ahead, btHybrid
 	stepAhead(step, plan, engine, memory);
 	// The step has made use of it: the next pair may have its memory.
 	memory.m_foresight.used = used;
-	return btHybridForeseen(btHybridForeseen::MADE, &step);
+	return foreseeMade(step, memory);
 }
 
 // As the dispatcher's near callback calls it, and processCollision() the pair.
@@ -227,7 +233,10 @@ void btHybridGroundAlgorithm::takeAhead(const scatter::pairs::StepAhead& step)
 
 void btHybridGroundAlgorithm::takeForeseen(const btHybridForeseen& foreseen)
 {
-	takeAhead(*foreseen.m_made);
+	if (foreseen.m_made)
+		takeAhead(*foreseen.m_made);
+	else
+		takeQuiet();
 }
 
 void btHybridGroundAlgorithm::fetchForeseen() const
@@ -252,20 +261,14 @@ void btHybridGroundAlgorithm::processCollision(const btCollisionObjectWrapper* b
 	btHybridNarrowphase& shared = *m_narrowphase;
 	if (shared.getForesight().passBy(getPlace(), this))
 		return;
-	btHybridPlanner* planner = m_planIndex >= 0 ? shared.getPlanner() : 0;
+	btHybridPlanner* planner = getPlanner();
 	const bool isFirst = m_bodies->m_side == 0;
 	const btHybridGroundCall call = {isFirst ? body0Wrap : body1Wrap, isFirst ? body1Wrap : body0Wrap, dispatchInfo,
 	                                 resultOut};
 	btHybridGroundEngine engine(static_cast<btCollisionDispatcher*>(m_dispatcher), shared.getObjects(), *m_bodies, call,
 	                            m_fallback, shared.getBounds());
 	if (staysQuiet(engine))
-	{
-		if (planner)
-			planner->takeQuiet(m_planIndex);
-		shared.getWork().pairs++;
-		shared.getWork().pairsSkipped++;
-		return;
-	}
+		return takeQuiet();
 	if (!planner)
 	{
 		scatter::pairs::collideGround(getPair(), m_bodies->m_level, shared.getSteps(), engine, shared.beginPair(),

@@ -21,6 +21,7 @@ class btHybridGroundAlgorithm : public btHybridAlgorithm
 	void stepAhead(scatter::pairs::StepAhead& step, const scatter::pairs::PairPlan& plan, btHybridGroundEngine& engine,
 	               btHybridStepMemory& memory);
 	void takeAhead(const scatter::pairs::StepAhead& step);
+	bool isSettled() const;
 	bool staysQuiet(btHybridGroundEngine& engine) const;
 
 public:

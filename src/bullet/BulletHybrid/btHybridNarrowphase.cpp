@@ -42,13 +42,11 @@ void btHybridNarrowphase::takeAhead(const scatter::pairs::StepAhead& step, int p
 		m_planner->take(planIndex, step.outcome);
 }
 
-void btHybridNarrowphase::takeQuiet(const scatter::pairs::QuietPairs& pairs)
+void btHybridNarrowphase::takeDone(const btHybridStepMemory& memory)
 {
-	if (pairs.all == 0)
-		return;
-	m_work.pairs += pairs.all;
-	m_work.pairsSkipped += pairs.all;
-	m_planner->takeQuiet(pairs);
+	m_work += memory.m_work;
+	if (m_planner)
+		m_planner->take(memory.m_unplanned);
 }
 
 static void count(const scatter::pairs::PairTable& pairs, size_t plannedBytes, btHybridCollisionMemory& memory)

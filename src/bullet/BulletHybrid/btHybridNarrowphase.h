@@ -85,8 +85,8 @@ public:
 	}
 	/// Takes in a step that was made ahead; planIndex: of the pair in the planner, -1 if it does not switch.
 	void takeAhead(const scatter::pairs::StepAhead& step, int planIndex);
-	/// Takes in pairs that are quiet in a step without a plan.
-	void takeQuiet(const scatter::pairs::QuietPairs& pairs);
+	/// Takes in what a thread has done with pairs that need no turn of their own.
+	void takeDone(const btHybridStepMemory& memory);
 	const btHybridCollisionCounts& getCounts() const
 	{
 		return m_work;

@@ -76,24 +76,6 @@ bool btHybridPairAlgorithm::staysQuiet(const scatter::pairs::PlacedBodies& bodie
 	       scatter::pairs::staysQuiet(pair, bodies);
 }
 
-void btHybridPairAlgorithm::takeQuiet()
-{
-	m_narrowphase->getPlanner()->takeQuiet(m_planIndex);
-	m_narrowphase->getWork().pairs++;
-	m_narrowphase->getWork().pairsSkipped++;
-}
-
-// Where nothing plans all pairs cost the same, so that their order is of no matter.
-btHybridForeseen btHybridPairAlgorithm::foreseeQuiet(btHybridStepMemory& memory) const
-{
-	const btHybridPlanner& planner = *m_narrowphase->getPlanner();
-	if (planner.plans())
-		return btHybridForeseen::QUIET;
-	memory.m_quiet.all++;
-	memory.m_quiet.atFinest += planner.isAtFinest(m_planIndex) ? 1 : 0;
-	return btHybridForeseen::COUNTED;
-}
-
 void btHybridPairAlgorithm::takeForeseen(const btHybridForeseen& foreseen)
 {
 	if (foreseen.m_made)
@@ -214,14 +196,14 @@ btHybridForeseen btHybridPairAlgorithm::foresee(btHybridAhead& ahead, btHybridSt
 	if (!isDecided ||
 	    !btHybridAheadRules::mayStep(ahead, m_bodies.m_objects[0]->getObject(), m_bodies.m_objects[1]->getObject()))
 		return btHybridForeseen::IN_PART;
-	const scatter::pairs::StepAhead* made = stepAhead(ahead, plan, memory);
+	const scatter::pairs::StepAhead& made = stepAhead(ahead, plan, memory);
 	// The step has made use of it: the next pair may have its memory.
 	memory.m_foresight.used = used;
-	return btHybridForeseen(btHybridForeseen::MADE, made);
+	return foreseeMade(made, memory);
 }
 
 // As the dispatcher's near callback calls it, and processCollision() the pair.
-const scatter::pairs::StepAhead* btHybridPairAlgorithm::stepAhead(const btHybridAhead& ahead,
+const scatter::pairs::StepAhead& btHybridPairAlgorithm::stepAhead(const btHybridAhead& ahead,
                                                                   const scatter::pairs::PairPlan& plan,
                                                                   btHybridStepMemory& memory)
 {
@@ -242,7 +224,7 @@ const scatter::pairs::StepAhead* btHybridPairAlgorithm::stepAhead(const btHybrid
 		step.outcome = scatter::pairs::stepPair(pair, plan, shared.getSteps(), engine, memory.m_step, step.work);
 	else
 		scatter::pairs::collidePair(pair, m_bodies.m_level, shared.getSteps(), engine, memory.m_step, step.work);
-	return &step;
+	return step;
 }
 
 void btHybridPairAlgorithm::takeAhead(const scatter::pairs::StepAhead& step)

@@ -17,11 +17,9 @@ class btHybridPairAlgorithm : public btHybridAlgorithm
 	scatter::pairs::Pair& getPair() const;
 	bool staysQuiet(const scatter::pairs::PlacedBodies& bodies) const;
 	scatter::pairs::PlacedBodies getPlaced() const;
-	const scatter::pairs::StepAhead* stepAhead(const btHybridAhead& ahead, const scatter::pairs::PairPlan& plan,
+	const scatter::pairs::StepAhead& stepAhead(const btHybridAhead& ahead, const scatter::pairs::PairPlan& plan,
 	                                           btHybridStepMemory& memory);
 	void takeAhead(const scatter::pairs::StepAhead& step);
-	void takeQuiet();
-	btHybridForeseen foreseeQuiet(btHybridStepMemory& memory) const;
 
 public:
 	btHybridPairAlgorithm(const btCollisionAlgorithmConstructionInfo& info, btHybridNarrowphase* narrowphase,

@@ -31,7 +31,10 @@ struct btHybridStepMemory
 	scatter::pairs::StepScratch m_step;
 	std::vector<btHybridPartBounds> m_bounds;
 
-	scatter::pairs::QuietPairs m_quiet;
+	/// Of pairs that are done with.
+	scatter::PairWork m_work;
+	scatter::pairs::UnplannedPairs m_unplanned;
+
 	double m_milliseconds;  ///< that it has been at work in this step
 
 	btHybridStepMemory() : m_milliseconds(0), m_used(0)
@@ -46,7 +49,8 @@ struct btHybridStepMemory
 		m_foresight.used = m_foresight.stepsUsed = 0;
 		m_used = 0;
 		m_milliseconds = 0;
-		m_quiet = scatter::pairs::QuietPairs();
+		m_work = scatter::PairWork();
+		m_unplanned = scatter::pairs::UnplannedPairs();
 	}
 
 private:

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <bit>
 #include <charconv>
 #include <chrono>
 #include <filesystem>
@@ -109,6 +110,12 @@ class Crowd : public PairTestWorld {
                             counts.childPairsAsleep, counts.boundsRejected, counts.axisRejected,
                             counts.gjkRuns, counts.gjkIterations, counts.detectorRuns, counts.halfSpaceRuns})
       result.push_back(static_cast<std::uint32_t>(count));
+    const btHybridPairStepInfo info = world.getPairStepInfo();
+    for (const int count : {info.pairs, info.finestPairs, info.touchingPairs, info.touchingFinest})
+      result.push_back(static_cast<std::uint32_t>(count));
+    const std::uint64_t units = std::bit_cast<std::uint64_t>(info.units);
+    result.push_back(static_cast<std::uint32_t>(units >> 32U));
+    result.push_back(static_cast<std::uint32_t>(units));
     return result;
   }
 
