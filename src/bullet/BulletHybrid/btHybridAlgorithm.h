@@ -41,7 +41,7 @@ protected:
 	btHybridNarrowphase* const m_narrowphase;
 	btHybridFallback m_fallback;
 
-	/// What the pair's bodies have to do with levels; 0 if it does not switch.
+	/// Plans the levels of the pair; 0 if it does not switch.
 	btHybridPlanner* getPlanner() const;
 
 	/// Its step is quiet: of what has been found out, and now that it has come.
