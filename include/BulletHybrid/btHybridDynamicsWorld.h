@@ -64,6 +64,7 @@ class btHybridDynamicsWorld : public btDiscreteDynamicsWorld
 
 	void planBodies();
 	void planPairs();
+	void detectPlainly();
 	void dispatchPairs();
 	void solveIslands(btContactSolverInfo& info);
 	double getStepMilliseconds() const;
@@ -274,8 +275,8 @@ public:
 		return m_refusal;
 	}
 
-	/// How many threads, the caller's among them, look for the contacts of hybrids, and solve islands if the world's
-	/// solver is a btHybridContactSolver: 1 to 64, 1 unless set otherwise. Results are the same bits for any number.
+	/// How many threads, the caller's among them, look for the contacts of hybrids and of two plain boxes, and solve
+	/// islands if the world's solver is a btHybridContactSolver: 1 to 64, 1 unless set otherwise. Results are the same bits for any number.
 	/// Callbacks, listeners and the dispatcher's memory stay on the caller's thread; other threads read objects and
 	/// shapes, the meshes of grounds one at a time, and write contacts while no callback that hears of contacts is set
 	/// (gContactProcessedCallback and the like); otherwise they find out which parts are near each other, and how near.

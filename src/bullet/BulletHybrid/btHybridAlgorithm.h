@@ -18,6 +18,7 @@ struct btHybridForeseen
 	{
 		NOTHING,
 		LATER,    ///< when its portion begins, see scatter::pairs::Planner::portionOf()
+		PLAIN,    ///< Bullet's own step, which any thread may make
 		IN_PART,  ///< what needs nothing of Bullet; its step makes use of it
 		QUIET,    ///< its bodies stay apart
 		MADE,     ///< it has been made, which is m_made

@@ -7,12 +7,13 @@
 #include <BulletHybrid/btHybridContactReduction.h>
 #include <LinearMath/btAlignedObjectArray.h>
 
+#include <array>
 #include <span>
 #include <vector>
 
 #include "btHybridContactPoints.h"
+#include "btHybridPairReduction.h"
 #include "solver/contact_problem.h"
-#include "solver/contact_reduction.h"
 #include "solver/contact_solver.h"
 
 /// Contacts of Bullet's manifolds, with the solver bodies that they are between, as a scatter::solver::ContactSolver
@@ -103,8 +104,7 @@ private:
 	int pairOf(int a, int b);
 	void takeBody(const btSolverBody& body);
 	void order();
-	void reduce(scatter::solver::ContactPair& pair, int mostAlike);
-	void leaveOut(int index, int kept);
+	void reduce(const btHybridContactReductionInfo& reduction, const scatter::solver::Share& share);
 	void fetchPoints(size_t batch) const;
 	void giveImpulse(int index, const scatter::solver::ContactSolver::Impulse& impulse,
 	                 const btContactSolverInfo& info) const;
@@ -115,9 +115,7 @@ private:
 	btHybridContactPoints* m_points;
 	scatter::solver::ContactProblem m_problem;
 	scatter::solver::ContactSolver m_solver;
-	scatter::solver::ContactReduction m_reduction;
-	std::vector<scatter::solver::ReducibleContact> m_reducible;
-	std::vector<int> m_reducibleIndex;  ///< of the problem's points
+	std::array<btHybridPairReduction, 8> m_reductions;  ///< each of every eighth pair, for up to so many threads
 	std::vector<Taken> m_taken;
 	std::vector<int> m_lastPair;  ///< of a body that is a pair's a, the pair that was found last
 	std::vector<Known> m_known;   ///< of the pairs

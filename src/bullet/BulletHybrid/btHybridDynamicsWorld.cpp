@@ -330,7 +330,7 @@ void btHybridDynamicsWorld::performDiscreteCollisionDetection()
 	if (m_hybrids.size() == 0 && !getCollisionInfo().m_plainBodies)
 	{
 		m_requests->endStep();
-		btDiscreteDynamicsWorld::performDiscreteCollisionDetection();
+		detectPlainly();
 		return;
 	}
 	BT_PROFILE("performDiscreteCollisionDetection");
@@ -343,15 +343,7 @@ void btHybridDynamicsWorld::performDiscreteCollisionDetection()
 		planBodies();
 	if (m_verifyEvery > 0)
 		m_verifier->begin(m_planner, this);
-	{
-		BT_PROFILE("dispatchAllCollisionPairs");
-		m_narrowphase->getObjects().setDispatching(true);
-		m_narrowphase->getForesight().begin(*m_narrowphase, static_cast<btCollisionDispatcher*>(getDispatcher()),
-		                                    *m_broadphasePairCache->getOverlappingPairCache(), getDispatchInfo());
-		dispatchPairs();
-		m_narrowphase->getForesight().end(*m_narrowphase);
-		m_narrowphase->getObjects().setDispatching(false);
-	}
+	dispatchPairs();
 	if (m_planner)
 	{
 		m_planner->finish(getDispatcher(), {getSolverInfo().m_numIterations,
@@ -362,15 +354,36 @@ void btHybridDynamicsWorld::performDiscreteCollisionDetection()
 		m_verifier->finish(this, m_requests->getStep() % m_verifyEvery == 0);
 }
 
+// Bullet's own, but for threads, which may take steps of plain pairs.
+void btHybridDynamicsWorld::detectPlainly()
+{
+	if (!m_narrowphase->getForesight().getThreads()->areMany())
+	{
+		btDiscreteDynamicsWorld::performDiscreteCollisionDetection();
+		return;
+	}
+	BT_PROFILE("performDiscreteCollisionDetection");
+	m_narrowphase->getForesight().expect();
+	updateAabbs();
+	computeOverlappingPairs();
+	dispatchPairs();
+}
+
 // Where threads have been at work little is left to do. A near callback of the program's own is shown all pairs.
 void btHybridDynamicsWorld::dispatchPairs()
 {
+	BT_PROFILE("dispatchAllCollisionPairs");
+	btHybridForesight& foresight = m_narrowphase->getForesight();
+	btCollisionDispatcher* dispatcher = static_cast<btCollisionDispatcher*>(m_dispatcher1);
 	btOverlappingPairCache* pairs = m_broadphasePairCache->getOverlappingPairCache();
-	btHybridAwakePairs awake(pairs, &m_narrowphase->getForesight());
-	const bool isUsual =
-	    btHybridAheadRules::isDispatchSure(static_cast<btCollisionDispatcher*>(m_dispatcher1), getDispatchInfo(), 0);
-	m_dispatcher1->dispatchAllCollisionPairs(isUsual && m_narrowphase->getForesight().isAtWork() ? &awake : pairs,
-	                                         getDispatchInfo(), m_dispatcher1);
+	m_narrowphase->getObjects().setDispatching(true);
+	foresight.begin(*m_narrowphase, dispatcher, *pairs, getDispatchInfo());
+	btHybridAwakePairs awake(pairs, &foresight);
+	const bool isUsual = btHybridAheadRules::isDispatchSure(dispatcher, getDispatchInfo(), 0);
+	m_dispatcher1->dispatchAllCollisionPairs(isUsual && foresight.isAtWork() ? &awake : pairs, getDispatchInfo(),
+	                                         m_dispatcher1);
+	foresight.end(*m_narrowphase);
+	m_narrowphase->getObjects().setDispatching(false);
 }
 
 // The steps that Bullet is going to make of the time that it is given.

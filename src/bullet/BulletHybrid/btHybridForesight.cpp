@@ -11,6 +11,7 @@
 #include "btHybridGroundAlgorithm.h"
 #include "btHybridNarrowphase.h"
 #include "btHybridPairAlgorithm.h"
+#include "btHybridPlainSteps.h"
 #include "btHybridPlanner.h"
 
 namespace
@@ -24,7 +25,7 @@ const int c_fewestBlocks = 16;
 /// threads together: to hand it over, and to ask all pairs, takes longer than it saves. How long it takes seldom
 /// changes from step to step. A stack of 20 wheels, with 0.2 ms a step, saves a quarter of its detection on two threads
 /// (`scatter run` of wheel_stack-41 in `lean`, collision_detection_ms).
-const size_t c_fewestPairs = 32;
+const int c_fewestPairs = 32;
 const double c_leastMilliseconds = 0.15;
 const int c_pause = 16;
 
@@ -86,20 +87,34 @@ void btHybridForesight::lookAhead(const std::vector<int>& places, int index, int
 }
 
 // Each round fetches what the next one needs of all pairs.
-void btHybridForesight::choose(const btBroadphasePair* pairs, int first, int last,
-                               const btHybridNarrowphase& narrowphase)
+void btHybridForesight::choose(int first, int last, const btHybridNarrowphase& narrowphase)
 {
 	for (int i = first; i < last; ++i)
-		btHybridLookahead::fetch(pairs[i].m_algorithm, c_algorithmBytes);
+		btHybridLookahead::fetch(m_overlaps[i].m_algorithm, c_algorithmBytes);
 	for (int i = first; i < last; ++i)
-	{
-		m_pairs[i] = ownOf(pairs[i].m_algorithm, narrowphase);
-		if (m_pairs[i])
-			m_pairs[i]->fetchForeseen();
-	}
+		chooseOne(i, narrowphase);
 	for (int i = first; i < last; ++i)
 		if (m_pairs[i] && !m_pairs[i]->mayBeForeseen())
 			m_pairs[i] = 0;
+}
+
+void btHybridForesight::chooseOne(size_t place, const btHybridNarrowphase& narrowphase)
+{
+	btCollisionAlgorithm* algorithm = m_overlaps[place].m_algorithm;
+	m_algorithms[place] = algorithm;
+	m_pairs[place] = ownOf(algorithm, narrowphase);
+	if (m_pairs[place])
+		m_pairs[place]->fetchForeseen();
+	else if (m_takesPlain && algorithm && btHybridPlainSteps::isAmong(*algorithm))
+		m_foreseen[place] = btHybridForeseen::PLAIN;
+}
+
+bool btHybridForesight::follow(size_t place, btCollisionDispatcher* dispatcher) const
+{
+	if (m_pairs[place])
+		return m_pairs[place]->follow(dispatcher);
+	return m_foreseen[place].m_kind == btHybridForeseen::PLAIN &&
+	       btHybridPlainSteps::mayMake(m_overlaps[place], *dispatcher, m_ahead);
 }
 
 // Bodies are shared by pairs, and a shape may turn out to have changed: on one thread.
@@ -109,12 +124,13 @@ void btHybridForesight::follow(btCollisionDispatcher* dispatcher)
 	{
 		if (i + c_algorithmsAhead < m_pairs.size())
 			btHybridLookahead::fetch(m_pairs[i + c_algorithmsAhead], c_algorithmBytes);
-		if (!m_pairs[i])
-			continue;
-		if (m_pairs[i]->follow(dispatcher))
+		if (follow(i, dispatcher))
+		{
 			addPlace(i);
-		else
-			m_pairs[i] = 0;
+			continue;
+		}
+		m_pairs[i] = 0;
+		m_foreseen[i] = btHybridForeseen::NOTHING;
 	}
 }
 
@@ -129,6 +145,11 @@ void btHybridForesight::beginPortions()
 // Pairs that depend on what others take wait for their portion. Where each is it must know before its turn comes.
 void btHybridForesight::addPlace(size_t place)
 {
+	if (!m_pairs[place])
+	{
+		m_atOnce.push_back(int(place));
+		return;
+	}
 	const int index = m_portions.empty() ? -1 : m_pairs[place]->getPlanIndex();
 	const int portion = index >= 0 ? m_planner->portionOf(index) : btHybridPlanner::kNoPortion;
 	(portion == btHybridPlanner::kNoPortion ? m_atOnce : m_portions[portion]).push_back(int(place));
@@ -159,22 +180,34 @@ void btHybridForesight::foresee(const std::vector<int>& places, int first, int l
 	for (int i = first; i < last; ++i)
 	{
 		lookAhead(places, i, first, last);
-		const int place = places[i];
-		if (m_pairs[place])
-			m_foreseen[place] = m_pairs[place]->foresee(m_ahead, *memory);
+		foresee(places[i], *memory);
 	}
 	memory->m_milliseconds +=
 	    std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 	giveBack(memory);
 }
 
+void btHybridForesight::foresee(size_t place, btHybridStepMemory& memory)
+{
+	if (m_pairs[place])
+	{
+		m_foreseen[place] = m_pairs[place]->foresee(m_ahead, memory);
+	}
+	else if (m_foreseen[place].m_kind == btHybridForeseen::PLAIN)
+	{
+		btHybridPlainSteps::make(m_overlaps[place], *m_ahead.m_info);
+		m_foreseen[place] = btHybridForeseen::DONE;
+	}
+}
+
 void btHybridForesight::begin(btHybridNarrowphase& narrowphase, btCollisionDispatcher* dispatcher,
                               btOverlappingPairCache& overlaps, const btDispatcherInfo& info)
 {
+	m_algorithms.clear();
 	m_pairs.clear();
 	m_isExpecting = false;
-	const size_t own = narrowphase.countPairs() + size_t(narrowphase.getGrounds().count());
-	if (!m_threads->areMany() || own < c_fewestPairs ||
+	const int count = overlaps.getNumOverlappingPairs();
+	if (!m_threads->areMany() || count < c_fewestPairs ||
 	    !btHybridAheadRules::isDispatchSure(dispatcher, info, m_promises))
 		return;
 	if (m_pause > 0)
@@ -186,11 +219,12 @@ void btHybridForesight::begin(btHybridNarrowphase& narrowphase, btCollisionDispa
 	m_ahead.m_info = &info;
 	m_ahead.m_mayStep = btHybridAheadRules::mayStep();
 	m_ahead.m_mayAdd = btHybridAheadRules::mayAdd(m_promises);
-	const int count = overlaps.getNumOverlappingPairs();
+	m_takesPlain = m_ahead.m_mayStep && btHybridAheadRules::isDispatchSure(dispatcher, info, 0);
+	m_algorithms.resize(count);
 	m_pairs.resize(count);
 	m_foreseen.assign(count, btHybridForeseen::NOTHING);
-	const btBroadphasePair* pairs = overlaps.getOverlappingPairArrayPtr();
-	forEachBlock(count, [&](int first, int last) { choose(pairs, first, last, narrowphase); });
+	m_overlaps = overlaps.getOverlappingPairArrayPtr();
+	forEachBlock(count, [&](int first, int last) { choose(first, last, narrowphase); });
 	m_planner = narrowphase.getPlanner();
 	beginPortions();
 	follow(dispatcher);
@@ -201,7 +235,7 @@ void btHybridForesight::begin(btHybridNarrowphase& narrowphase, btCollisionDispa
 void btHybridForesight::end(btHybridNarrowphase& narrowphase)
 {
 	for (size_t i = 0; i < m_pairs.size(); ++i)
-		if (m_foreseen[i].m_kind != btHybridForeseen::NOTHING)
+		if (m_pairs[i] && m_foreseen[i].m_kind != btHybridForeseen::NOTHING)
 			m_pairs[i]->endForesight(m_foreseen[i]);
 	double milliseconds = 0;
 	for (const auto& memory : m_memories)
@@ -215,6 +249,7 @@ void btHybridForesight::end(btHybridNarrowphase& narrowphase)
 		m_isExpecting = milliseconds >= c_leastMilliseconds;
 		m_pause = m_isExpecting ? 0 : c_pause;
 	}
+	m_algorithms.clear();
 	m_pairs.clear();
 }
 
@@ -246,6 +281,7 @@ void btHybridForesight::forget(btHybridAlgorithm* pair)
 		return;
 	const btHybridForeseen foreseen = m_foreseen[place];
 	m_foreseen[place] = btHybridForeseen::NOTHING;
+	m_algorithms[place] = 0;
 	m_pairs[place] = 0;
 	if (foreseen.m_kind != btHybridForeseen::NOTHING)
 		pair->endForesight(foreseen);

@@ -19,12 +19,15 @@ class btOverlappingPairCache;
 struct btBroadphasePair;
 
 /// Makes on several threads, before the pairs of a step are dispatched, the steps of those that need nothing of Bullet
-/// but manifolds; of others, it finds out the neighbours and distances of their parts. What Bullet is asked or told
-/// stays on the caller's thread, in today's order, and results are the same bits for any number of threads.
+/// but manifolds, and those that are Bullet's own on any thread; of others, it finds out the neighbours and distances
+/// of their parts. What Bullet is asked or told stays on the caller's thread, in today's order, and results are the
+/// same bits for any number of threads.
 class btHybridForesight
 {
 	std::shared_ptr<btHybridThreads> m_threads;
-	std::vector<btHybridAlgorithm*> m_pairs;  ///< of the step, in Bullet's order; 0 where nothing is to be foreseen
+	const btBroadphasePair* m_overlaps;                     ///< of the step
+	std::vector<const btCollisionAlgorithm*> m_algorithms;  ///< of those, in Bullet's order
+	std::vector<btHybridAlgorithm*> m_pairs;                ///< that are ours; 0 where nothing is ours to be foreseen
 	std::vector<btHybridForeseen>
 	    m_foreseen;              ///< of each, side by side: most need no look at the pair when their turn comes
 	btHybridPlanner* m_planner;  ///< of the step
@@ -36,6 +39,7 @@ class btHybridForesight
 	std::vector<std::unique_ptr<btHybridStepMemory>> m_memories;
 	std::vector<btHybridStepMemory*> m_free;
 	int m_pause;         ///< steps in which nothing is to be foreseen
+	bool m_takesPlain;   ///< pairs that are not ours may be done before their turn
 	bool m_isExpecting;  ///< the next step is likely to share its pairs, as the last one did
 
 	btHybridForesight(const btHybridForesight&);
@@ -43,12 +47,15 @@ class btHybridForesight
 
 	template <class Work>
 	void forEachBlock(int count, const Work& work) const;
-	void choose(const btBroadphasePair* pairs, int first, int last, const btHybridNarrowphase& narrowphase);
+	void choose(int first, int last, const btHybridNarrowphase& narrowphase);
+	void chooseOne(size_t place, const btHybridNarrowphase& narrowphase);
+	bool follow(size_t place, btCollisionDispatcher* dispatcher) const;
 	void follow(btCollisionDispatcher* dispatcher);
 	void beginPortions();
 	void addPlace(size_t place);
 	void foresee(const std::vector<int>& places);
 	void foresee(const std::vector<int>& places, int first, int last);
+	void foresee(size_t place, btHybridStepMemory& memory);
 	void foreseePortionOf(size_t place);
 	void lookAhead(const std::vector<int>& places, int index, int first, int last) const;
 	bool isTaken(size_t place) const;
@@ -56,7 +63,14 @@ class btHybridForesight
 	void giveBack(btHybridStepMemory* memory);
 
 public:
-	btHybridForesight() : m_threads(new btHybridThreads), m_planner(0), m_promises(0), m_pause(0), m_isExpecting(false)
+	btHybridForesight()
+	    : m_threads(new btHybridThreads),
+	      m_overlaps(0),
+	      m_planner(0),
+	      m_promises(0),
+	      m_pause(0),
+	      m_takesPlain(false),
+	      m_isExpecting(false)
 	{
 	}
 
@@ -99,7 +113,7 @@ public:
 	/// its bodies are known to stay apart: it is done then. `algorithm` may be anyone's.
 	bool passBy(size_t place, const btCollisionAlgorithm* algorithm)
 	{
-		if (place >= m_pairs.size() || m_pairs[place] != algorithm)
+		if (place >= m_algorithms.size() || m_algorithms[place] != algorithm)
 			return false;
 		if (m_foreseen[place].m_kind == btHybridForeseen::LATER)
 			foreseePortionOf(place);

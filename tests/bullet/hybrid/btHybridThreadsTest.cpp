@@ -535,6 +535,96 @@ TEST(Threads, LeaveContactsOfPairsThatAreLeftOut) {
   skipsNow = false;
 }
 
+/// A scheduler that says when it is at work.
+class NotedScheduler : public BackwardScheduler {
+ public:
+  void parallelFor(int begin, int end, int grain, const btIParallelForBody& body) override {
+    isAtWork = true;
+    BackwardScheduler::parallelFor(begin, end, grain, body);
+    isAtWork = false;
+  }
+
+  static inline bool isAtWork = false;
+};
+
+/// A box that counts how often it is asked for its margin while such a scheduler is at work.
+class NotedBox : public btBoxShape {
+ public:
+  using btBoxShape::btBoxShape;
+  btScalar getMargin() const override {
+    if (NotedScheduler::isAtWork) ++shared;
+    return btBoxShape::getMargin();
+  }
+
+  static inline int shared = 0;
+};
+
+/// A wall of boxes that sways, with a detailed body on it or without.
+class Blocks : public PairTestWorld {
+ public:
+  explicit Blocks(bool hasHybrid) {
+    world.setGravity(btVector3(0, -10, 0));
+    auto* box = shape<NotedBox>(btVector3(0.5F, 0.5F, 0.5F));
+    add(0, shape<NotedBox>(btVector3(60, 1, 60)), btVector3(0, -1, 0));
+    for (int i = 0; i < 300; ++i) {
+      const auto number = static_cast<float>(i);
+      add(1, box,
+          btVector3(static_cast<float>(i % 20), 0.5F + static_cast<float>(i / 20), 0.3F * std::sin(number)))
+          ->setActivationState(DISABLE_DEACTIVATION);
+    }
+    if (hasHybrid) addBlock(btVector3(9, 17, 0));
+  }
+
+  /// Steps with another world that has no threads, in which the same must come about.
+  void stepBeside(Blocks& other, int steps) {
+    for (int i = 0; i < steps; ++i) {
+      step();
+      other.step();
+      ASSERT_EQ(bits(), other.bits()) << "step " << i;
+    }
+  }
+};
+
+/// How often boxes were asked by what a scheduler shares.
+int countShared(bool hasHybrid, const std::function<void(Blocks&)>& change) {
+  NotedScheduler scheduler;
+  Blocks one(hasHybrid);
+  Blocks other(hasHybrid);
+  EXPECT_STREQ(one.world.setTaskScheduler(&scheduler), nullptr);
+  change(one);
+  change(other);
+  NotedBox::shared = 0;
+  one.stepBeside(other, 60);
+  return NotedBox::shared;
+}
+
+// Bullet's own steps of two boxes reach for nothing else.
+TEST(Threads, TakeStepsOfPlainBoxes) {
+  for (const bool hasHybrid : {true, false})
+    EXPECT_GT(countShared(hasHybrid, [](Blocks&) {}), 10000)
+        << (hasHybrid ? "with" : "without") << " a hybrid";
+}
+
+TEST(Threads, LeavePlainBoxesToWhoSeesOrHearsOfThem) {
+  const auto look = [](Blocks& blocks) {
+    blocks.world.setPromises(BT_HYBRID_NEAR_CALLBACK_FORWARDS);
+    blocks.dispatcher.setNearCallback(handOn);
+  };
+  EXPECT_EQ(countShared(false, look), 0);
+  gContactProcessedCallback = noteProcessed;
+  EXPECT_EQ(countShared(false, [](Blocks&) {}), 0);
+  gContactProcessedCallback = nullptr;
+}
+
+TEST(Threads, GiveTheSameBitsToPlainBoxes) {
+  for (const bool hasHybrid : {true, false}) {
+    Blocks one(hasHybrid);
+    Blocks many(hasHybrid);
+    ASSERT_STREQ(many.world.setNumThreads(3), nullptr);
+    many.stepBeside(one, 120);
+  }
+}
+
 /// How often threads of this process have gone to sleep by themselves; 0 where that is not to be had.
 int countSleeps() {
   int sleeps = 0;
