@@ -276,13 +276,13 @@ public:
 	}
 
 	/// How many threads, the caller's among them, look for the contacts of hybrids and of two plain boxes, and solve
-	/// islands if the world's solver is a btHybridContactSolver: 1 to 64, 1 unless set otherwise. Results are the same bits for any number.
-	/// Callbacks, listeners and the dispatcher's memory stay on the caller's thread; other threads read objects and
-	/// shapes, the meshes of grounds one at a time, and write contacts while no callback that hears of contacts is set
-	/// (gContactProcessedCallback and the like); otherwise they find out which parts are near each other, and how near.
-	/// With a near callback of the program's own, which may leave pairs out, there is one thread unless the program
-	/// promises otherwise; so there is in steps with few pairs, and on one core. Returns 0; or, for other numbers and
-	/// inside a step, what is wrong, and then nothing has changed.
+	/// islands if the world's solver is a btHybridContactSolver: 1 to 64, 1 unless set otherwise. Results are the same
+	/// bits for any number. Callbacks, listeners and the dispatcher's memory stay on the caller's thread; other threads
+	/// read objects and shapes, the meshes of grounds one at a time, and write contacts while no callback that hears of
+	/// contacts is set (gContactProcessedCallback and the like); otherwise they find out which parts are near each
+	/// other, and how near. With a near callback of the program's own, which may leave pairs out, there is one thread
+	/// unless the program promises otherwise; so there is in steps with few pairs, and on one core. Returns 0; or, for
+	/// other numbers and inside a step, what is wrong, and then nothing has changed.
 	const char* setNumThreads(int threads);
 	int getNumThreads() const;
 

@@ -622,6 +622,10 @@ TEST(Threads, GiveTheSameBitsToPlainBoxes) {
     Blocks many(hasHybrid);
     ASSERT_STREQ(many.world.setNumThreads(3), nullptr);
     many.stepBeside(one, 120);
+    // What others take is counted alike, whoever does it.
+    for (Blocks* blocks : {&one, &many}) blocks->world.setBudgetUnits(one.pairInfo().units + 5);
+    many.stepBeside(one, 60);
+    EXPECT_EQ(many.pairInfo().units, one.pairInfo().units);
   }
 }
 
