@@ -12,10 +12,8 @@ std::string unknownName(std::string_view kind, std::string_view name, const std:
     return editDistance(name, a) < editDistance(name, b);
   });
   // More than half of it wrong is another word.
-  if (nearest != known.end() && 2 * editDistance(name, *nearest) <= name.size()) {
-    message += "did you mean \"" + *nearest + "\"? ";
-  }
-  message += "Known: ";
+  const bool isNear = nearest != known.end() && 2 * editDistance(name, *nearest) <= name.size();
+  message += isNear ? "did you mean \"" + *nearest + "\"? Known: " : "known: ";
   for (const std::string& one : known) {
     message += (&one == &known.front() ? "" : ", ") + one;
   }

@@ -55,13 +55,6 @@ int writeAll(int fd, std::string_view content) {
   return 0;
 }
 
-/// Where a write to `path` ends up: behind symbolic links, if it exists.
-std::filesystem::path resolve(const std::filesystem::path& path) {
-  std::error_code ignored;
-  const std::filesystem::path target = std::filesystem::canonical(path, ignored);
-  return ignored ? path : target;
-}
-
 Result<void> writeDirectly(const std::filesystem::path& path, std::string_view content) {
   Descriptor file(path, O_WRONLY);
   if (!file.isOpen()) {
@@ -113,14 +106,10 @@ Result<std::string> readFile(const std::filesystem::path& path) {
 }
 
 Result<void> writeFile(const std::filesystem::path& path, std::string_view content) {
-  const std::filesystem::path target = resolve(path);
   struct stat status {};
-  const bool exists = ::stat(target.c_str(), &status) == 0;
-  if (exists && S_ISDIR(status.st_mode)) {
-    return cannotWrite(path, EISDIR);
-  }
-  return exists && !S_ISREG(status.st_mode) ? writeDirectly(target, content)
-                                            : writeAndRename(target, content);
+  const bool exists = ::stat(path.c_str(), &status) == 0;
+  const bool isDevice = exists && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+  return isDevice ? writeDirectly(path, content) : writeAndRename(path, content);
 }
 
 }  // namespace scatter

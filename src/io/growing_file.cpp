@@ -14,12 +14,16 @@
 
 namespace scatter {
 
-Result<std::unique_ptr<GrowingFile>> GrowingFile::create(std::filesystem::path file) {
-  auto [name, descriptor] = makeTemporaryBeside(file);
+Result<std::unique_ptr<GrowingFile>> GrowingFile::create(const std::filesystem::path& file) {
+  auto place = findPlaceOf(file);
+  if (!place) {
+    return tl::unexpected(place.error());
+  }
+  auto [name, descriptor] = makeTemporaryBeside(*place);
   if (descriptor < 0) {
     return cannotWrite(file, errno);
   }
-  return std::unique_ptr<GrowingFile>(new GrowingFile(std::move(file), std::move(name), descriptor));
+  return std::unique_ptr<GrowingFile>(new GrowingFile(std::move(*place), std::move(name), descriptor));
 }
 
 GrowingFile::GrowingFile(std::filesystem::path file, std::filesystem::path temporary, int descriptor)

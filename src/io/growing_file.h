@@ -14,7 +14,7 @@ namespace scatter {
 /// the first addition, and holds whole additions only, unless the program is killed within one.
 class GrowingFile {
  public:
-  [[nodiscard]] static Result<std::unique_ptr<GrowingFile>> create(std::filesystem::path file);
+  [[nodiscard]] static Result<std::unique_ptr<GrowingFile>> create(const std::filesystem::path& file);
 
   GrowingFile(const GrowingFile&) = delete;
   GrowingFile& operator=(const GrowingFile&) = delete;

@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
+#include <filesystem>
 #include <fstream>
 
 #include "apps/program.h"
@@ -51,7 +53,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"noWorlds", {"compare", "tower", "--worlds", ""}, "unknown world \"\""},
         Refusal{"unknownPolicy", {"run", "tower", "--policy", "finset"}, "did you mean \"finest\"?"},
         Refusal{
-            "unknownEngine", {"run", "tower", "--engine", "ode"}, "unknown engine \"ode\"; Known: bullet"},
+            "unknownEngine", {"run", "tower", "--engine", "ode"}, "unknown engine \"ode\"; known: bullet"},
         Refusal{"unknownSwitching", {"run", "tower", "--switching", "pairs"}, "did you mean \"pair\"?"},
         Refusal{"policyParameter", {"run", "tower", "--policy", "speed:form=5"}, "form"},
         Refusal{"policyValue", {"run", "tower", "--policy", "speed:from=fast"}, "fast"},
@@ -206,6 +208,16 @@ TEST_P(BadFolder, IsRefusedBeforeTheRun) {
 INSTANTIATE_TEST_SUITE_P(Paths, BadFolder,
                          testing::Values("/proc/x", "/dev/full", "/dev/full/x", SCATTER_PROGRAM,
                                          SCATTER_PROGRAM "/below/a/file"));
+
+// Else it would be replaced by a file.
+TEST_F(ProgramTest, ARecordingIntoAPipeIsRefused) {
+  const fs::path pipe = fs::temp_directory_path() / (folder.filename().string() + ".pipe");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  expectRefused(scatter({"run", "tower", "--frames", "50000000", "--record", pipe.string()}),
+                "is a device or a pipe; choose the name of a file");
+  EXPECT_TRUE(fs::is_fifo(pipe));
+  fs::remove(pipe);
+}
 
 TEST_F(ProgramTest, AFolderWithoutANameIsRefused) {
   expectRefused(scatter({"run", "tower", "--out", ""}), "the output folder has no name");

@@ -9,6 +9,8 @@
 #include <filesystem>
 #include <string>
 
+#include "io/atomic_file.h"
+#include "io/growing_file.h"
 #include "io/temporary_folder.h"
 
 namespace scatter {
@@ -104,6 +106,36 @@ TEST(File, ReportsAFullDeviceAndLeavesItADevice) {
   EXPECT_THAT(written.error().message, testing::StartsWith("cannot write /dev/full: "));
   ASSERT_EQ(::stat("/dev/full", &status), 0);
   EXPECT_TRUE(S_ISCHR(status.st_mode));
+}
+
+/// A message about a pipe that stands where a file was to be, and still stands there.
+template <class Kind>
+std::string refusalOfAPipe() {
+  const TemporaryFolder folder;
+  const fs::path pipe = folder / "pipe";
+  EXPECT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const auto made = Kind::create(pipe);
+  EXPECT_FALSE(made.has_value());
+  EXPECT_TRUE(fs::is_fifo(pipe));
+  EXPECT_EQ(entries(folder), 1U);
+  return made ? "" : made.error().message;
+}
+
+// What is renamed would take its place: a program with the rights to do so would replace /dev/null.
+TEST(File, NeverTakesThePlaceOfADeviceOrAPipe) {
+  EXPECT_THAT(refusalOfAPipe<GrowingFile>(), testing::HasSubstr("is a device or a pipe"));
+  EXPECT_THAT(refusalOfAPipe<AtomicFile>(), testing::HasSubstr("is a device or a pipe"));
+}
+
+TEST(File, GrowsBehindASymbolicLink) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(writeFile(folder / "file", "old"));
+  fs::create_symlink("file", folder / "link");
+  const auto growing = GrowingFile::create(folder / "link");
+  ASSERT_TRUE(growing);
+  ASSERT_TRUE((*growing)->add("new"));
+  EXPECT_TRUE(fs::is_symlink(folder / "link"));
+  EXPECT_EQ(readFile(folder / "file").value(), "new");
 }
 
 TEST(File, ReportsAPlaceThatCannotBeWritten) {
