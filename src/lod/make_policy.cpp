@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "text/edit_distance.h"
+#include "text/nearest_name.h"
 
 namespace scatter::lod {
 namespace {
@@ -40,15 +40,12 @@ std::string number(double value) {
 template <class Known>
 std::string suggestion(std::string_view name, std::span<const Known> known) {
   std::string list;
-  std::string_view nearest;
-  std::size_t least = std::max<std::size_t>(2, name.size() / 2) + 1;
+  std::vector<std::string_view> names;
   for (const Known& one : known) {
     list += (list.empty() ? "" : ", ") + std::string(one.name);
-    const std::size_t distance = editDistance(name.substr(0, kLongestQuote), one.name);
-    if (distance >= least) continue;
-    least = distance;
-    nearest = one.name;
+    names.emplace_back(one.name);
   }
+  const std::string_view nearest = nearestName(name, names);
   const std::string meant = nearest.empty() ? "" : "did you mean " + quoted(nearest) + "? ";
   return meant + "known: " + list;
 }

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <string_view>
 
-#include "text/edit_distance.h"
+#include "text/nearest_name.h"
 
 namespace scatter {
 
@@ -12,11 +12,10 @@ namespace {
 
 std::string unknownScene(const std::string& name, const std::vector<std::string>& known) {
   if (known.empty()) return "unknown scene \"" + name + "\": this program has no scenes";
-  const std::string& nearest =
-      *std::min_element(known.begin(), known.end(), [&name](const std::string& a, const std::string& b) {
-        return editDistance(name, a) < editDistance(name, b);
-      });
-  std::string message = "unknown scene \"" + name + "\"; did you mean \"" + nearest + "\"? Known scenes:";
+  const std::string_view nearest = nearestName(name, known);
+  std::string message = "unknown scene \"" + name + "\"; ";
+  message +=
+      nearest.empty() ? "known scenes:" : "did you mean \"" + std::string(nearest) + "\"? Known scenes:";
   for (const std::string& one : known) message += (&one == &known.front() ? " " : ", ") + one;
   return message;
 }

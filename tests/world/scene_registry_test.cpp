@@ -51,7 +51,7 @@ TEST(SceneRegistry, UnknownNameGetsTheNearestAndTheList) {
   EXPECT_EQ(errorOf(registry, "flete"), "unknown scene \"flete\"; did you mean \"fleet\"? " + list);
   EXPECT_EQ(errorOf(registry, "powers"), "unknown scene \"powers\"; did you mean \"tower\"? " + list);
   EXPECT_EQ(errorOf(registry, "dual"), "unknown scene \"dual\"; did you mean \"duel\"? " + list);
-  EXPECT_EQ(errorOf(registry, ""), "unknown scene \"\"; did you mean \"duel\"? " + list);
+  EXPECT_EQ(errorOf(registry, ""), "unknown scene \"\"; known scenes: armada, duel, fleet, tower");
 }
 
 TEST(SceneRegistry, EmptyOneSaysSo) {
