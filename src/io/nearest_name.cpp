@@ -1,7 +1,7 @@
-#include "text/nearest_name.h"
+#include "io/nearest_name.h"
 
 #include "io/collada/xml_source.h"
-#include "io/nearest_name.h"
+#include "text/nearest_name.h"
 
 namespace scatter::io {
 
