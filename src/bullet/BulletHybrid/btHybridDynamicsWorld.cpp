@@ -369,13 +369,19 @@ void btHybridDynamicsWorld::detectPlainly()
 	dispatchPairs();
 }
 
-// Where threads have been at work little is left to do. A near callback of the program's own is shown all pairs.
+// Where threads have been at work little is left to do. A near callback of the program's own is shown all pairs, and a
+// dispatcher that is not ours to use may show any pair to anyone: nothing is done before it.
 void btHybridDynamicsWorld::dispatchPairs()
 {
 	BT_PROFILE("dispatchAllCollisionPairs");
+	btOverlappingPairCache* pairs = m_broadphasePairCache->getOverlappingPairCache();
+	if (getNarrowphaseMistake())
+	{
+		m_dispatcher1->dispatchAllCollisionPairs(pairs, getDispatchInfo(), m_dispatcher1);
+		return;
+	}
 	btHybridForesight& foresight = m_narrowphase->getForesight();
 	btCollisionDispatcher* dispatcher = static_cast<btCollisionDispatcher*>(m_dispatcher1);
-	btOverlappingPairCache* pairs = m_broadphasePairCache->getOverlappingPairCache();
 	m_narrowphase->getObjects().setDispatching(true);
 	foresight.begin(*m_narrowphase, dispatcher, *pairs, getDispatchInfo());
 	btHybridAwakePairs awake(pairs, &foresight);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <vector>
 
 #include "MisuseTest.h"
 
@@ -124,6 +125,44 @@ TEST_F(SharingTest, ParallelDispatchersAreTold) {
   btHybridDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
   EXPECT_THAT(world.getNarrowphaseMistake(), HasSubstr("btCollisionDispatcherMt"));
   EXPECT_THAT(world.setBudgetUnits(10), HasSubstr("btCollisionDispatcherMt"));
+}
+
+/// The sum of how many steps long each contact of a layer of boxes has been refreshed.
+int lifetimesUnderAParallelDispatcher(int threads) {
+  btDefaultCollisionConfiguration configuration;
+  btCollisionDispatcherMt dispatcher(&configuration);
+  btDbvtBroadphase broadphase;
+  btSequentialImpulseConstraintSolver solver;
+  btHybridDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
+  EXPECT_STREQ(world.setNumThreads(threads), nullptr);
+  btBoxShape floor(btVector3(60, 1, 60));
+  btBoxShape box(btVector3(0.5F, 0.5F, 0.5F));
+  std::vector<std::unique_ptr<btRigidBody>> bodies;
+  const auto add = [&](float mass, btBoxShape& shape, const btVector3& place) {
+    bodies.push_back(std::make_unique<btRigidBody>(mass, nullptr, &shape, btVector3(1, 1, 1)));
+    bodies.back()->setWorldTransform(btTransform(btQuaternion::getIdentity(), place));
+    world.addRigidBody(bodies.back().get());
+  };
+  add(0, floor, btVector3(0, -1, 0));
+  for (int i = 0; i < 100; ++i)
+    add(1, box, btVector3(static_cast<float>(i % 10) * 2, 0.49F, static_cast<float>(i) / 5));
+  for (int step = 0; step < 60; ++step) world.stepSimulation(1.0F / 60, 0);
+  int lifetimes = 0;
+  for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
+    const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
+    for (int k = 0; k < manifold.getNumContacts(); ++k)
+      lifetimes += manifold.getContactPoint(k).getLifeTime();
+  }
+  for (auto& body : bodies) world.removeRigidBody(body.get());
+  return lifetimes;
+}
+
+// It takes every pair from Bullet's array, whatever has been done with it.
+TEST_F(SharingTest, ParallelDispatchersHavePairsOfBoxesToThemselves) {
+  if (btGetTaskScheduler() == nullptr) btSetTaskScheduler(btGetSequentialTaskScheduler());
+  const int alone = lifetimesUnderAParallelDispatcher(1);
+  EXPECT_GT(alone, 1000);
+  EXPECT_EQ(lifetimesUnderAParallelDispatcher(3), alone);
 }
 
 }  // namespace
