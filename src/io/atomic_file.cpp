@@ -1,6 +1,5 @@
 #include "io/atomic_file.h"
 
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cassert>
@@ -26,32 +25,11 @@ tl::unexpected<Error> cannotWrite(const std::filesystem::path& file, int errorNu
                                 .kind = full ? ErrorKind::kDiskFull : ErrorKind::kInput});
 }
 
-Result<std::filesystem::path> findPlaceOf(const std::filesystem::path& file) {
-  struct stat status {};
-  if (::stat(file.c_str(), &status) != 0) {
-    return file;
-  }
-  if (S_ISDIR(status.st_mode)) {
-    return cannotWrite(file, EISDIR);
-  }
-  if (!S_ISREG(status.st_mode)) {
-    return fail("cannot write " + file.string() + ": it is a device or a pipe; choose the name of a file");
-  }
-  std::error_code error;
-  const std::filesystem::path place = std::filesystem::canonical(file, error);
-  return error ? file : place;
-}
-
 Result<std::unique_ptr<AtomicFile>> AtomicFile::create(const std::filesystem::path& file) {
-  auto place = findPlaceOf(file);
-  if (!place) {
-    return tl::unexpected(place.error());
-  }
-  auto [name, descriptor] = makeTemporaryBeside(*place);
-  if (descriptor < 0) {
-    return cannotWrite(file, errno);
-  }
-  return std::unique_ptr<AtomicFile>(new AtomicFile(std::move(*place), std::move(name), descriptor));
+  return makeTemporaryFor(file).map([](TemporaryFile made) {
+    return std::unique_ptr<AtomicFile>(
+        new AtomicFile(std::move(made.place), std::move(made.path), made.descriptor));
+  });
 }
 
 AtomicFile::AtomicFile(std::filesystem::path file, std::filesystem::path temporary, int descriptor)

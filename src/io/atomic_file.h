@@ -9,10 +9,6 @@
 
 namespace scatter {
 
-/// Where a file of this name is to be, behind symbolic links. Fails where a folder, a device or a pipe is,
-/// which a file must not take the place of.
-[[nodiscard]] Result<std::filesystem::path> findPlaceOf(const std::filesystem::path& file);
-
 /// A file that appears under its name only when it is whole. Until commit() it has a temporary name in the
 /// same folder, which is removed on any error and on destruction.
 class AtomicFile {

@@ -15,15 +15,10 @@
 namespace scatter {
 
 Result<std::unique_ptr<GrowingFile>> GrowingFile::create(const std::filesystem::path& file) {
-  auto place = findPlaceOf(file);
-  if (!place) {
-    return tl::unexpected(place.error());
-  }
-  auto [name, descriptor] = makeTemporaryBeside(*place);
-  if (descriptor < 0) {
-    return cannotWrite(file, errno);
-  }
-  return std::unique_ptr<GrowingFile>(new GrowingFile(std::move(*place), std::move(name), descriptor));
+  return makeTemporaryFor(file).map([](TemporaryFile made) {
+    return std::unique_ptr<GrowingFile>(
+        new GrowingFile(std::move(made.place), std::move(made.path), made.descriptor));
+  });
 }
 
 GrowingFile::GrowingFile(std::filesystem::path file, std::filesystem::path temporary, int descriptor)

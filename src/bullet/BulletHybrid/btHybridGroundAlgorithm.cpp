@@ -8,6 +8,7 @@
 #include "btHybridAheadEngine.h"
 #include "btHybridNarrowphase.h"
 #include "btHybridPlanner.h"
+#include "btHybridWrapped.h"
 #include "pairs/ground_step.h"
 
 static_assert(sizeof(btHybridGroundAlgorithm) <= sizeof(btCompoundCompoundCollisionAlgorithm),
@@ -148,16 +149,11 @@ struct CallAhead
 	btHybridGroundCall m_call;
 
 	CallAhead(const btHybridGroundBodies& bodies, const btDispatcherInfo& info)
-	    : m_body(wrapOf(bodies.m_object->getObject())),
-	      m_ground(wrapOf(bodies.m_groundObject)),
+	    : m_body(btHybridWrapped(bodies.m_object->getObject())),
+	      m_ground(btHybridWrapped(bodies.m_groundObject)),
 	      m_result(bodies.m_side == 0 ? &m_body : &m_ground, bodies.m_side == 0 ? &m_ground : &m_body),
 	      m_call{&m_body, &m_ground, info, &m_result}
 	{
-	}
-
-	static btCollisionObjectWrapper wrapOf(const btCollisionObject* object)
-	{
-		return btCollisionObjectWrapper(0, object->getCollisionShape(), object, object->getWorldTransform(), -1, -1);
 	}
 };
 

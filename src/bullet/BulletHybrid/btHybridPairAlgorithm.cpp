@@ -9,6 +9,7 @@
 #include "btHybridAheadEngine.h"
 #include "btHybridNarrowphase.h"
 #include "btHybridPlanner.h"
+#include "btHybridWrapped.h"
 
 static_assert(sizeof(btHybridPairAlgorithm) <= sizeof(btCompoundCompoundCollisionAlgorithm),
               "does not fit into Bullet's pool of algorithms");
@@ -209,10 +210,8 @@ const scatter::pairs::StepAhead& btHybridPairAlgorithm::stepAhead(const btHybrid
 {
 	btHybridNarrowphase& shared = *m_narrowphase;
 	const btCollisionObject* objects[2] = {m_bodies.m_objects[0]->getObject(), m_bodies.m_objects[1]->getObject()};
-	const btCollisionObjectWrapper wrap0(0, objects[0]->getCollisionShape(), objects[0],
-	                                     objects[0]->getWorldTransform(), -1, -1);
-	const btCollisionObjectWrapper wrap1(0, objects[1]->getCollisionShape(), objects[1],
-	                                     objects[1]->getWorldTransform(), -1, -1);
+	const btCollisionObjectWrapper wrap0 = btHybridWrapped(objects[0]);
+	const btCollisionObjectWrapper wrap1 = btHybridWrapped(objects[1]);
 	btManifoldResult result(&wrap0, &wrap1);
 	const btHybridPairCall call = {{&wrap0, &wrap1}, *ahead.m_info, &result};
 	scatter::pairs::StepAhead& step = memory.m_foresight.takeStep();

@@ -7,6 +7,7 @@
 #include "BulletHybrid/btHybridRigidBody.h"
 #include "btHybridAlgorithm.h"
 #include "btHybridPlanner.h"
+#include "btHybridWrapped.h"
 
 btHybridChildKey::btHybridChildKey(const btCollisionObject* body0, const btCollisionObject* body1, int child0,
                                    int child1)
@@ -340,8 +341,8 @@ void btHybridParallelWorld::collide(btBroadphasePair& pair, btCollisionDispatche
 		own.m_owner.m_broadphase->getOverlappingPairCache()->cleanOverlappingPair(pair, &dispatcher);
 	btCollisionObject* object0 = static_cast<btCollisionObject*>(pair.m_pProxy0->m_clientObject);
 	btCollisionObject* object1 = static_cast<btCollisionObject*>(pair.m_pProxy1->m_clientObject);
-	btCollisionObjectWrapper wrap0(0, object0->getCollisionShape(), object0, object0->getWorldTransform(), -1, -1);
-	btCollisionObjectWrapper wrap1(0, object1->getCollisionShape(), object1, object1->getWorldTransform(), -1, -1);
+	const btCollisionObjectWrapper wrap0 = btHybridWrapped(object0);
+	const btCollisionObjectWrapper wrap1 = btHybridWrapped(object1);
 	own.beginPair(object0, object1);
 	if (!pair.m_algorithm)
 		pair.m_algorithm = own.findAlgorithm(&wrap0, &wrap1, 0, BT_CONTACT_POINT_ALGORITHMS);

@@ -7,17 +7,13 @@
 #include <typeinfo>
 
 #include "btHybridAheadEngine.h"
+#include "btHybridWrapped.h"
 
 namespace
 {
-btCollisionObject* objectOf(const btBroadphaseProxy* proxy)
+const btCollisionObject* objectOf(const btBroadphaseProxy* proxy)
 {
-	return static_cast<btCollisionObject*>(proxy->m_clientObject);
-}
-
-btCollisionObjectWrapper wrapped(const btCollisionObject* object)
-{
-	return btCollisionObjectWrapper(0, object->getCollisionShape(), object, object->getWorldTransform(), -1, -1);
+	return static_cast<const btCollisionObject*>(proxy->m_clientObject);
 }
 }  // namespace
 
@@ -36,8 +32,8 @@ bool btHybridPlainSteps::mayMake(const btBroadphasePair& pair, btCollisionDispat
 
 void btHybridPlainSteps::make(const btBroadphasePair& pair, const btDispatcherInfo& info)
 {
-	const btCollisionObjectWrapper a = wrapped(objectOf(pair.m_pProxy0));
-	const btCollisionObjectWrapper b = wrapped(objectOf(pair.m_pProxy1));
+	const btCollisionObjectWrapper a = btHybridWrapped(objectOf(pair.m_pProxy0));
+	const btCollisionObjectWrapper b = btHybridWrapped(objectOf(pair.m_pProxy1));
 	btManifoldResult result(&a, &b);
 	pair.m_algorithm->processCollision(&a, &b, info, &result);
 }
