@@ -59,16 +59,18 @@ void ContactReduction::collect(int cluster) {
 }
 
 void ContactReduction::gather(std::span<const ReducibleContact> contacts, const std::vector<int>& members) {
+  const auto exists = [&](std::size_t i) { return i < members.size(); };
+  const auto at = [&](std::size_t i) -> const ReducibleContact& {
+    return contacts[static_cast<std::size_t>(members[i])];
+  };
+  const auto place = [&](std::size_t i) { return exists(i) ? lanes(at(i).place) : Lanes{}; };
+  const auto reach = [&](std::size_t i) { return exists(i) ? (bore(at(i)) ? kLoyalReach : 1.0F) : 0.0F; };
   const Lanes far = lanes(std::numeric_limits<float>::max());
-  members_.assign((members.size() + kLanes - 1) / kLanes, Members{{}, {}, far, {}});
-  for (std::size_t i = 0; i < members.size(); ++i) {
-    const ReducibleContact& contact = contacts[static_cast<std::size_t>(members[i])];
-    Members& four = members_[i / kLanes];
-    const std::size_t lane = i % kLanes;
-    four.place.x[lane] = contact.place.x;
-    four.place.y[lane] = contact.place.y;
-    four.place.z[lane] = contact.place.z;
-    four.reach[lane] = bore(contact) ? kLoyalReach : 1.0F;
+  members_.clear();
+  for (std::size_t i = 0; exists(i); i += kLanes) {
+    const LaneQuad four = transposed(place(i), place(i + 1), place(i + 2), place(i + 3));
+    const Lanes reaches{reach(i), reach(i + 1), reach(i + 2), reach(i + 3)};
+    members_.push_back(Members{four.v, reaches, far, {}});
   }
 }
 

@@ -207,17 +207,4 @@ std::span<BodyVelocity> ContactSolver::pushVelocities() {
   return std::span(rows_.pushes).subspan(ContactRows::kIdle);
 }
 
-ContactSolver::Impulse ContactSolver::impulseAt(const Place& place) const {
-  const auto [row, lane] = place;
-  Impulse impulse{rows_.normals[row].impulse[lane], {0.0F, 0.0F}, {}};
-  const auto directions = static_cast<std::size_t>(rows_.frictionDirections);
-  for (std::size_t i = 0; i < directions; ++i) {
-    const Row& friction = rows_.frictions[row * directions + i];
-    impulse.friction[i] = friction.impulse[lane];
-    impulse.directions[i] = {friction.direction.x[lane], friction.direction.y[lane],
-                             friction.direction.z[lane], 0.0F};
-  }
-  return impulse;
-}
-
 }  // namespace scatter::solver

@@ -72,6 +72,20 @@ class ContactSolver {
   bool pushes_ = false;
 };
 
+// In the header, so that what it finds stays in registers.
+inline ContactSolver::Impulse ContactSolver::impulseAt(const Place& place) const {
+  const auto [row, lane] = place;
+  Impulse impulse{rows_.normals[row].impulse[lane], {0.0F, 0.0F}, {}};
+  const auto directions = static_cast<std::size_t>(rows_.frictionDirections);
+  for (std::size_t i = 0; i < directions; ++i) {
+    const Row& friction = rows_.frictions[row * directions + i];
+    impulse.friction[i] = friction.impulse[lane];
+    impulse.directions[i] = {friction.direction.x[lane], friction.direction.y[lane],
+                             friction.direction.z[lane], 0.0F};
+  }
+  return impulse;
+}
+
 template <class Use>
 void ContactSolver::forEachPoint(const ContactProblem& problem, std::size_t batch, Use use) const {
   for (int lane = 0; lane < kLanes; ++lane) {

@@ -49,6 +49,15 @@ inline void store(const Lanes& from, Quad& to) {
   std::memcpy(&to, &from, sizeof to);
 }
 
+/// A quad with another w. In a register: to read all of what a part was just written of makes a processor wait.
+[[nodiscard]] inline Quad withW(const Quad& quad, float w) {
+  Lanes changed = lanes(quad);
+  changed[3] = w;
+  Quad result;
+  store(changed, result);
+  return result;
+}
+
 /// A vector in each lane.
 struct LaneVector {
   Lanes x;

@@ -9,6 +9,7 @@ using scatter::solver::ContactBody;
 using scatter::solver::ContactPair;
 using scatter::solver::ContactSettings;
 using scatter::solver::ContactSolver;
+using scatter::solver::Quad;
 using scatter::solver::Share;
 
 namespace
@@ -28,6 +29,12 @@ ContactSettings settingsOf(const btContactSolverInfo& info, bool clampsFriction)
 	settings.followsVelocity = (info.m_solverMode & SOLVER_DISABLE_VELOCITY_DEPENDENT_FRICTION_DIRECTION) == 0;
 	settings.clampsFriction = clampsFriction;
 	return settings;
+}
+
+// Number by number, as they were found: to read a vector that has just been made of numbers makes a processor wait.
+void giveTimes(btScalar sign, const Quad& from, btVector3& to)
+{
+	to.setValue(sign * from.x, sign * from.y, sign * from.z);
 }
 }  // namespace
 
@@ -244,9 +251,9 @@ void btHybridContactProblem::giveImpulse(int index, const ContactSolver::Impulse
 	const btHybridContactPoints::Source& source = m_points->sources()[index];
 	btManifoldPoint& point = *source.m_point;
 	const btScalar sign = source.m_isSwapped ? btScalar(-1) : btScalar(1);
-	point.m_lateralFrictionDir1 = sign * btHybridVectorOf(impulse.directions[0]);
+	giveTimes(sign, impulse.directions[0], point.m_lateralFrictionDir1);
 	if (two)
-		point.m_lateralFrictionDir2 = sign * btHybridVectorOf(impulse.directions[1]);
+		giveTimes(sign, impulse.directions[1], point.m_lateralFrictionDir2);
 	if (!(info.m_solverMode & SOLVER_USE_WARMSTARTING))
 		return;
 	point.m_appliedImpulse = impulse.normal;

@@ -3,7 +3,7 @@
 using scatter::solver::ContactPair;
 using scatter::solver::ContactProblem;
 using scatter::solver::ProblemPoint;
-using scatter::solver::ReducibleContact;
+using scatter::solver::withW;
 
 // Those that must stay come first; returns how many they are.
 int btHybridPairReduction::collect(const ContactPair& pair, ContactProblem& problem,
@@ -21,12 +21,7 @@ int btHybridPairReduction::collect(const ContactPair& pair, ContactProblem& prob
 			continue;
 		}
 		const ProblemPoint& point = problem.points[index];
-		ReducibleContact contact;
-		contact.place = point.onB;
-		contact.place.w = point.onA.w;
-		contact.normal = point.normal;
-		contact.normal.w = point.law.x;
-		m_reducible.push_back(contact);
+		m_reducible.push_back({withW(point.onB, point.onA.w), withW(point.normal, point.law.x), -1});
 		m_indices.push_back(index);
 	}
 	return left;
