@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace scatter::solver {
 
@@ -20,10 +21,6 @@ constexpr float kLoyalReach = 1.2F;
 /// Squared, metres: nearer than this two contacts are one.
 constexpr float kSame2 = 1e-8F;
 
-float dot3(const Quad& a, const Quad& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
 bool bore(const ReducibleContact& contact) {
   return contact.normal.w > 0.0F;
 }
@@ -32,33 +29,55 @@ bool bore(const ReducibleContact& contact) {
 
 int ContactReduction::reduce(std::span<ReducibleContact> contacts, int most) {
   cluster(contacts);
+  sortByCluster();
   int left = 0;
-  for (int i = 0; i < static_cast<int>(clusters_.size()); ++i) {
-    collect(i);
-    left += choose(contacts, own_, most);
-  }
+  for (std::size_t i = 1; i < firsts_.size(); ++i)
+    left += choose(contacts, std::span(sorted_).subspan(firsts_[i - 1], firsts_[i] - firsts_[i - 1]), most);
   return left;
 }
 
-void ContactReduction::cluster(std::span<ReducibleContact> contacts) {
+void ContactReduction::cluster(std::span<const ReducibleContact> contacts) {
   clusters_.clear();
   homes_.clear();
+  firsts_.clear();
   for (const ReducibleContact& contact : contacts) {
-    std::size_t k = 0;
-    while (k < clusters_.size() && dot3(clusters_[k], contact.normal) < kAlike) ++k;
-    if (k == clusters_.size()) clusters_.push_back(contact.normal);
-    homes_.push_back(static_cast<int>(k));
+    const std::size_t home = findCluster(contact.normal);
+    if (home == firsts_.size()) addCluster(contact.normal);
+    ++firsts_[home];
+    homes_.push_back(home);
   }
 }
 
-void ContactReduction::collect(int cluster) {
-  own_.clear();
-  for (std::size_t i = 0; i < homes_.size(); ++i) {
-    if (homes_[i] == cluster) own_.push_back(static_cast<int>(i));
+// The first one that is alike; as many as there are, if none is.
+std::size_t ContactReduction::findCluster(const Quad& normal) const {
+  const LaneVector wanted{lanes(normal.x), lanes(normal.y), lanes(normal.z)};
+  for (std::size_t i = 0; i < clusters_.size(); ++i) {
+    const int lane = firstOf(dot(clusters_[i], wanted) >= lanes(kAlike));
+    if (lane < kLanes) return i * kLanes + static_cast<std::size_t>(lane);
   }
+  return firsts_.size();
 }
 
-void ContactReduction::gather(std::span<const ReducibleContact> contacts, const std::vector<int>& members) {
+// To a lane without a cluster, which is 0, nothing is alike.
+void ContactReduction::addCluster(const Quad& normal) {
+  const std::size_t lane = firsts_.size() % kLanes;
+  if (lane == 0) clusters_.emplace_back();
+  LaneVector& four = clusters_.back();
+  four.x[lane] = normal.x;
+  four.y[lane] = normal.y;
+  four.z[lane] = normal.z;
+  firsts_.push_back(0);
+}
+
+// From how many contacts each cluster has to where they are, those of a cluster in the order of their indices.
+void ContactReduction::sortByCluster() {
+  std::partial_sum(firsts_.begin(), firsts_.end(), firsts_.begin());
+  firsts_.push_back(homes_.size());
+  sorted_.resize(homes_.size());
+  for (std::size_t i = homes_.size(); i-- > 0;) sorted_[--firsts_[homes_[i]]] = static_cast<int>(i);
+}
+
+void ContactReduction::gather(std::span<const ReducibleContact> contacts, std::span<const int> members) {
   const auto exists = [&](std::size_t i) { return i < members.size(); };
   const auto at = [&](std::size_t i) -> const ReducibleContact& {
     return contacts[static_cast<std::size_t>(members[i])];
@@ -102,8 +121,7 @@ int ContactReduction::takeNext(int chosen) {
   return furthest[best];
 }
 
-int ContactReduction::choose(std::span<ReducibleContact> contacts, const std::vector<int>& members,
-                             int most) {
+int ContactReduction::choose(std::span<ReducibleContact> contacts, std::span<const int> members, int most) {
   const auto at = [&](int i) -> ReducibleContact& { return contacts[static_cast<std::size_t>(i)]; };
   const int count = static_cast<int>(members.size());
   if (count <= most) {
@@ -123,7 +141,7 @@ int ContactReduction::choose(std::span<ReducibleContact> contacts, const std::ve
 }
 
 // Those that were chosen stay, but for one that another of those that it stands for is much deeper than.
-void ContactReduction::settle(std::span<ReducibleContact> contacts, const std::vector<int>& members) {
+void ContactReduction::settle(std::span<ReducibleContact> contacts, std::span<const int> members) {
   const auto depth = [&](int member) {
     return -contacts[static_cast<std::size_t>(members[static_cast<std::size_t>(member)])].place.w;
   };

@@ -25,15 +25,17 @@ class ContactReduction {
   int reduce(std::span<ReducibleContact> contacts, int most);
 
  private:
-  void cluster(std::span<ReducibleContact> contacts);
-  [[nodiscard]] int choose(std::span<ReducibleContact> contacts, const std::vector<int>& members, int most);
-
-  void collect(int cluster);
+  void cluster(std::span<const ReducibleContact> contacts);
+  [[nodiscard]] std::size_t findCluster(const Quad& normal) const;
+  void addCluster(const Quad& normal);
+  void sortByCluster();
+  [[nodiscard]] int choose(std::span<ReducibleContact> contacts, std::span<const int> members, int most);
 
   // In memory that is used again.
-  std::vector<Quad> clusters_;  ///< Normals.
-  std::vector<int> homes_;      ///< Of each contact, its cluster.
-  std::vector<int> own_;        ///< Contacts of one cluster.
+  std::vector<LaneVector> clusters_;  ///< Normals, four at a time.
+  std::vector<std::size_t> homes_;    ///< Of each contact, its cluster.
+  std::vector<std::size_t> firsts_;   ///< Of each cluster, its first contact among the sorted; their number.
+  std::vector<int> sorted_;           ///< Contacts, those of a cluster beside each other.
 
   /// Four members of a cluster.
   struct Members {
@@ -45,9 +47,9 @@ class ContactReduction {
 
   static constexpr int kNone = -1;
 
-  void gather(std::span<const ReducibleContact> contacts, const std::vector<int>& members);
+  void gather(std::span<const ReducibleContact> contacts, std::span<const int> members);
   [[nodiscard]] int takeNext(int chosen);
-  void settle(std::span<ReducibleContact> contacts, const std::vector<int>& members);
+  void settle(std::span<ReducibleContact> contacts, std::span<const int> members);
   [[nodiscard]] int nearest(int member) const {
     return members_[static_cast<std::size_t>(member / kLanes)].nearest[member % kLanes];
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 
 namespace scatter::solver {
@@ -50,12 +51,18 @@ inline void store(const Lanes& from, Quad& to) {
 }
 
 /// A quad with another w. In a register: to read all of what a part was just written of makes a processor wait.
-[[nodiscard]] inline Quad withW(const Quad& quad, float w) {
-  Lanes changed = lanes(quad);
-  changed[3] = w;
-  Quad result;
-  store(changed, result);
+[[nodiscard]] inline Lanes withW(const Quad& quad, float w) {
+  Lanes result = lanes(quad);
+  result[3] = w;
   return result;
+}
+
+/// The first lane whose mask is set; kLanes if none is.
+[[nodiscard]] inline int firstOf(const LaneMask& mask) {
+  std::uint64_t halves[2];
+  std::memcpy(halves, &mask, sizeof halves);
+  if ((halves[0] | halves[1]) == 0) return kLanes;
+  return halves[0] != 0 ? (mask[0] != 0 ? 0 : 1) : mask[2] != 0 ? 2 : 3;
 }
 
 /// A vector in each lane.

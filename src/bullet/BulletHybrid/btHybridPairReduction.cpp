@@ -3,6 +3,7 @@
 using scatter::solver::ContactPair;
 using scatter::solver::ContactProblem;
 using scatter::solver::ProblemPoint;
+using scatter::solver::ReducibleContact;
 using scatter::solver::withW;
 
 // Those that must stay come first; returns how many they are.
@@ -21,7 +22,9 @@ int btHybridPairReduction::collect(const ContactPair& pair, ContactProblem& prob
 			continue;
 		}
 		const ProblemPoint& point = problem.points[index];
-		m_reducible.push_back({withW(point.onB, point.onA.w), withW(point.normal, point.law.x), -1});
+		ReducibleContact& contact = m_reducible.emplace_back();
+		store(withW(point.onB, point.onA.w), contact.place);
+		store(withW(point.normal, point.law.x), contact.normal);
 		m_indices.push_back(index);
 	}
 	return left;
