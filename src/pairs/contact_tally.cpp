@@ -31,13 +31,11 @@ float pressNow(const void* manifold, const Manifolds& engine) {
 }
 
 void ContactTally::add(const void* manifold, const Manifolds& engine) {
+  const ContactDistances distances = engine.distances(manifold);
   ++manifolds;
-  for (int i = 0; i < engine.countPoints(manifold); ++i) {
-    const ContactPoint point = engine.point(manifold, i);
-    ++points;
-    least = std::min(least, point.distance);
-    if (point.presses) press = std::max(press, -point.distance);
-  }
+  points += distances.points;
+  least = std::min(least, distances.least);
+  press = std::max(press, -distances.leastPressing);
 }
 
 }  // namespace scatter::pairs

@@ -69,7 +69,8 @@ void ContactReduction::addCluster(const Quad& normal) {
   firsts_.push_back(0);
 }
 
-// From how many contacts each cluster has to where they are, those of a cluster in the order of their indices.
+// From how many contacts each cluster has to where they are, those of a cluster in the order of their
+// indices.
 void ContactReduction::sortByCluster() {
   std::partial_sum(firsts_.begin(), firsts_.end(), firsts_.begin());
   firsts_.push_back(homes_.size());

@@ -50,7 +50,8 @@ inline void store(const Lanes& from, Quad& to) {
   std::memcpy(&to, &from, sizeof to);
 }
 
-/// A quad with another w. In a register: to read all of what a part was just written of makes a processor wait.
+/// A quad with another w. In a register: to read all of what a part was just written of makes a processor
+/// wait.
 [[nodiscard]] inline Lanes withW(const Quad& quad, float w) {
   Lanes result = lanes(quad);
   result[3] = w;

@@ -4,7 +4,16 @@
 
 #include <limits>
 
+using scatter::pairs::ContactDistances;
 using scatter::pairs::ContactPoint;
+
+namespace
+{
+bool presses(const btManifoldPoint& point)
+{
+	return !(point.m_contactPointFlags & BT_CONTACT_FLAG_HAS_CONTACT_ERP) || point.m_contactERP > 0;
+}
+}  // namespace
 
 ContactPoint btHybridContacts::read(const btManifoldPoint& point)
 {
@@ -15,10 +24,21 @@ ContactPoint btHybridContacts::read(const btManifoldPoint& point)
 	plain.impulse = point.m_appliedImpulse;
 	plain.partA = btMax(point.m_index0, 0);
 	plain.partB = btMax(point.m_index1, 0);
-	plain.presses = !(point.m_contactPointFlags & BT_CONTACT_FLAG_HAS_CONTACT_ERP) || point.m_contactERP > 0;
+	plain.presses = presses(point);
 	plain.eased =
 	    (point.m_contactPointFlags & c_easeFlags) == c_easeFlags && point.m_contactERP == 0 && point.m_contactCFM == 0;
 	return plain;
+}
+
+ContactDistances btHybridContacts::distances(const btPersistentManifold& manifold)
+{
+	ContactDistances distances;
+	for (int i = 0; i < manifold.getNumContacts(); i++)
+	{
+		const btManifoldPoint& point = manifold.getContactPoint(i);
+		distances.add(point.getDistance(), presses(point));
+	}
+	return distances;
 }
 
 void btHybridContacts::write(const ContactPoint& plain, btManifoldPoint& point)

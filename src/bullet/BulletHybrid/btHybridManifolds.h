@@ -26,6 +26,7 @@ public:
 	}
 
 	static scatter::pairs::ContactPoint read(const btManifoldPoint& point);
+	static scatter::pairs::ContactDistances distances(const btPersistentManifold& manifold);
 	static void write(const scatter::pairs::ContactPoint& plain, btManifoldPoint& point);
 	static void move(btManifoldPoint& point, btPersistentManifold* to);
 	static void addImpulses(const btManifoldPoint& from, btManifoldPoint& to);
@@ -85,6 +86,10 @@ public:
 	virtual scatter::pairs::ContactPoint point(const void* manifold, int index) const
 	{
 		return btHybridContacts::read(btHybridContacts::at(manifold)->getContactPoint(index));
+	}
+	virtual scatter::pairs::ContactDistances distances(const void* manifold) const
+	{
+		return btHybridContacts::distances(*btHybridContacts::at(manifold));
 	}
 	virtual void write(void* manifold, int index, const scatter::pairs::ContactPoint& plain)
 	{
