@@ -31,58 +31,78 @@ struct Nearest {
   bool inside = false;  ///< The origin is inside the tetrahedron.
 };
 
-Nearest atCorner(const Difference* s, int i) {
-  Nearest nearest{s[i].w, 1, {i}, {1.0F}, false};
-  return nearest;
+// These fill in a result field by field, as does Gjk::propose(), and for the same reason.
+void atCorner(const Difference* s, int i, Nearest& to) {
+  to.point = s[i].w;
+  to.count = 1;
+  to.corner[0] = i;
+  to.weight[0] = 1.0F;
 }
 
-Nearest onSegment(const Difference* s, int i, int j) {
+void onSegment(const Difference* s, int i, int j, Nearest& to) {
   const Vec3 edge = s[j].w - s[i].w;
   const float along = -glm::dot(s[i].w, edge);
   const float length2 = glm::dot(edge, edge);
-  if (along <= 0.0F || length2 < 1e-30F) return atCorner(s, i);
-  if (along >= length2) return atCorner(s, j);
+  if (along <= 0.0F || length2 < 1e-30F) return atCorner(s, i, to);
+  if (along >= length2) return atCorner(s, j, to);
   const float t = along / length2;
-  return {s[i].w + edge * t, 2, {i, j}, {1.0F - t, t}, false};
+  to.point = s[i].w + edge * t;
+  to.count = 2;
+  to.corner[0] = i;
+  to.corner[1] = j;
+  to.weight[0] = 1.0F - t;
+  to.weight[1] = t;
+}
+
+// Of a triangle without an area.
+void onLongSides(const Difference* s, int i, int j, int k, Nearest& to) {
+  Nearest second;
+  onSegment(s, i, j, to);
+  onSegment(s, i, k, second);
+  if (!(glm::dot(to.point, to.point) <= glm::dot(second.point, second.point))) to = second;
 }
 
 // Ericson, Real-Time Collision Detection, 5.1.5: the Voronoi regions of a triangle.
-Nearest onTriangle(const Difference* s, int i, int j, int k) {
+void onTriangle(const Difference* s, int i, int j, int k, Nearest& to) {
   const Vec3& p = s[i].w;
   const Vec3 ab = s[j].w - p;
   const Vec3 ac = s[k].w - p;
   const float d1 = -glm::dot(ab, p);
   const float d2 = -glm::dot(ac, p);
-  if (d1 <= 0.0F && d2 <= 0.0F) return atCorner(s, i);
+  if (d1 <= 0.0F && d2 <= 0.0F) return atCorner(s, i, to);
   const float d3 = -glm::dot(ab, s[j].w);
   const float d4 = -glm::dot(ac, s[j].w);
-  if (d3 >= 0.0F && d4 <= d3) return atCorner(s, j);
+  if (d3 >= 0.0F && d4 <= d3) return atCorner(s, j, to);
   const float vc = d1 * d4 - d3 * d2;
-  if (vc <= 0.0F && d1 >= 0.0F && d3 <= 0.0F) return onSegment(s, i, j);
+  if (vc <= 0.0F && d1 >= 0.0F && d3 <= 0.0F) return onSegment(s, i, j, to);
   const float d5 = -glm::dot(ab, s[k].w);
   const float d6 = -glm::dot(ac, s[k].w);
-  if (d6 >= 0.0F && d5 <= d6) return atCorner(s, k);
+  if (d6 >= 0.0F && d5 <= d6) return atCorner(s, k, to);
   const float vb = d5 * d2 - d1 * d6;
-  if (vb <= 0.0F && d2 >= 0.0F && d6 <= 0.0F) return onSegment(s, i, k);
+  if (vb <= 0.0F && d2 >= 0.0F && d6 <= 0.0F) return onSegment(s, i, k, to);
   const float va = d3 * d6 - d5 * d4;
-  if (va <= 0.0F && d4 - d3 >= 0.0F && d5 - d6 >= 0.0F) return onSegment(s, j, k);
+  if (va <= 0.0F && d4 - d3 >= 0.0F && d5 - d6 >= 0.0F) return onSegment(s, j, k, to);
   const float sum = va + vb + vc;
-  if (!(sum > std::numeric_limits<float>::min())) {
-    const Nearest first = onSegment(s, i, j);
-    const Nearest second = onSegment(s, i, k);
-    return glm::dot(first.point, first.point) <= glm::dot(second.point, second.point) ? first : second;
-  }
+  if (!(sum > std::numeric_limits<float>::min())) return onLongSides(s, i, j, k, to);
   const float u = va / sum;
   const float v = vb / sum;
   const float w = vc / sum;
-  return {p * u + s[j].w * v + s[k].w * w, 3, {i, j, k}, {u, v, w}, false};
+  to.point = p * u + s[j].w * v + s[k].w * w;
+  to.count = 3;
+  to.corner[0] = i;
+  to.corner[1] = j;
+  to.corner[2] = k;
+  to.weight[0] = u;
+  to.weight[1] = v;
+  to.weight[2] = w;
 }
 
-Nearest onTetrahedron(const Difference* s) {
+void onTetrahedron(const Difference* s, Nearest& to) {
   static constexpr int kFaces[4][4] = {{0, 1, 2, 3}, {0, 1, 3, 2}, {0, 2, 3, 1}, {1, 2, 3, 0}};
-  Nearest best;
   float best2 = std::numeric_limits<float>::max();
-  bool outside = false;
+  to.point = Vec3(0.0F);
+  to.count = 0;
+  to.inside = true;
   for (const auto& face : kFaces) {
     const Vec3& corner = s[face[0]].w;
     const Vec3 normal = glm::cross(s[face[1]].w - corner, s[face[2]].w - corner);
@@ -91,28 +111,28 @@ Nearest onTetrahedron(const Difference* s) {
     const float opposite = glm::dot(normal, across);
     const bool isFlat = opposite * opposite <= 1e-10F * glm::dot(normal, normal) * glm::dot(across, across);
     if (origin * opposite > 0.0F && !isFlat) continue;
-    outside = true;
-    const Nearest nearest = onTriangle(s, face[0], face[1], face[2]);
+    Nearest nearest;
+    onTriangle(s, face[0], face[1], face[2], nearest);
+    to.inside = false;
     const float distance2 = glm::dot(nearest.point, nearest.point);
     if (distance2 < best2) {
       best2 = distance2;
-      best = nearest;
+      to = nearest;
     }
   }
-  best.inside = !outside;
-  return best;
 }
 
-Nearest nearestOf(const Difference* s, int count) {
+void findNearest(const Difference* s, int count, Nearest& to) {
+  to.inside = false;
   switch (count) {
     case 1:
-      return atCorner(s, 0);
+      return atCorner(s, 0, to);
     case 2:
-      return onSegment(s, 0, 1);
+      return onSegment(s, 0, 1, to);
     case 3:
-      return onTriangle(s, 0, 1, 2);
+      return onTriangle(s, 0, 1, 2, to);
     default:
-      return onTetrahedron(s);
+      return onTetrahedron(s, to);
   }
 }
 
@@ -145,14 +165,20 @@ class Gjk {
  private:
   using State = GjkResult::State;
 
-  [[nodiscard]] Difference difference(int vertexA, int vertexB) const {
-    const Vec3 p = a_.vertex(vertexA);
-    const Vec3 q = frameB_(b_.vertex(vertexB));
-    return {p - q, p, q, static_cast<std::uint16_t>(vertexA), static_cast<std::uint16_t>(vertexB)};
+  // The corner behind the last one, which is none yet. Field by field, where it stays: to copy what has just
+  // been written in parts makes a processor wait.
+  const Difference& propose(int vertexA, int vertexB) {
+    Difference& next = simplex_[count_];
+    next.a = a_.vertex(vertexA);
+    next.b = frameB_(b_.vertex(vertexB));
+    next.w = next.a - next.b;
+    next.vertexA = static_cast<std::uint16_t>(vertexA);
+    next.vertexB = static_cast<std::uint16_t>(vertexB);
+    return next;
   }
 
   void takeUp(const WarmSimplex& warm) {
-    for (int i = 0; i < warm.count; ++i) simplex_[count_++] = difference(warm.a[i], warm.b[i]);
+    for (; count_ < warm.count; ++count_) propose(warm.a[count_], warm.b[count_]);
     ++result_.iterations;
   }
 
@@ -204,14 +230,14 @@ class Gjk {
     const Vec3 axis = result_.axis;
     const int vertexA = support(a_, axis).vertex;
     const int vertexB = support(b_, frameB_.rotateBack(-axis)).vertex;
-    const Difference next = difference(vertexA, vertexB);
+    const Difference& next = propose(vertexA, vertexB);
     const float rounding = roundingAt(next);
     if (conclude(-glm::dot(axis, next.w) - rounding, rounding, enough)) return;
     for (int i = 0; i < count_; ++i) {
       const bool again = simplex_[i].vertexA == next.vertexA && simplex_[i].vertexB == next.vertexB;
       if (again) return finish(isTight(rounding) ? State::kConverged : State::kUndecided);
     }
-    simplex_[count_++] = next;
+    ++count_;
     reduce();
   }
 
@@ -224,7 +250,7 @@ class Gjk {
 
   // Keeps the corners that hold the nearest point, which gives the next axis.
   void reduce() {
-    nearest_ = nearestOf(simplex_, count_);
+    findNearest(simplex_, count_, nearest_);
     if (nearest_.inside) return finish(State::kOverlap);
     for (int i = 0; i < nearest_.count; ++i) {
       // Corners come in ascending order, so that none is overwritten before it is moved.

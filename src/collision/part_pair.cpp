@@ -315,7 +315,9 @@ void PartPair::mergeFrom(std::size_t first, PartBody& a, PartBody& b, std::span<
     };
     for (; old != children_.cend() && isBefore(*old); ++old) drop(*old);
     const bool isKnown = old != children_.cend() && isOf(*old, near);
-    ChildPair& child = scratch.merged.emplace_back(isKnown ? *old++ : ChildPair{near.a, near.b});
+    ChildPair& child = isKnown ? scratch.merged.emplace_back(*old++) : scratch.merged.emplace_back();
+    child.a = near.a;
+    child.b = near.b;
     takeSeparation(child, near);
   }
   for (; old != children_.cend(); ++old) drop(*old);

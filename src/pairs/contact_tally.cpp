@@ -31,7 +31,8 @@ float pressNow(const void* manifold, const Manifolds& engine) {
 }
 
 void ContactTally::add(const void* manifold, const Manifolds& engine) {
-  const ContactDistances distances = engine.distances(manifold);
+  ContactDistances distances;
+  engine.addDistances(manifold, distances);
   ++manifolds;
   points += distances.points;
   least = std::min(least, distances.least);

@@ -43,11 +43,9 @@ class FakeManifolds : public Engine {
   int countPoints(const void* manifold) const override { return static_cast<int>(at(manifold)->size()); }
   bool isFull(const void* manifold) const override { return countPoints(manifold) == 4; }
   pairs::ContactPoint point(const void* manifold, int i) const override { return pointAt(manifold, i); }
-  pairs::ContactDistances distances(const void* manifold) const override {
-    pairs::ContactDistances all;
+  void addDistances(const void* manifold, pairs::ContactDistances& all) const override {
     for (int i = 0; i < countPoints(manifold); ++i)
       all.add(point(manifold, i).distance, point(manifold, i).presses);
-    return all;
   }
   void write(void* manifold, int i, const pairs::ContactPoint& point) override {
     pointAt(manifold, i).distance = point.distance;

@@ -30,15 +30,13 @@ ContactPoint btHybridContacts::read(const btManifoldPoint& point)
 	return plain;
 }
 
-ContactDistances btHybridContacts::distances(const btPersistentManifold& manifold)
+void btHybridContacts::addDistances(const btPersistentManifold& manifold, ContactDistances& all)
 {
-	ContactDistances distances;
 	for (int i = 0; i < manifold.getNumContacts(); i++)
 	{
 		const btManifoldPoint& point = manifold.getContactPoint(i);
-		distances.add(point.getDistance(), presses(point));
+		all.add(point.getDistance(), presses(point));
 	}
-	return distances;
 }
 
 void btHybridContacts::write(const ContactPoint& plain, btManifoldPoint& point)

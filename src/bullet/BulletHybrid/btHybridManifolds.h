@@ -26,7 +26,7 @@ public:
 	}
 
 	static scatter::pairs::ContactPoint read(const btManifoldPoint& point);
-	static scatter::pairs::ContactDistances distances(const btPersistentManifold& manifold);
+	static void addDistances(const btPersistentManifold& manifold, scatter::pairs::ContactDistances& all);
 	static void write(const scatter::pairs::ContactPoint& plain, btManifoldPoint& point);
 	static void move(btManifoldPoint& point, btPersistentManifold* to);
 	static void addImpulses(const btManifoldPoint& from, btManifoldPoint& to);
@@ -87,9 +87,9 @@ public:
 	{
 		return btHybridContacts::read(btHybridContacts::at(manifold)->getContactPoint(index));
 	}
-	virtual scatter::pairs::ContactDistances distances(const void* manifold) const
+	virtual void addDistances(const void* manifold, scatter::pairs::ContactDistances& all) const
 	{
-		return btHybridContacts::distances(*btHybridContacts::at(manifold));
+		btHybridContacts::addDistances(*btHybridContacts::at(manifold), all);
 	}
 	virtual void write(void* manifold, int index, const scatter::pairs::ContactPoint& plain)
 	{
