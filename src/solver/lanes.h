@@ -60,7 +60,7 @@ inline void store(const Lanes& from, Quad& to) {
 
 /// The first lane whose mask is set; kLanes if none is.
 [[nodiscard]] inline int firstOf(const LaneMask& mask) {
-  std::uint64_t halves[2];
+  std::uint64_t halves[2]{};
   std::memcpy(halves, &mask, sizeof halves);
   if ((halves[0] | halves[1]) == 0) return kLanes;
   return halves[0] != 0 ? (mask[0] != 0 ? 0 : 1) : mask[2] != 0 ? 2 : 3;

@@ -60,6 +60,20 @@ TEST(ContactReduction, KeepsSomeOfEachDirection) {
     EXPECT_EQ(contacts[static_cast<std::size_t>(contacts[i].kept)].normal.x, contacts[i].normal.x);
 }
 
+// More directions than are looked for at once, in turns.
+TEST(ContactReduction, TellsTheFacetsOfAWheelApart) {
+  constexpr int kFacets = 23;
+  std::vector<ReducibleContact> contacts;
+  for (int i = 0; i < 5 * kFacets; ++i) {
+    const float angle = 6.2831853F * static_cast<float>(i % kFacets) / static_cast<float>(kFacets);
+    const auto along = static_cast<float>(i / kFacets);
+    contacts.push_back({{along, 0, 0, 0}, {0, std::cos(angle), std::sin(angle), 0}, -1});
+  }
+  EXPECT_EQ(ContactReduction().reduce(contacts, 3), 3 * kFacets);
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    EXPECT_EQ(contacts[i].kept % kFacets, static_cast<int>(i) % kFacets) << i;
+}
+
 TEST(ContactReduction, TakesContactsAtOnePlaceForOne) {
   std::vector<ReducibleContact> contacts(20, contactAt(0.5F, 0.5F));
   EXPECT_EQ(ContactReduction().reduce(contacts, 8), 1);
