@@ -2,9 +2,6 @@
 
 #include <scatter/math.h>
 
-#include <algorithm>
-#include <limits>
-
 namespace scatter::pairs {
 
 /// One contact of two bodies, as the pair that has it looks at it. World axes, metres.
@@ -22,21 +19,6 @@ struct ContactPoint {
 
   /// Has no error reduction because of penetration credit; whoever took it away gives it back.
   bool eased = false;
-};
-
-/// How near the contacts of a manifold are; of none, far.
-struct ContactDistances {
-  static constexpr float kFar = std::numeric_limits<float>::max();
-
-  int points = 0;
-  float least = kFar;          ///< Metres.
-  float leastPressing = kFar;  ///< Of those that press.
-
-  void add(float distance, bool presses) {
-    ++points;
-    least = std::min(least, distance);
-    if (presses) leastPressing = std::min(leastPressing, distance);
-  }
 };
 
 }  // namespace scatter::pairs

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "pairs/contact_tally.h"
+#include "pairs/contact_credit.h"
 #include "pairs/ground_look.h"
 
 namespace scatter::pairs {
@@ -109,13 +109,13 @@ class GroundStep {
 
   [[nodiscard]] ContactTally tally() const {
     ContactTally all;
-    for (const GroundContact& contact : pair_.contacts) all.add(contact.manifold, engine_);
+    for (const GroundContact& contact : pair_.contacts) engine_.addTo(all, contact.manifold);
     return all;
   }
 
   [[nodiscard]] float depthOf(const GroundContact& contact) const {
     ContactTally own;
-    own.add(contact.manifold, engine_);
+    engine_.addTo(own, contact.manifold);
     return std::max(-own.least, 0.0F);
   }
 

@@ -148,13 +148,9 @@ int HeldContacts::countPoints(const PairEngine& engine) const {
 }
 
 float HeldContacts::leastDistance(const PairEngine& engine) const {
-  float least = kNone;
-  for (const void* manifold : manifolds()) {
-    for (int i = 0; i < engine.countPoints(manifold); ++i) {
-      least = std::min(least, engine.point(manifold, i).distance);
-    }
-  }
-  return least;
+  ContactTally tally;
+  for (const void* manifold : manifolds()) engine.addTo(tally, manifold);
+  return tally.least;
 }
 
 }  // namespace scatter::pairs

@@ -45,7 +45,7 @@ class HeldContacts {
 
   /// Of the nearest contact; kNone if there is none.
   [[nodiscard]] float leastDistance(const PairEngine& engine) const;
-  static constexpr float kNone = 1e18F;
+  static constexpr float kNone = ContactTally::kFar;
 
  private:
   static constexpr std::size_t kMostManifolds = 3;  ///< With two, towers sway.

@@ -2,6 +2,7 @@
 
 #include "collision/part_pair.h"
 #include "pairs/contact_point.h"
+#include "pairs/contact_tally.h"
 
 namespace scatter::pairs {
 
@@ -19,8 +20,8 @@ class Manifolds : public ContactKeeper {
   [[nodiscard]] virtual bool isFull(const void* manifold) const = 0;
   [[nodiscard]] virtual ContactPoint point(const void* manifold, int index) const = 0;
 
-  /// Adds those of all its points.
-  virtual void addDistances(const void* manifold, ContactDistances& all) const = 0;
+  /// Adds a manifold and its points.
+  virtual void addTo(ContactTally& tally, const void* manifold) const = 0;
 
   /// Takes over distance and ease; the rest is as it was. What a program has made elastic is not eased.
   virtual void write(void* manifold, int index, const ContactPoint& point) = 0;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "pairs/contact_tally.h"
+#include "pairs/contact_credit.h"
 #include "pairs/level_look.h"
 
 namespace scatter::pairs {
@@ -262,7 +262,7 @@ class PairStep {
     for (const ChildPair& child : pair_.parts.children()) {
       if (!child.touching) continue;
       ContactTally tally;
-      tally.add(child.contact, engine_);
+      engine_.addTo(tally, child.contact);
       const float overlap = -tally.least - pressOf(child);
       if (overlap > kLeastCredit) credit_.account.grant(child.a, child.b, overlap, 0.0F);
     }
@@ -284,7 +284,7 @@ class PairStep {
       } else if (hadCredit || hasSwitched_) {
         endCredit(child.contact, engine_);
       }
-      tally.add(child.contact, engine_);
+      engine_.addTo(tally, child.contact);
     }
     return tally;
   }
@@ -353,7 +353,7 @@ class PairStep {
   }
 
   void report() {
-    for (const void* manifold : pair_.held.manifolds()) tally_.add(manifold, engine_);
+    for (const void* manifold : pair_.held.manifolds()) engine_.addTo(tally_, manifold);
     outcome_.work.manifolds = tally_.manifolds;
     outcome_.work.contacts = tally_.points;
     // No switch may push: contacts that press deeper than those of the level before would here are told. In

@@ -43,9 +43,10 @@ class FakeManifolds : public Engine {
   int countPoints(const void* manifold) const override { return static_cast<int>(at(manifold)->size()); }
   bool isFull(const void* manifold) const override { return countPoints(manifold) == 4; }
   pairs::ContactPoint point(const void* manifold, int i) const override { return pointAt(manifold, i); }
-  void addDistances(const void* manifold, pairs::ContactDistances& all) const override {
+  void addTo(pairs::ContactTally& tally, const void* manifold) const override {
+    ++tally.manifolds;
     for (int i = 0; i < countPoints(manifold); ++i)
-      all.add(point(manifold, i).distance, point(manifold, i).presses);
+      tally.addPoint(point(manifold, i).distance, point(manifold, i).presses);
   }
   void write(void* manifold, int i, const pairs::ContactPoint& point) override {
     pointAt(manifold, i).distance = point.distance;

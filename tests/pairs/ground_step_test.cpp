@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "collision/geometry.h"
-#include "pairs/contact_tally.h"
+#include "pairs/contact_credit.h"
 #include "pairs/fake_ground_engine.h"
 
 namespace scatter::pairs {

@@ -4,8 +4,8 @@
 
 #include <limits>
 
-using scatter::pairs::ContactDistances;
 using scatter::pairs::ContactPoint;
+using scatter::pairs::ContactTally;
 
 namespace
 {
@@ -30,12 +30,13 @@ ContactPoint btHybridContacts::read(const btManifoldPoint& point)
 	return plain;
 }
 
-void btHybridContacts::addDistances(const btPersistentManifold& manifold, ContactDistances& all)
+void btHybridContacts::addTo(ContactTally& tally, const btPersistentManifold& manifold)
 {
+	++tally.manifolds;
 	for (int i = 0; i < manifold.getNumContacts(); i++)
 	{
 		const btManifoldPoint& point = manifold.getContactPoint(i);
-		all.add(point.getDistance(), presses(point));
+		tally.addPoint(point.getDistance(), presses(point));
 	}
 }
 

@@ -26,7 +26,7 @@ public:
 	}
 
 	static scatter::pairs::ContactPoint read(const btManifoldPoint& point);
-	static void addDistances(const btPersistentManifold& manifold, scatter::pairs::ContactDistances& all);
+	static void addTo(scatter::pairs::ContactTally& tally, const btPersistentManifold& manifold);
 	static void write(const scatter::pairs::ContactPoint& plain, btManifoldPoint& point);
 	static void move(btManifoldPoint& point, btPersistentManifold* to);
 	static void addImpulses(const btManifoldPoint& from, btManifoldPoint& to);
@@ -87,9 +87,9 @@ public:
 	{
 		return btHybridContacts::read(btHybridContacts::at(manifold)->getContactPoint(index));
 	}
-	virtual void addDistances(const void* manifold, scatter::pairs::ContactDistances& all) const
+	virtual void addTo(scatter::pairs::ContactTally& tally, const void* manifold) const
 	{
-		btHybridContacts::addDistances(*btHybridContacts::at(manifold), all);
+		btHybridContacts::addTo(tally, *btHybridContacts::at(manifold));
 	}
 	virtual void write(void* manifold, int index, const scatter::pairs::ContactPoint& plain)
 	{

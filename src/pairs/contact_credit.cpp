@@ -1,4 +1,4 @@
-#include "pairs/contact_tally.h"
+#include "pairs/contact_credit.h"
 
 #include <algorithm>
 
@@ -28,15 +28,6 @@ float pressNow(const void* manifold, const Manifolds& engine) {
     if (engine.point(manifold, i).presses) most = std::max(most, -engine.distanceNow(manifold, i));
   }
   return most;
-}
-
-void ContactTally::add(const void* manifold, const Manifolds& engine) {
-  ContactDistances distances;
-  engine.addDistances(manifold, distances);
-  ++manifolds;
-  points += distances.points;
-  least = std::min(least, distances.least);
-  press = std::max(press, -distances.leastPressing);
 }
 
 }  // namespace scatter::pairs
