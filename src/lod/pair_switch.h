@@ -23,7 +23,8 @@ struct SwitchRules {
   int creditLevel = 2;  ///< The coarsest level that a pair in contact takes on credit.
   bool safe = true;     ///< Off only to show what the safety condition prevents.
 
-  /// A finer level whose shapes overlap by no more than this can be taken on credit, metres.
+  /// A finer level whose shapes overlap by no more than this can be taken on credit, metres. What is pressed
+  /// apart already comes on top of it.
   float finerOverlap = 0.02F;
 };
 

@@ -92,7 +92,11 @@ class PairStep {
     outcome_.tried = true;
     // Coarser shapes that all but touch where finer ones do: the contacts are better held than dropped.
     const float nearby = plan_.view.touching ? kTouching : 0.0F;
-    outcome_.choice = lod::chooseLevel(plan_.view, plan_.target, plan_.rules, [&](int level, float gap) {
+    heldPress_ = pressHeld();
+    // Overlap that the contacts that are held press apart already is no reason to wait for it.
+    lod::SwitchRules rules = plan_.rules;
+    rules.finerOverlap += heldPress_;
+    outcome_.choice = lod::chooseLevel(plan_.view, plan_.target, rules, [&](int level, float gap) {
       return isSeparated(level, level < plan_.view.level ? gap + nearby : gap);
     });
     const lod::SwitchKind kind = outcome_.choice.kind;
@@ -103,8 +107,13 @@ class PairStep {
     for (const ChildPair& child : pair_.parts.children()) {
       if (child.touching) mostPress_ = std::max(mostPress_, pressNow(child.contact, engine_));
     }
-    for (const void* manifold : pair_.held.manifolds())
-      mostPress_ = std::max(mostPress_, pressNow(manifold, engine_));
+    mostPress_ = std::max(mostPress_, heldPress_);
+  }
+
+  [[nodiscard]] float pressHeld() const {
+    float most = 0.0F;
+    for (const void* manifold : pair_.held.manifolds()) most = std::max(most, pressNow(manifold, engine_));
+    return most;
   }
 
   // What is held is what the finest shapes have where the bodies are now: contacts of the step before may be
@@ -157,7 +166,7 @@ class PairStep {
   }
 
   void openCredit(bool wasFinest) {
-    if (wasFinest) credit_.easedOverlap = easedOverlap();
+    if (wasFinest) credit_.easedOverlap = std::min(easedOverlap(), plan_.rules.finerOverlap);
     credit_.account.close();
     const bool isCoarser = isOnCredit_ && level_ < finest();
     credit_.kind = isCoarser ? CreditKind::kCoarser : isOnCredit_ ? CreditKind::kFinest : CreditKind::kNone;
@@ -257,13 +266,15 @@ class PairStep {
   }
 
   // The finest shapes overlap a little: as deep as their contacts were found just now. What they did press
-  // before they press still: a body that lies on others would sink into them, and stacks would lean.
+  // before they press still: a body that lies on others would sink into them, and stacks would lean. Of
+  // bodies that are deep in each other all contacts press nearly as deep as the deepest that was held.
   void openFinestCredit() {
     for (const ChildPair& child : pair_.parts.children()) {
       if (!child.touching) continue;
       ContactTally tally;
       engine_.addTo(tally, child.contact);
-      const float overlap = -tally.least - pressOf(child);
+      const float pressed = std::max(pressOf(child), heldPress_ - plan_.rules.finerOverlap);
+      const float overlap = -tally.least - pressed;
       if (overlap > kLeastCredit) credit_.account.grant(child.a, child.b, overlap, 0.0F);
     }
   }
@@ -314,6 +325,7 @@ class PairStep {
   // upon other parts of each other.
   void audit() {
     outcome_.audited = true;
+    outcome_.auditedLate = lateness();
     const PairWork before = work_;
     const float threshold = pair_.parts.threshold();
     if (credit_.gap >= threshold) credit_.gap = findGap();
@@ -379,6 +391,7 @@ class PairStep {
   Frame frameB_{};        ///< Body 1 in the frame of body 0; once it was asked for.
   bool hasFrame_ = false;
   ContactTally tally_{};
+  float heldPress_ = 0.0F;  ///< How deep the contacts that are held press.
   float mostPress_ = 0.0F;  ///< How deep contacts may press after a switch: as those of the level before do,
                             ///< where the bodies are.
   PairOutcome outcome_{};

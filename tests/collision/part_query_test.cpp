@@ -255,6 +255,27 @@ TEST(PartDepth, IsNeverLessThanTheTrueDepth) {
   EXPECT_GT(deep, test::trials(200));
 }
 
+TEST(PartQuery, TellsHowDeepPartsOverlapAtMost) {
+  Random random(38);
+  PartQuery query;
+  int yes = 0;
+  int no = 0;
+  for (int round = 0; round < test::trials(1000); ++round) {
+    const PartList a(randomParts(random, 1, 0.6F, 0.0F));
+    const PartList b(randomParts(random, 1, 0.6F, 0.0F));
+    const Frame frameB = frameNear(random, a, b, 0.4F);
+    const float searched = searchedDepth(random, a.part(0), b.part(0), frameB);
+    const float gap = -random.uniform(0.0F, 0.5F);
+    const bool separated = query.isSeparated(a, b, frameB, gap);
+    if (separated) {
+      EXPECT_LE(0.97F * searched - 0.01F, -gap) << "round " << round;
+    }
+    (separated ? yes : no) += searched > 0.05F ? 1 : 0;
+  }
+  EXPECT_GT(yes, test::trials(50));
+  EXPECT_GT(no, test::trials(50));
+}
+
 /// `frame`, after all of space has moved by `motion`.
 Frame moved(const Frame& motion, const Frame& frame) {
   Frame result;

@@ -265,6 +265,36 @@ TEST(PairStep, PressesAtItsFinestLevelWhatPressedBefore) {
   EXPECT_NEAR(living.press(), 0.01F, 1e-4F);
 }
 
+// Bodies that began deep in each other: at a coarser level only the contacts that are held drive them apart.
+TEST(PairStep, ComesBackHoweverDeepWhatItHoldsPresses) {
+  ThreeLevelPair living;
+  constexpr float kDeep = 1.35F;
+  living.step(3.0F);
+  living.step(kDeep);
+  const float pressed = living.press();
+  ASSERT_GT(pressed, 0.2F);
+  living.plan.target = 2;
+  ASSERT_EQ(living.step(kDeep).choice.kind, SwitchKind::kOnCredit);
+  living.plan.target = kFinest;
+  const PairOutcome outcome = living.step(kDeep);
+  EXPECT_EQ(outcome.choice.kind, SwitchKind::kOnCredit);
+  EXPECT_FALSE(outcome.isUnsafe);
+  EXPECT_NEAR(living.press(), pressed, 1e-3F);
+  living.step(kDeep + 0.01F);
+  EXPECT_NEAR(living.press(), pressed - 0.01F, 1e-3F) << "it goes on coming apart";
+}
+
+TEST(PairStep, WaitsWhereMoreOverlapsThanIsPressed) {
+  ThreeLevelPair living;
+  ASSERT_TRUE(living.meetAndGoTo(2).credited);
+  living.plan.auditsFrom = lod::lateness::kNever;
+  living.step(1.56F);
+  living.pair.held.release(living.engine);
+  living.plan.target = kFinest;
+  EXPECT_EQ(living.step(1.56F).choice.kind, SwitchKind::kBlocked);
+  EXPECT_EQ(living.step(1.585F).choice.kind, SwitchKind::kOnCredit) << "a little";
+}
+
 TEST(PairStep, PressesWhatSinksOnceItHasSettled) {
   ThreeLevelPair living;
   living.step(3.0F);
