@@ -23,27 +23,27 @@ class AuditRoom {
     double admission = 1.0;  ///< From 0 to 1: the share of the pairs that are apart that may have their wish.
   };
 
-  /// Begins a step. `budget`: its units; infinite for none. `last`: what the step before took.
-  void begin(double budget, double last);
+  /// Begins a step. `budget`: its units; infinite for none.
+  void begin(double budget);
 
   /// From which lateness on an audit is made now; lateness::kNever for none.
   [[nodiscard]] float from(const Load& load) const;
 
-  /// An audit was made that was so late, of so many units.
-  void take(double units, float late);
+  /// An audit was made, of so many units.
+  void take(double units);
 
   /// A pair was not audited that is later than may be; it is going to be so late in the next step.
-  void takeOverdue(float next) { late_.push_back(next); }
+  void takeOverdue(float next) { overdue_.push_back(next); }
 
  private:
   void findFirst();
 
   double budget_ = std::numeric_limits<double>::infinity();
-  double room_ = 0.0;   ///< For audits, if the step exceeds its budget.
   double units_ = 0.0;  ///< Of the audits of this step.
   int audits_ = 0;
-  std::vector<float> late_;        ///< Of this step: how late those were that were made, or are going to be.
-  float first_ = lateness::kLate;  ///< From how late on there is room in a step that exceeds its budget.
+  std::vector<float> overdue_;  ///< How late those pairs are going to be.
+  float first_ =
+      lateness::kDue;  ///< Over a budget: from how late on there is room, of those that were overdue.
 };
 
 }  // namespace scatter::lod

@@ -31,7 +31,7 @@ void StepBudget::begin(const StepLoad& load, StepClock clock) {
   const double given = budget_.next();
   allowed_ = {given, given, given};
   isRevised_ = false;
-  audits_.begin(given, lastUnits_);
+  audits_.begin(given);
 }
 
 void StepBudget::plan(std::span<PlannedPair> pairs, int creditLevel) {

@@ -86,9 +86,7 @@ class StepBudget {
   void spendQueries(int queries);
 
   /// Of what takeWork() is told as well.
-  void countAudit(const PairWorkload& work, float late) {
-    audits_.take(costs_.weights().audit + costs_.units(work), late);
-  }
+  void countAudit(const PairWorkload& work) { audits_.take(costs_.weights().audit + costs_.units(work)); }
 
   /// A pair was not audited that is later than may be; it is going to be so late in the next step.
   void countOverdue(float next) { audits_.takeOverdue(next); }

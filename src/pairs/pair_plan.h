@@ -43,7 +43,6 @@ struct PairOutcome {
   int choiceQueries = 0;  ///< About levels, before the switch.
   int gapQueries = 0;     ///< About the gap between the finest shapes, after it.
   bool audited = false;
-  float auditedLate = 0.0F;  ///< How late that audit was.
 
   lod::PairWorkload work{};       ///< Of all.
   lod::PairWorkload auditWork{};  ///< Of these, of the audit.

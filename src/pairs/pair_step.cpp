@@ -325,7 +325,6 @@ class PairStep {
   // upon other parts of each other.
   void audit() {
     outcome_.audited = true;
-    outcome_.auditedLate = lateness();
     const PairWork before = work_;
     const float threshold = pair_.parts.threshold();
     if (credit_.gap >= threshold) credit_.gap = findGap();

@@ -377,7 +377,7 @@ void Planner::take(int index, const PairOutcome& outcome) {
   if (outcome.audited) {
     ++counts_.audits;
     ++counts_.separationQueries;
-    budget_.countAudit(outcome.auditWork, outcome.auditedLate);
+    budget_.countAudit(outcome.auditWork);
   }
   if (outcome.late >= lod::lateness::kLate) {
     ++counts_.overduePairs;

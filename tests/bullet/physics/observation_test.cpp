@@ -378,8 +378,6 @@ TEST(Observation, CreditIsCountedInTheDistance) {
   int wrong = 0;
   int kept = 0;
   for (int i = 0; i < 120; ++i) {
-    // Pairs come back to their finest shapes, on credit.
-    if (i == 60) swarm.physics().switching().setBudget({});
     swarm.step();
     const Observation seen = observe(swarm.physics());
     for (const ObservedContact& contact : seen.contacts) {
