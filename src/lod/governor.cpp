@@ -49,9 +49,12 @@ constexpr double kTrendShare = 0.25;
 // Steps in which what is given may be had back: so far ahead room is kept for what there is no way around.
 constexpr double kHorizon = 120.0;
 
-// Steps from one look at that to the next, and how much of the newest trend is believed.
+// Steps from one look at that to the next, and how much of the newest trend, which is the middle one of
+// three, is believed: less of one that falls, as a pile that is forming grows by fits and starts.
+// docs/budget-figures.md has what other shares did.
 constexpr int kFloorEvery = 4;
-constexpr double kFloorShare = 0.3;
+constexpr double kRisingShare = 0.3;
+constexpr double kFallingShare = 0.15;
 
 // Of what there is no way around: detail that is not worth giving up if the budget is impossible, as much as
 // a budget may be exceeded by; from where on it is again. `scatter bench budget --seeds 1,2 --scale 0.5
@@ -192,7 +195,8 @@ double Governor::giveBackLimit(double foreseen) const {
 }
 
 void Governor::planUnlimited(std::span<PlannedPair> pairs, const CostModel& costs) {
-  coarsest_ = middle_ = coarsestTrend_ = 0.0;
+  coarsest_ = middle_ = floorTrend_ = 0.0;
+  growths_ = {};
   vainSteps_ = 0;
   grantAll(pairs, costs, std::numeric_limits<double>::infinity());
 }
@@ -258,8 +262,13 @@ void Governor::foreseeFloor(std::span<const PlannedPair> pairs, const CostModel&
   }
   coarsest *= correction_;
   middle_ = correction_ * middle;
-  if (coarsest_ > 0.0)
-    coarsestTrend_ += kFloorShare * ((coarsest - coarsest_) / kFloorEvery - coarsestTrend_);
+  const double floor = fixed_ + coarsest;
+  if (coarsest_ > 0.0) {
+    growths_.add((floor - lastFloor_) / kFloorEvery);
+    const double news = growths_.at(0.5) - floorTrend_;
+    floorTrend_ += (news > 0.0 ? kRisingShare : kFallingShare) * news;
+  }
+  lastFloor_ = floor;
   coarsest_ = coarsest;
   weighStakes(pairs, costs);
 }
@@ -305,7 +314,7 @@ void Governor::forecast(double budget, double detail) {
   const double reusable = kReused * reuseSaves_ * correction_ * contactUnits_;
   capacity_ = budget - std::max(headroom - reusable, kLeastKept * budget);
   // One level for all whom it refuses their wish, not changed for a little.
-  const double growth = kHorizon * std::max(coarsestTrend_, 0.0);
+  const double growth = kHorizon * std::max(floorTrend_, 0.0);
   isMiddle_ = capacity_ > (isMiddle_ ? kMiddleKept : kMiddleRoom) * (fixed_ + middle_ + growth);
   // What there will be no way around, as far as it does not cost it yet.
   const double reserve = std::max(fixed_ + coarsest_ + growth - (planned() - correction_ * detail), 0.0);

@@ -216,7 +216,9 @@ class Governor {
   double trend_ = 0.0;          ///< Units a step by which steps get dearer.
   double coarsest_ = 0.0;       ///< What all pairs would cost as coarse as they may be.
   double middle_ = 0.0;         ///< The same with all at the middle level.
-  double coarsestTrend_ = 0.0;  ///< Units a step by which `coarsest_` grows; negative if it shrinks.
+  double lastFloor_ = 0.0;      ///< What reachableUnits() was when `coarsest_` was last found.
+  RecentQuantile<3> growths_;   ///< Units a step by which that has grown: many bodies may come in one step.
+  double floorTrend_ = 0.0;     ///< Units a step by which it grows; negative if it shrinks.
   double stake_ = 0.0;          ///< What detail costs that pairs in contact wish for.
   double stakeToCome_ = 0.0;    ///< The same with those that are likely to come into contact.
   double touchingShare_ = 1.0;  ///< Of pairs with detail to lose.

@@ -148,6 +148,40 @@ TEST(GovernorAdmission, KeepsRoomForWhatIsOnItsWay) {
   EXPECT_EQ(before, 0.0);
 }
 
+TEST(GovernorAdmission, KeepsRoomForBodiesThatAreOnTheirWay) {
+  CostModel costs{CostWeights{}};
+  double before = 2.0;
+  for (const double bodyUnitsAStep : {0.0, 1.0, 2.0, 4.0}) {
+    Governor governor({});
+    std::vector<PlannedPair> pairs = knownPairs(costs, 10, 1, 10.0);
+    const double load = 110.0 + 40.0 * bodyUnitsAStep;
+    for (int step = 1; step <= 40; ++step) {
+      governor.plan(pairs, costs, 100.0 + bodyUnitsAStep * step, 2.0 * load);
+      governor.learn(governor.planned());
+    }
+    EXPECT_LE(governor.admission(), before) << bodyUnitsAStep;
+    before = governor.admission();
+  }
+  EXPECT_EQ(before, 0.0);
+}
+
+TEST(GovernorAdmission, ALullIsNotTheEndOfAPile) {
+  CostModel costs{CostWeights{}};
+  constexpr int kSteps = 40;
+  constexpr double kTwiceTheLoad = 2.0 * (100.0 + 4.0 * kSteps);
+  Governor governor = watching(costs, 4, kSteps, kTwiceTheLoad);
+  std::vector<PlannedPair> pairs = knownPairs(costs, 4 * kSteps, 1, 10.0);
+  const auto rest = [&](int steps) {
+    for (int step = 0; step < steps; ++step) {
+      governor.plan(pairs, costs, 100.0, kTwiceTheLoad);
+      governor.learn(governor.planned());
+    }
+    return governor.admission();
+  };
+  EXPECT_EQ(rest(12), 0.0) << "a fifth of a second";
+  EXPECT_EQ(rest(48), 1.0) << "a second";
+}
+
 TEST(GovernorAdmission, APileThatIsThereNeedsNoMoreRoom) {
   CostModel costs{CostWeights{}};
   Governor governor({});
