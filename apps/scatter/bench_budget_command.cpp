@@ -2,6 +2,7 @@
 #include <scatter/lab/recorded_machine.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -20,6 +21,7 @@ struct BenchBudgetArguments {
   BenchArguments bench;
   FamilyArguments drawn;
   std::vector<std::string> scenes;
+  std::vector<std::uint64_t> sceneSeeds;
   std::vector<std::string> families;
   std::vector<double> floors{1.2, 1.5, 2.0, 3.0};
   std::string world = "hybrid";
@@ -38,10 +40,29 @@ bool drawsFamilies(const BenchBudgetArguments& arguments) {
   return arguments.scenes.empty() || !arguments.families.empty();
 }
 
+// Without a seed it has its own.
+struct SeededScene {
+  std::string scene;
+  std::optional<std::uint64_t> seed{};
+};
+
+std::vector<SeededScene> namedScenes(const BenchBudgetArguments& arguments) {
+  std::vector<SeededScene> scenes;
+  for (const std::string& scene : arguments.scenes) {
+    if (arguments.sceneSeeds.empty()) {
+      scenes.push_back({scene});
+    }
+    for (const std::uint64_t seed : arguments.sceneSeeds) {
+      scenes.push_back({scene, seed});
+    }
+  }
+  return scenes;
+}
+
 // Those that were named, and of each family one for each seed, written into the folder.
-Result<std::vector<std::string>> scenesOf(const BenchBudgetArguments& arguments,
+Result<std::vector<SeededScene>> scenesOf(const BenchBudgetArguments& arguments,
                                           const std::filesystem::path& folder) {
-  std::vector<std::string> scenes = arguments.scenes;
+  std::vector<SeededScene> scenes = namedScenes(arguments);
   if (!drawsFamilies(arguments)) {
     return scenes;
   }
@@ -50,8 +71,31 @@ Result<std::vector<std::string>> scenesOf(const BenchBudgetArguments& arguments,
   if (!files) {
     return tl::unexpected(files.error());
   }
-  scenes.insert(scenes.end(), files->begin(), files->end());
+  for (const std::filesystem::path& file : *files) {
+    scenes.push_back({file});
+  }
   return scenes;
+}
+
+// Scenes are called after their seed if they were given one.
+Result<BudgetScene> makeScene(const BenchBudgetArguments& arguments, const SeededScene& scene) {
+  auto governed = makeBenchRun(arguments.bench, scene.scene, arguments.world);
+  if (!governed) {
+    return tl::unexpected(governed.error());
+  }
+  std::string name = nameOf(scene.scene);
+  if (scene.seed) {
+    governed->seed = scene.seed;
+    name += "-" + std::to_string(*scene.seed);
+  }
+  auto resolved = resolveRun(*governed);
+  if (!resolved) {
+    return tl::unexpected(resolved.error());
+  }
+  RunOptions coarsest = *resolved;
+  coarsest.physics.switching.policy = Policy::kCoarsest;
+  return BudgetScene{
+      .name = std::move(name), .governed = std::move(*resolved), .coarsest = std::move(coarsest)};
 }
 
 Result<BudgetStudyOptions> makeStudy(const BenchBudgetArguments& arguments,
@@ -72,19 +116,12 @@ Result<BudgetStudyOptions> makeStudy(const BenchBudgetArguments& arguments,
   if (!scenes) {
     return tl::unexpected(scenes.error());
   }
-  for (const std::string& scene : *scenes) {
-    auto governed = makeBenchRun(arguments.bench, scene, arguments.world);
-    if (!governed) {
-      return tl::unexpected(governed.error());
+  for (const SeededScene& scene : *scenes) {
+    auto made = makeScene(arguments, scene);
+    if (!made) {
+      return tl::unexpected(made.error());
     }
-    auto resolved = resolveRun(*governed);
-    if (!resolved) {
-      return tl::unexpected(resolved.error());
-    }
-    RunOptions coarsest = *resolved;
-    coarsest.physics.switching.policy = Policy::kCoarsest;
-    options.scenes.push_back(
-        {.name = nameOf(scene), .governed = std::move(*resolved), .coarsest = std::move(coarsest)});
+    options.scenes.push_back(std::move(*made));
   }
   return options;
 }
@@ -99,6 +136,9 @@ Result<void> checkMeaning(const CLI::App& command, const BenchBudgetArguments& a
   }
   if (arguments.cutFrames > 0 && !(arguments.cut > 0.0)) {
     return fail("--cut-frames says how long --cut holds; give both");
+  }
+  if (!arguments.sceneSeeds.empty() && arguments.scenes.empty()) {
+    return fail("--scene-seeds are those of --scenes; give both, or --seeds for families");
   }
   // Families take seconds to be written.
   if (auto world = parseWorld(arguments.world); !world) {
@@ -143,6 +183,12 @@ Command addBenchBudgetCommand(CLI::App& bench) {
   auto arguments = std::make_shared<BenchBudgetArguments>();
   command->add_option("--scenes", arguments->scenes, "Scenes and files [all families]")
       ->type_name("NAME,NAME")
+      ->delimiter(',');
+  command
+      ->add_option("--scene-seeds", arguments->sceneSeeds,
+                   "Each of --scenes for each of these seeds [its own]")
+      ->check(wholeNumber<std::uint64_t>(0))
+      ->type_name("N,N")
       ->delimiter(',');
   command
       ->add_option("--families", arguments->families,

@@ -260,7 +260,8 @@ void Governor::foreseeFloor(std::span<const PlannedPair> pairs, const CostModel&
     coarsest += predict(pair, costs, low);
     middle += predict(pair, costs, between);
   }
-  coarsest *= correction_;
+  // Where pairs take less than was predicted, as in a lull, they need not do so when they meet.
+  coarsest *= std::max(correction_, 1.0);
   middle_ = correction_ * middle;
   const double floor = fixed_ + coarsest;
   if (coarsest_ > 0.0) {

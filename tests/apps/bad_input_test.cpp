@@ -160,6 +160,9 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"noVerification", {"run", "tower", "--verify-contacts", "0"}, "needs a whole number from 1"},
         Refusal{
             "cutFramesWithoutCut", {"bench", "budget", "--cut-frames", "9"}, "--cut-frames says how long"},
+        Refusal{"seedsOfNoScene",
+                {"bench", "budget", "--scene-seeds", "2"},
+                "--scene-seeds are those of --scenes"},
         Refusal{"overIntoAFolder", {"bench", "budget", "--over", "."}, "--over \".\" does not name a file"},
         Refusal{"cutByTheClock", {"bench", "budget", "--cut", "2", "--clock"}, "--cut has no meaning"},
         Refusal{"cutOnAMachine", {"bench", "budget", "--cut", "2", "--machine", "m.csv"}, "with --machine"},

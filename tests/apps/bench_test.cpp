@@ -71,6 +71,16 @@ TEST_F(BenchTest, BudgetGoesThroughScenesAndFamilies) {
   EXPECT_EQ(linesOfCsv("budgets.csv"), 7U);
 }
 
+TEST_F(BenchTest, BudgetGoesThroughSeedsOfAScene) {
+  const std::string output = bench({"budget", "--scenes", "fleet_boxes", "--scene-seeds", "2,3", "--frames",
+                                    "8", "--floors", "1.5", "--csv", "budgets.csv"});
+  EXPECT_THAT(output, HasSubstr("2 runs, 16 frames"));
+  EXPECT_EQ(columnOf(folder / "budgets.csv", "scene"),
+            (std::vector<std::string>{"fleet_boxes-2", "fleet_boxes-3"}));
+  const auto budgets = columnOf(folder / "budgets.csv", "budget_units");
+  EXPECT_NE(budgets.front(), budgets.back()) << "bodies lie elsewhere, and another frame is the dearest";
+}
+
 TEST_F(BenchTest, BudgetsOfMillisecondsAreTheSameEveryTimeOnAMachineThatIsGiven) {
   std::ofstream(folder / "machine.csv") << "ms_per_unit\n0.001\n0.002\n0.004\n";
   for (const char* csv : {"one.csv", "other.csv"}) {

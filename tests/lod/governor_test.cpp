@@ -87,6 +87,23 @@ TEST(Governor, TheFloorIsNoMoreThanWasTakenAndHasWhatAnyLevelTakes) {
   EXPECT_NEAR(governor.floorUnits(pairs, costs), 1.0 + 30.0, 1e-4);
 }
 
+TEST(Governor, ALullMakesTheReachableFloorNoCheaper) {
+  CostModel costs{CostWeights{}};
+  const auto reachableAfter = [&costs](double ofWhatWasPredicted) {
+    Governor governor({});
+    std::vector<PlannedPair> pairs = knownPairs(costs, 100, 3);
+    for (int i = 0; i < 40; ++i) {
+      governor.plan(pairs, costs, 100.0, 1e6);
+      governor.learn(100.0 + ofWhatWasPredicted * 100.0 * unitsAt(3, 10.0));
+    }
+    return governor.reachableUnits();
+  };
+  const double predicted = 100.0 + 100.0 * unitsAt(1, 10.0);
+  EXPECT_NEAR(reachableAfter(1.0), predicted, 1.0);
+  EXPECT_NEAR(reachableAfter(0.7), predicted, 1.0);
+  EXPECT_NEAR(reachableAfter(1.5), 100.0 + 1.5 * 100.0 * unitsAt(1, 10.0), 1.0);
+}
+
 TEST(Governor, GivesNothingUpForAnImpossibleBudgetThatDetailIsHardlyAnythingOf) {
   CostModel costs{CostWeights{}};
   Governor governor({});
