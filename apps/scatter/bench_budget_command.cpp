@@ -144,7 +144,7 @@ Result<void> checkMeaning(const CLI::App& command, const BenchBudgetArguments& a
   if (auto world = parseWorld(arguments.world); !world) {
     return tl::unexpected(world.error());
   }
-  return checkFamilyArguments(command, drawsFamilies(arguments), "--families");
+  return checkFamilyArguments(command, drawsFamilies(arguments), "--families (--scenes have --scene-seeds)");
 }
 
 ExitStatus study(const CLI::App& command, const BenchBudgetArguments& arguments) {
