@@ -261,16 +261,15 @@ void Governor::foreseeFloor(std::span<const PlannedPair> pairs, const CostModel&
     middle += predict(pair, costs, between);
   }
   // Where pairs take less than was predicted, as in a lull, they need not do so when they meet.
-  coarsest *= std::max(correction_, 1.0);
+  const bool isFirst = !(coarsest_ > 0.0);
+  coarsest_ = std::max(correction_, 1.0) * coarsest;
   middle_ = correction_ * middle;
-  const double floor = fixed_ + coarsest;
-  if (coarsest_ > 0.0) {
-    growths_.add((floor - lastFloor_) / kFloorEvery);
+  if (!isFirst) {
+    growths_.add((reachableUnits() - lastFloor_) / kFloorEvery);
     const double news = growths_.at(0.5) - floorTrend_;
     floorTrend_ += (news > 0.0 ? kRisingShare : kFallingShare) * news;
   }
-  lastFloor_ = floor;
-  coarsest_ = coarsest;
+  lastFloor_ = reachableUnits();
   weighStakes(pairs, costs);
 }
 
