@@ -167,8 +167,9 @@ public:
 	const char* removePolicies();
 
 	/// What stepSimulation may cost: its steps share it. Detail is taken away where it is worth least, and given back
-	/// when there is room. A new budget replaces the one before it, and starts to learn. Milliseconds of processor time
-	/// of the stepping thread: depends on the clock. Refuses what is not finite and above 0.
+	/// when there is room. It may be another one in each step: what was learned stays known until there is none.
+	/// Milliseconds of processor time of the stepping thread: depends on the clock. Refuses what is not finite and
+	/// above 0.
 	const char* setBudgetMilliseconds(double milliseconds);
 
 	/// Clock-free: as if a unit of predicted cost took so many milliseconds, in one step with hybrids after the other,

@@ -33,6 +33,17 @@ struct LooseContacts {
   int points = 0;
 };
 
+/// What a pair did cost in a step.
+struct PairUnits {
+  double all = 0.0;
+  double common = 0.0;    ///< Of these, what it would have cost at any level.
+  double contacts = 0.0;  ///< Of these, what its contacts take in the next steps, too.
+
+  /// At a coarser level, with contacts of the finest one that it held, and of coarser shapes as far as looks
+  /// at the finest ones are late.
+  bool onCredit = false;
+};
+
 /// What a unit of work costs, relative to each other: about microseconds on the machine they were fitted on,
 /// by bench/costs/fit.
 struct CostWeights {
@@ -96,12 +107,10 @@ class CostModel {
   [[nodiscard]] double units(const StepLoad& load) const;
   [[nodiscard]] double units(const LooseContacts& contacts) const;
 
-  /// After a pair was processed at `level` of `finest`, 1 <= level <= finest: takes in what it cost, and what
-  /// of that it would have cost at any level, and what its contacts are going to cost again. A pair that was
-  /// left without a look because it is far apart cost 0. (0 does not count in what is known of other pairs.)
-  /// What was learned of one that falls asleep stays, for when it wakes.
-  void learn(PairCost& cost, int level, int finest, bool touching, double units, double common = 0.0,
-             double contacts = 0.0);
+  /// After a pair was processed at `level` of `finest`, 1 <= level <= finest: takes in what it cost. A pair
+  /// that was left without a look because it is far apart cost 0. (0 does not count in what is known of other
+  /// pairs.) What was learned of one that falls asleep stays, for when it wakes.
+  void learn(PairCost& cost, int level, int finest, bool touching, const PairUnits& units);
 
   /// Units a step at `level` for a pair that is at `now` (0: new), without what the switch costs.
   [[nodiscard]] double predict(const PairCost& cost, int level, int now, int finest, bool touching) const {

@@ -10,14 +10,29 @@ namespace scatter::lod {
 StepBudget::StepBudget()
     : costs_(CostWeights()), governor_(GovernorDef()), contacts_(costs_.weights().hiddenContact) {}
 
-void StepBudget::set(const UnitBudget& budget) {
-  budget_ = budget;
+// A run that is repeated has begun with nothing learned.
+void StepBudget::set(UnitBudget budget) {
+  if (budget.isRecorded()) {
+    forget();
+  } else {
+    budget.takeOver(budget_);
+  }
+  budget_ = std::move(budget);
+}
+
+// What pairs cost, which costs_ knows, is the same with a budget and without one.
+void StepBudget::forget() {
   governor_ = Governor(GovernorDef());
   contacts_ = ContactThinning(costs_.weights().hiddenContact);
+  looseSaved_ = 0.0;
 }
 
 void StepBudget::begin(const StepLoad& load, StepClock clock) {
   clock_ = std::move(clock);
+  const double given = budget_.next();
+  allowed_ = {given, given, given};
+  if (isLimited() != wasLimited_) forget();
+  wasLimited_ = isLimited();
   ownSpare_ = 0;
   shownUnits_ = 0.0;
   iterationsLeftOut_ = 0;
@@ -28,8 +43,6 @@ void StepBudget::begin(const StepLoad& load, StepClock clock) {
   savedUnits_ = looseSaved_;
   fixedUnits_ = costs_.units(load) + looseUnits_ - looseSaved_;
   units_ = fixedUnits_;
-  const double given = budget_.next();
-  allowed_ = {given, given, given};
   isRevised_ = false;
   audits_.begin(given);
 }
@@ -82,8 +95,7 @@ PairUnits StepBudget::takeWork(PlannedPair& pair, const PairWorkload& work) {
 
 void StepBudget::learn(PlannedPair& pair, bool touching, const PairUnits& units) {
   if (!isLimited()) return;
-  costs_.learn(pair.cost, pair.view.level, pair.view.finest, touching, units.all, units.common,
-               units.contacts);
+  costs_.learn(pair.cost, pair.view.level, pair.view.finest, touching, units);
 }
 
 void StepBudget::takeLoose(const LooseContacts& contacts) {
@@ -145,7 +157,7 @@ bool StepBudget::takeTime() {
 BudgetState StepBudget::state(double floor) const {
   constexpr double kKept = 1.02;
   BudgetState state;
-  if (!hasBudget()) return state;
+  if (!isLimited()) return state;
   const double budget = allowed_.given;
   state.budget = budget;
   state.taken = units_;

@@ -16,13 +16,6 @@
 
 namespace scatter::lod {
 
-/// What a pair did cost in a step, and what of that it would have cost at any level.
-struct PairUnits {
-  double all = 0.0;
-  double common = 0.0;
-  double contacts = 0.0;  ///< What its contacts take in the next steps, too, if all are hidden that may be.
-};
-
 /// What the solver does in a step.
 struct SolverWork {
   int iterations = 0;  ///< As long as it is not told to leave some out.
@@ -40,10 +33,12 @@ class StepBudget {
  public:
   StepBudget();
 
-  /// From the next step on; the governor forgets what it has learned.
-  void set(const UnitBudget& budget);
+  /// From the next step on. What was learned stays known as long as every step has a budget, so that it may
+  /// be another one in each.
+  void set(UnitBudget budget);
 
-  [[nodiscard]] bool isLimited() const { return budget_.isLimited(); }
+  /// Whether the step under way has a budget: one of a run that is replayed may have none.
+  [[nodiscard]] bool isLimited() const { return budget_.isLimited() && std::isfinite(allowed_.given); }
   [[nodiscard]] bool needsTime() const { return budget_.needsTime(); }
 
   /// The next so many steps share one budget.
@@ -131,7 +126,7 @@ class StepBudget {
   [[nodiscard]] double units() const { return units_; }  ///< Of the step under way, or made last.
   [[nodiscard]] double lastUnits() const { return lastUnits_; }
   [[nodiscard]] double plannedUnits() const { return governor_.planned(); }
-  [[nodiscard]] BudgetUnits budgetUnits() const { return hasBudget() ? allowed_ : BudgetUnits(); }
+  [[nodiscard]] BudgetUnits budgetUnits() const { return isLimited() ? allowed_ : BudgetUnits(); }
   [[nodiscard]] bool isExceeded() const { return isLimited() && units_ > allowed_.given; }
 
   /// Of the step that has ended; `floor`: its floorUnits(), if it isExceeded(). What pairs have given up is
@@ -144,9 +139,8 @@ class StepBudget {
   }
 
  private:
-  /// Steps of a run that is replayed may have none.
-  [[nodiscard]] bool hasBudget() const { return isLimited() && std::isfinite(allowed_.given); }
   [[nodiscard]] double elapsed() const { return clock_ && needsTime() ? clock_() : 0.0; }
+  void forget();
   void spend(double units);
   void settleContacts(const ContactThinning::Find& find);
   void settleIterations(const SolverWork& solver);
@@ -178,8 +172,9 @@ class StepBudget {
   double looseUnits_ = 0.0;  ///< Of these, as they are taken to be.
   double units_ = 0.0;
   double lastUnits_ = 0.0;
-  BudgetUnits allowed_;     ///< Infinite for none.
-  bool isRevised_ = false;  ///< In this step.
+  BudgetUnits allowed_;      ///< Infinite for none.
+  bool isRevised_ = false;   ///< In this step.
+  bool wasLimited_ = false;  ///< Before it.
 };
 
 }  // namespace scatter::lod

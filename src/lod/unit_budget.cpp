@@ -36,6 +36,17 @@ UnitBudget UnitBudget::replay(std::vector<BudgetUnits> steps) {
   return budget;
 }
 
+void UnitBudget::takeOver(const UnitBudget& before) {
+  shared_ = before.shared_;
+  left_ = before.left_;
+  taken_ = before.taken_;
+  if (machine_ != before.machine_) return;
+  machineStep_ = before.machineStep_;
+  unitTime_ = before.unitTime_;
+  revision_ = before.revision_;
+  settlement_ = before.settlement_;
+}
+
 void UnitBudget::share(int steps) {
   shared_ = left_ = std::max(steps, 1);
   taken_ = 0.0;

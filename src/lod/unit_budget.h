@@ -27,6 +27,10 @@ class UnitBudget {
   /// Empty: no budget.
   [[nodiscard]] static UnitBudget replay(std::vector<BudgetUnits> steps);
 
+  /// In the place of the one before it: what that has learned of the machine stays known, if it is the same,
+  /// and steps that shared its budget share what this one leaves of it.
+  void takeOver(const UnitBudget& before);
+
   /// The next so many steps share one budget: those that the caller makes at once.
   void share(int steps);
 
@@ -64,9 +68,9 @@ class UnitBudget {
   /// Of milliseconds: learn() must be told how long steps take.
   [[nodiscard]] bool needsTime() const { return milliseconds_ > 0.0; }
 
-  [[nodiscard]] bool isLimited() const {
-    return milliseconds_ > 0.0 || constant_ > 0.0 || !recorded_.empty();
-  }
+  [[nodiscard]] bool isRecorded() const { return !recorded_.empty(); }
+
+  [[nodiscard]] bool isLimited() const { return milliseconds_ > 0.0 || constant_ > 0.0 || isRecorded(); }
 
  private:
   [[nodiscard]] double nextUnits();

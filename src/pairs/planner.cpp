@@ -482,7 +482,8 @@ void Planner::takeWork(std::size_t pair, const PairOutcome& outcome, int before)
   own_.manifolds += outcome.work.manifolds;
   own_.points += outcome.work.contacts;
   counts_.reusedPairs += outcome.work.reuses ? 1 : 0;
-  if (outcome.credited && view.level < view.finest) {
+  units.onCredit = outcome.credited && view.level < view.finest;
+  if (units.onCredit) {
     known.averageUnits += (static_cast<float>(units.all) - known.averageUnits) / kCostMemory;
     units.all = static_cast<double>(known.averageUnits);
   }

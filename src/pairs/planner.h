@@ -4,6 +4,7 @@
 #include <limits>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "lod/planned_pair.h"
@@ -55,7 +56,7 @@ class Planner {
   void removePolicies();
   void setFocus(const lod::Focus& focus) { situation_.focus = focus; }
   void removeFocus() { situation_.focus.reset(); }
-  void setBudget(const lod::UnitBudget& budget) { budget_.set(budget); }
+  void setBudget(lod::UnitBudget budget) { budget_.set(std::move(budget)); }
   [[nodiscard]] bool needsTime() const { return budget_.needsTime(); }
 
   /// Not owned; none: nullptr.

@@ -93,7 +93,8 @@ double FakeEngine::process(PlannedPair& pair, const FakePair& script, FakeStep& 
   const double units = reuses ? (1.0 - kReuseSaves) * full : full;
   governor_.spend(switching);
   governor_.spend(pair, units, full);
-  if (!reuses) costs_.learn(pair.cost, view.level, view.finest, view.touching, units);
+  const PairUnits learned{.all = units, .onCredit = view.credited && view.level < view.finest};
+  if (!reuses) costs_.learn(pair.cost, view.level, view.finest, view.touching, learned);
   result.reused += reuses ? 1 : 0;
   result.touching += view.touching ? 1 : 0;
   result.touchingFinest += view.touching && view.level == view.finest ? 1 : 0;

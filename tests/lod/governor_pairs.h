@@ -27,7 +27,7 @@ inline PlannedPair knownPair(CostModel& costs, int level, double finestUnits = 1
   pair.view.touching = touching;
   pair.target = pair.view.level;
   for (const int known : {1, 2, 3, level}) {
-    for (int i = 0; i < 40; ++i) costs.learn(pair.cost, known, 3, touching, unitsAt(known, finestUnits));
+    for (int i = 0; i < 40; ++i) costs.learn(pair.cost, known, 3, touching, {unitsAt(known, finestUnits)});
   }
   for (int i = 0; i < 3; ++i) {
     pair.cost.units[static_cast<std::size_t>(i)] = static_cast<float>(unitsAt(3 - i, finestUnits));

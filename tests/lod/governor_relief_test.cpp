@@ -40,7 +40,8 @@ void planUntilRest(Governor& governor, CostModel& costs, std::vector<PlannedPair
     double units = 0.0;
     for (PlannedPair& pair : pairs) {
       const double own = pair.view.credited ? onCredit(pair) : static_cast<double>(pair.cost.units[0]);
-      if (pair.view.credited) costs.learn(pair.cost, pair.view.level, pair.view.finest, true, own);
+      const PairUnits learned{.all = own, .onCredit = true};
+      if (pair.view.credited) costs.learn(pair.cost, pair.view.level, pair.view.finest, true, learned);
       governor.spend(pair, own, own);
       units += own;
     }
@@ -337,7 +338,7 @@ TEST(GovernorGivingBack, ThePlanComesToRest) {
       for (PlannedPair& pair : pairs) {
         const double finest = pair.cost.units[0];
         const double actual = pair.view.credited ? std::min(finest, 3.0 + 0.3 * finest) : finest;
-        costs.learn(pair.cost, pair.view.level, 3, true, actual);
+        costs.learn(pair.cost, pair.view.level, 3, true, {.all = actual, .onCredit = pair.view.credited});
         units += actual;
       }
       governor.learn(units);

@@ -520,7 +520,7 @@ TEST(Governor, SurvivesAnyWish) {
       if (pair.view.level == 0) continue;
       const double cost = pair.view.level * random.exponential();
       units += cost;
-      costs.learn(pair.cost, pair.view.level, pair.view.finest, pair.view.touching, cost);
+      costs.learn(pair.cost, pair.view.level, pair.view.finest, pair.view.touching, {cost});
     }
     governor.learn(units);
   }

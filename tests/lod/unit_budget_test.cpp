@@ -92,6 +92,27 @@ TEST(UnitBudget, FindsOutHowSlowAVerySlowMachineIs) {
   EXPECT_DOUBLE_EQ(budget.next(), 100.0);
 }
 
+TEST(UnitBudget, OneThatReplacesAnotherKnowsTheMachine) {
+  UnitBudget before = UnitBudget::ofMilliseconds(5.0);
+  for (int i = 0; i < 20; ++i) before.learn(2000.0, 4.0);
+  UnitBudget budget = UnitBudget::ofMilliseconds(3.0);
+  budget.takeOver(before);
+  EXPECT_DOUBLE_EQ(budget.next(), 1500.0);
+  UnitBudget elsewhere = UnitBudget::ofMilliseconds(3.0, {0.001});
+  elsewhere.takeOver(before);
+  EXPECT_DOUBLE_EQ(elsewhere.next(), 3000.0) << "that is another machine";
+}
+
+TEST(UnitBudget, OneThatReplacesAnotherHasWhatItsStepsHaveLeft) {
+  UnitBudget before = UnitBudget::ofUnits(3000.0);
+  before.share(3);
+  EXPECT_EQ(before.next(), 1000.0);
+  before.take(600.0);
+  UnitBudget budget = UnitBudget::ofUnits(2000.0);
+  budget.takeOver(before);
+  EXPECT_EQ(budget.next(), 700.0);
+}
+
 TEST(UnitBudget, ReplaysExactlyAndStaysAtTheLast) {
   UnitBudget budget = UnitBudget::replay({{.given = 1000.1}, {}, {.given = 997.3}});
   EXPECT_EQ(budget.next(), 1000.1);

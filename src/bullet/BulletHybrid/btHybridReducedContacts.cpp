@@ -19,6 +19,14 @@ unsigned drawLot(int first, int second)
 	const uint64_t golden = 0x9E3779B97F4A7C15u;
 	return unsigned(((uint64_t(first) << 32 | uint64_t(second)) * golden) >> 32);
 }
+
+// One that stayed a step before counts as one that bore something, so that the choice does not flicker where many
+// bear next to nothing. Bullet's solvers of rigid bodies do not use where that is noted, and it goes where the point
+// goes.
+btScalar btHybridLoyaltyOf(const btManifoldPoint& point)
+{
+	return point.m_appliedImpulse + point.m_prevRHS;
+}
 }  // namespace
 
 // In either order of the bodies.
@@ -83,7 +91,7 @@ void btHybridReducedContacts::collect(const Pair& pair, btPersistentManifold** m
 				continue;
 			m_points.push_back(&point);
 			m_contacts.push_back({btHybridQuad(point.m_positionWorldOnB, point.getDistance()),
-			                      btHybridQuad(sign * point.m_normalWorldOnB, point.m_appliedImpulse), -1});
+			                      btHybridQuad(sign * point.m_normalWorldOnB, btHybridLoyaltyOf(point)), -1});
 		}
 	}
 }
@@ -93,6 +101,7 @@ void btHybridReducedContacts::remember()
 	for (size_t i = 0; i < m_contacts.size(); ++i)
 	{
 		const int kept = m_contacts[i].kept;
+		m_points[i]->m_prevRHS = btScalar(kept == int(i) ? 1 : 0);
 		if (kept != int(i))
 			m_hidden.push_back({m_points[i], m_points[kept], 0});
 	}

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <functional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -44,9 +45,11 @@ struct Recording {
   int onCredit = 0;
 };
 
-Recording record(Gathering& w) {
+/// `change`: of the world, before every step.
+Recording record(Gathering& w, const std::function<void(int step)>& change = {}) {
   Recording run;
   for (int i = 0; i < kSteps; ++i) {
+    if (change) change(i);
     w.pull();
     const btHybridPairStepInfo info = w.pairInfo();
     run.bits.push_back(w.bits());
@@ -91,6 +94,39 @@ TEST(Budget, InMillisecondsIsReplayedFromItsUnits) {
   int switches = 0;
   for (const int count : recorded.switches) switches += count;
   EXPECT_GT(switches, 20);
+}
+
+// As by a game that gives physics what is left of a frame.
+TEST(Budget, ThatIsSetAnewInEveryStepIsTheSameAsOneThatStays) {
+  Gathering once;
+  Gathering anew;
+  once.world.setBudgetUnits(150);
+  const Recording stays = record(once);
+  EXPECT_GT(stays.onCredit, 5) << "nothing was at stake";
+  expectSame(stays, record(anew, [&anew](int) { anew.world.setBudgetUnits(150); }));
+}
+
+TEST(Budget, InMillisecondsThatIsSetAnewInEveryStepKnowsTheMachine) {
+  const double machine[] = {0.003, 0.002};
+  Gathering once;
+  Gathering anew;
+  once.world.setBudgetMilliseconds(0.4, machine, 2);
+  const Recording stays = record(once);
+  EXPECT_LT(stays.units.back().given, 300) << "it was learned that a unit takes more than a microsecond";
+  expectSame(stays, record(anew, [&](int) { anew.world.setBudgetMilliseconds(0.4, machine, 2); }));
+}
+
+TEST(Budget, ThatChangesAndComesAndGoesIsReplayedExactly) {
+  Gathering w;
+  const Recording recorded = record(w, [&w](int step) {
+    if (step % 60 == 10) w.world.setBudgetUnits(100);
+    if (step % 60 == 30) w.world.setBudgetUnits(200);
+    if (step % 60 == 45) w.world.removeBudget();
+  });
+  EXPECT_GT(recorded.onCredit, 5) << "nothing was at stake";
+  Gathering replayed;
+  replayed.world.replayBudget(recorded.units.data(), kSteps);
+  expectSame(recorded, record(replayed));
 }
 
 TEST(Budget, InMillisecondsOfAMachineThatIsGivenIsKeptAndTheSameEveryTime) {
