@@ -471,6 +471,10 @@ double Governor::finestUnits(const PlannedPair& pair, const CostModel& costs) co
   return isKnown || kind.weight <= 0.0 ? predict(pair, costs, pair.view.finest) : kind.units;
 }
 
+double Governor::unitsAwake(const PlannedPair& pair, const CostModel& costs) const {
+  return pair.view.touching ? finestUnits(pair, costs) : predict(pair, costs, pair.view.level);
+}
+
 /// Pairs in contact, or on credit, at a finer level again: where most is seen for what it costs.
 void Governor::giveBack(std::span<PlannedPair> pairs, const CostModel& costs, double room) {
   offers_.clear();

@@ -104,6 +104,9 @@ class Governor {
   /// What a pair in contact would cost at its finest level: as it did, else as others of its kind do.
   [[nodiscard]] double finestUnits(const PlannedPair& pair, const CostModel& costs) const;
 
+  /// What a pair that rests would cost if it woke, at its finest level if it is in contact.
+  [[nodiscard]] double unitsAwake(const PlannedPair& pair, const CostModel& costs) const;
+
   /// Units that the step just planned has left for detail; none where giving it up would not help.
   [[nodiscard]] double room() const;
 

@@ -105,7 +105,7 @@ class StepBudget {
   /// What a pair that rests would take at its finest level if it woke with its bodies; and units that the
   /// last plan has left for that.
   [[nodiscard]] double unitsAwake(const PlannedPair& pair) const {
-    return governor_.finestUnits(pair, costs_) + costs_.weights().awakeBody;
+    return governor_.unitsAwake(pair, costs_) + costs_.weights().awakeBody;
   }
   [[nodiscard]] double roomToWake() const { return governor_.room(); }
 

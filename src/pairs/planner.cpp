@@ -562,7 +562,7 @@ void Planner::findOwed(std::vector<PlannedBody*>& bodies) {
   if (numOwed_ == 0 || step_ % kOwedInterval != 0) return;
   resting_.clear();
   for (std::size_t i = 0; i < planned_.size(); ++i) {
-    if (!planned_[i].rests || !planned_[i].view.touching) continue;
+    if (!planned_[i].rests) continue;
     resting_.add(*known_[i].bodies[0], *known_[i].bodies[1], budget_.unitsAwake(planned_[i]), restsOwed(i));
   }
   resting_.wake(budget_.roomToWake(), bodies);

@@ -69,6 +69,19 @@ TEST(OwedDetail, IsGivenBackToWhatSleeps) {
   EXPECT_EQ(w.wakes(), 0);
 }
 
+// Islands are made of what is near each other: what wakes beside a stack is part of what that takes.
+TEST(OwedDetail, IsForIslandsThatMayWakeAsAWhole) {
+  Stacks w;
+  ASSERT_EQ(w.world.addPolicy("held"), nullptr);
+  btHybridRigidBody* const neighbour = w.addBlock(btVector3(-1.3F, 0.5F, 0));
+  neighbour->forceActivationState(ACTIVE_TAG);
+  neighbour->setHeld(true);
+  ASSERT_TRUE(w.sleeps(3000));
+  EXPECT_EQ(w.world.getPairLevel(neighbour, w.bodies[1].get()), 3) << "it is owed nothing";
+  w.world.setBudgetUnits(1e6);
+  EXPECT_EQ(w.wakes(), 9);
+}
+
 TEST(OwedDetail, IsGivenBackWithoutABudget) {
   Stacks w;
   ASSERT_TRUE(w.sleeps(3000));
