@@ -102,8 +102,8 @@ class StepBudget {
   /// A pair went to the finer level that it has now, which did cost so much in this step; before learn().
   void learnFiner(const PlannedPair& pair, double units) { governor_.learnFiner(pair, costs_, units); }
 
-  /// What a pair that rests would take at its finest level if it woke with its bodies; and units that the
-  /// last plan has left for that.
+  /// What a pair that rests would take if it woke with its bodies, at its finest level if it is in contact;
+  /// and units that the last plan has left for that.
   [[nodiscard]] double unitsAwake(const PlannedPair& pair) const {
     return governor_.unitsAwake(pair, costs_) + costs_.weights().awakeBody;
   }
