@@ -8,8 +8,7 @@
 
 #include "PairTestWorld.h"
 
-// Towers that never sleep, with a budget that stays, or comes and goes: how long do they stand, and how
-// still?
+// Towers that never sleep, with a budget that stays, or comes and goes: how long and how still do they stand?
 
 namespace scatter::bench {
 namespace {

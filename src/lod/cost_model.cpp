@@ -11,10 +11,11 @@ namespace {
 constexpr double kRise = 0.2;
 constexpr double kFall = 0.1;
 
-// On credit a pair takes more as looks at its finest shapes get late, which tells little of what these would
-// take: with 0.5 the towers of `tower_bench`, where credit saves nothing, stay on it, and in a fifth of the
-// steps a cube is faster than 2 cm/s, with 0.2 in a 25th. docs/budget-figures.md has what other powers did.
-constexpr double kShows = 0.5;
+// What of a pair's costs shows at other levels, as a power of how many times as much it takes; 0.5 for pairs
+// that are not on credit. On credit a pair takes more as looks at its finest shapes get late, which tells
+// little of what these would take: with 0.5 the towers of `tower_bench`, where credit saves nothing, stay on
+// it, and in a fifth of the steps a cube is faster than 2 cm/s, with 0.2 in a 25th. docs/budget-figures.md
+// has what other powers did.
 constexpr double kShowsOnCredit = 0.2;
 
 // Pairs whose mean a kind's mean forgets no faster than.
@@ -31,9 +32,13 @@ constexpr double kUnknownRatio = 0.4;
 constexpr double kUnknownTouching = 6.0;
 constexpr double kUnknownApart = 1.0;
 
-// What a pair does shows at other levels too, but less, as a power of how many times as much it takes. All
-// changes go through here, so that what is remembered of a level does not drift while others are in use.
-void follow(PairCost& cost, std::size_t slot, double units, double shows, double rise = kRise) {
+/// What a pair does shows at other levels too, but less.
+double shownAtOthers(double ratio, bool onCredit) {
+  return onCredit ? std::pow(ratio, kShowsOnCredit) : std::sqrt(ratio);
+}
+
+// All changes go through here, so that what is remembered of a level does not drift while others are in use.
+void follow(PairCost& cost, std::size_t slot, double units, bool onCredit, double rise = kRise) {
   const double before = cost.units[slot];
   if (before <= 0.0) {
     cost.units[slot] = static_cast<float>(std::max(units, kLeastUnits));
@@ -41,8 +46,7 @@ void follow(PairCost& cost, std::size_t slot, double units, double shows, double
   }
   const double change = units - before;
   const double now = std::max(before + change * (change > 0.0 ? rise : kFall), kLeastUnits);
-  const auto scale =
-      static_cast<float>(shows == kShows ? std::sqrt(now / before) : std::pow(now / before, shows));
+  const auto scale = static_cast<float>(shownAtOthers(now / before, onCredit));
   for (float& remembered : cost.units) remembered *= scale;
   cost.units[slot] = static_cast<float>(now);
 }
@@ -93,10 +97,9 @@ void CostModel::learn(PairCost& cost, int level, int finest, bool touching, cons
   grow(finest);
   Kind& kind = kinds_[indexOf(level, finest)];
   const std::size_t slot = PairCost::slotOf(level, finest);
-  const double shows = units.onCredit ? kShowsOnCredit : kShows;
   if (cost.level == level) {
     // The second step at a level is the first that shows what it costs there now.
-    follow(cost, slot, units.all, shows, cost.isNew ? 1.0 : kRise);
+    follow(cost, slot, units.all, units.onCredit, cost.isNew ? 1.0 : kRise);
     cost.isNew = false;
     if (units.all > 0.0) {
       addToMeans(cost, level, finest, touching, units.all);
@@ -108,7 +111,7 @@ void CostModel::learn(PairCost& cost, int level, int finest, bool touching, cons
     const double expected = predict(cost, level, cost.level, finest, touching);
     cost.isNew = cost.level != 0;
     cost.level = static_cast<std::uint8_t>(level);
-    follow(cost, slot, std::max(std::min(units.all, expected), units.contacts), shows);
+    follow(cost, slot, std::max(std::min(units.all, expected), units.contacts), units.onCredit);
   }
   cost.touching[slot] = touching;
   constexpr std::uint32_t kEvery = 64;

@@ -29,10 +29,10 @@ void StepBudget::forget() {
 
 void StepBudget::begin(const StepLoad& load, StepClock clock) {
   clock_ = std::move(clock);
+  const bool wasLimited = std::isfinite(allowed_.given);
   const double given = budget_.next();
   allowed_ = {given, given, given};
-  if (isLimited() != wasLimited_) forget();
-  wasLimited_ = isLimited();
+  if (isLimited() != wasLimited) forget();
   ownSpare_ = 0;
   shownUnits_ = 0.0;
   iterationsLeftOut_ = 0;

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <span>
 
 #include "lod/audit_room.h"
@@ -86,7 +87,7 @@ class StepBudget {
   /// A pair was not audited that is later than may be; it is going to be so late in the next step.
   void countOverdue(float next) { audits_.takeOverdue(next); }
 
-  /// What a pair's step did cost.
+  /// What a pair's step did cost; its contacts as if all were hidden that may be.
   PairUnits takeWork(PlannedPair& pair, const PairWorkload& work);
 
   /// What a pair's step did cost where nothing is planned; and that of all such pairs of a step.
@@ -172,9 +173,8 @@ class StepBudget {
   double looseUnits_ = 0.0;  ///< Of these, as they are taken to be.
   double units_ = 0.0;
   double lastUnits_ = 0.0;
-  BudgetUnits allowed_;      ///< Infinite for none.
-  bool isRevised_ = false;   ///< In this step.
-  bool wasLimited_ = false;  ///< Before it.
+  BudgetUnits allowed_{.given = std::numeric_limits<double>::infinity()};  ///< Infinite for none.
+  bool isRevised_ = false;                                                 ///< In this step.
 };
 
 }  // namespace scatter::lod

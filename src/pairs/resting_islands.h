@@ -8,14 +8,13 @@
 namespace scatter::pairs {
 
 /// Bodies that are asleep, and are pairs of the broadphase, as engines make islands of: if one of them wakes,
-/// so does its whole island.
-/// Deterministic.
+/// so does its whole island. Deterministic.
 class RestingIslands {
  public:
   void clear();
 
-  /// A pair of bodies; what cannot be moved joins no islands. `units`: what it takes in a step
-  /// when it is awake; `isOwed`: the island is to wake if it can.
+  /// A pair of bodies; what cannot be moved joins no islands. `units`: what it takes in a step when it is
+  /// awake; `isOwed`: the island is to wake if it can.
   void add(PlannedBody& a, PlannedBody& b, double units, bool isOwed);
 
   /// Wakes islands with a pair that is owed something, in the order in which they were added, as long as what

@@ -10,7 +10,7 @@ namespace scatter::solver {
 /// A contact of two bodies that others of theirs may stand for.
 struct ReducibleContact {
   Quad place{};   ///< w: distance, less than 0 in each other, metres.
-  Quad normal{};  ///< w: above 0 for one that rather stays, as it bore something a step before.
+  Quad normal{};  ///< w: above 0 for one that rather stays, as it bore something, or stayed, before.
   int kept = -1;  ///< Out: the contact that stands for it, its own index if it stays.
 };
 
