@@ -94,8 +94,10 @@ Result<BudgetScene> makeScene(const BenchBudgetArguments& arguments, const Seede
   }
   RunOptions coarsest = *resolved;
   coarsest.physics.switching.policy = Policy::kCoarsest;
-  return BudgetScene{
-      .name = std::move(name), .governed = std::move(*resolved), .coarsest = std::move(coarsest)};
+  return BudgetScene{.name = std::move(name),
+                     .governed = std::move(*resolved),
+                     .coarsest = std::move(coarsest),
+                     .drawn = scene.seed ? nameOf(scene.scene) : std::string()};
 }
 
 Result<BudgetStudyOptions> makeStudy(const BenchBudgetArguments& arguments,

@@ -101,8 +101,9 @@ Result<void> choosePolicies(const std::vector<std::string>& pieces, SwitchingCho
   return {};
 }
 
-Result<std::vector<double>> readUnits(const std::string& file, const std::string& column) {
-  auto units = readFrameColumn(file, column);
+Result<std::vector<double>> unitsIn(const FrameFile& frames, const std::string& file,
+                                    const std::string& column) {
+  auto units = frames.column(column);
   if (!units) {
     return fail("--replay: " + units.error().message);
   }
@@ -114,8 +115,12 @@ Result<std::vector<double>> readUnits(const std::string& file, const std::string
 
 // What the clock had left of a budget is not in files that somebody else has made.
 Result<BudgetDef> readRecording(const std::string& file) {
+  const auto frames = FrameFile::read(file);
+  if (!frames) {
+    return fail("--replay: " + frames.error().message);
+  }
   BudgetDef budget;
-  auto units = readUnits(file, "budget_units");
+  const auto units = unitsIn(*frames, file, "budget_units");
   if (!units) {
     return tl::unexpected(units.error());
   }
@@ -128,16 +133,14 @@ Result<BudgetDef> readRecording(const std::string& file) {
   }
   for (const auto& [column, left] : {std::pair{"revised_units", &BudgetUnits::revised},
                                      std::pair{"settled_units", &BudgetUnits::settled}}) {
-    const auto isThere = hasFrameColumn(file, column);
-    if (!isThere || !*isThere) {
+    if (!frames->has(column)) {
       continue;
     }
-    auto read = readUnits(file, column);
+    const auto read = unitsIn(*frames, file, column);
     if (!read) {
       return tl::unexpected(read.error());
     }
-    // The file of a run that still goes on has become longer.
-    for (std::size_t i = 0; i < std::min(read->size(), budget.recorded.size()); ++i) {
+    for (std::size_t i = 0; i < read->size(); ++i) {
       budget.recorded[i].*left = (*read)[i];
     }
   }

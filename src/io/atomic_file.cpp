@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "io/temporary_file.h"
+#include "io/write_all.h"
 
 namespace scatter {
 
@@ -65,16 +66,8 @@ Result<void> AtomicFile::commit() {
 }
 
 Result<void> AtomicFile::flush() {
-  std::string_view left = buffer_;
-  while (!left.empty()) {
-    const ssize_t written = ::write(descriptor_, left.data(), left.size());
-    if (written < 0 && errno == EINTR) {
-      continue;
-    }
-    if (written < 0) {
-      return giveUp(errno);
-    }
-    left.remove_prefix(static_cast<std::size_t>(written));
+  if (const int code = writeAll(descriptor_, buffer_); code != 0) {
+    return giveUp(code);
   }
   buffer_.clear();
   return {};

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "io/atomic_file.h"
+#include "io/write_all.h"
 
 namespace scatter {
 namespace {
@@ -42,18 +43,6 @@ class Descriptor {
  private:
   int fd_;
 };
-
-/// 0 or an errno.
-int writeAll(int fd, std::string_view content) {
-  while (!content.empty()) {
-    const ssize_t written = ::write(fd, content.data(), content.size());
-    if (written < 0 && errno != EINTR) {
-      return errno;
-    }
-    content.remove_prefix(written > 0 ? static_cast<std::size_t>(written) : 0);
-  }
-  return 0;
-}
 
 Result<void> writeDirectly(const std::filesystem::path& path, std::string_view content) {
   Descriptor file(path, O_WRONLY);

@@ -11,6 +11,7 @@
 
 #include "io/atomic_file.h"
 #include "io/temporary_file.h"
+#include "io/write_all.h"
 
 namespace scatter {
 
@@ -36,7 +37,7 @@ Result<void> GrowingFile::add(std::string_view text) {
   if (text.empty()) {
     return {};
   }
-  int code = writeAll(text);
+  int code = writeAll(descriptor_, text);
   if (code == 0 && !temporary_.empty()) {
     code = rename(temporary_.c_str(), file_.c_str()) == 0 ? 0 : errno;
   }
@@ -61,17 +62,6 @@ Result<void> GrowingFile::finish() {
     return cannotWrite(file_, errno);
   }
   return {};
-}
-
-int GrowingFile::writeAll(std::string_view text) const {
-  while (!text.empty()) {
-    const ssize_t written = ::write(descriptor_, text.data(), text.size());
-    if (written < 0 && errno != EINTR) {
-      return errno;
-    }
-    text.remove_prefix(written > 0 ? static_cast<std::size_t>(written) : 0);
-  }
-  return 0;
 }
 
 }  // namespace scatter

@@ -31,7 +31,6 @@ class GrowingFile {
 
  private:
   GrowingFile(std::filesystem::path file, std::filesystem::path temporary, int descriptor);
-  [[nodiscard]] int writeAll(std::string_view text) const;
 
   std::filesystem::path file_;
   std::filesystem::path temporary_;  ///< Empty once the file has its name.

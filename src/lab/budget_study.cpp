@@ -9,7 +9,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <map>
 #include <numeric>
+#include <string>
 #include <utility>
 
 namespace scatter {
@@ -177,6 +180,9 @@ class Runner {
       if (!run) {
         return tl::unexpected(run.error());
       }
+      if (auto drawn = i == 0 ? checkDrawn(scene, run->summary.stateHash) : Result<void>(); !drawn) {
+        return drawn;
+      }
       coarsest.push_back(run->table.values(measured(options_)));
     }
     const double floor = floorOf(coarsest, options_);
@@ -221,6 +227,19 @@ class Runner {
     return {};
   }
 
+  // Runs that are the same with another seed would be counted as if there were several.
+  Result<void> checkDrawn(const BudgetScene& scene, std::uint64_t lastState) {
+    if (scene.drawn.empty()) {
+      return {};
+    }
+    const auto [before, isFirst] = drawn_.try_emplace({scene.drawn, lastState}, scene.name);
+    if (!isFirst && before->second != scene.name) {
+      return fail(scene.name + " is the same run as " + before->second + ": its seed changes nothing in " +
+                  scene.drawn + "; give it one seed");
+    }
+    return {};
+  }
+
   Result<Run> runWith(const BudgetScene& scene, const BudgetDef& budget, const std::string& name) {
     RunOptions governed = scene.governed;
     governed.physics.switching.budget = budget;
@@ -229,6 +248,8 @@ class Runner {
 
   const BudgetStudyOptions& options_;
   lab::RunSeries series_;
+  std::map<std::pair<std::string, std::uint64_t>, std::string>
+      drawn_;  ///< By scene and last state: the name.
 };
 
 /// A share of the frames, such as "0.30".

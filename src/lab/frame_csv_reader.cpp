@@ -128,36 +128,35 @@ Result<FrameTable> readFrameTable(const std::filesystem::path& file, const std::
   return FrameTable(std::move(columns));
 }
 
-Result<bool> hasFrameColumn(const std::filesystem::path& file, std::string_view column) {
-  const auto content = readLines(file);
-  if (!content) {
-    return tl::unexpected(content.error());
-  }
-  std::string_view text = *content;
+FrameFile::FrameFile(std::filesystem::path file, std::string lines)
+    : file_(std::move(file)), lines_(std::move(lines)) {}
+
+Result<FrameFile> FrameFile::read(const std::filesystem::path& file) {
+  return readLines(file).map([&file](std::string lines) { return FrameFile(file, std::move(lines)); });
+}
+
+bool FrameFile::has(std::string_view column) const {
+  std::string_view text = lines_;
   return findCell(takeLine(text), column).has_value();
 }
 
-Result<std::vector<double>> readFrameColumn(const std::filesystem::path& file, std::string_view column) {
-  const auto content = readLines(file);
-  if (!content) {
-    return tl::unexpected(content.error());
-  }
-  std::string_view text = *content;
-  const auto index = findCell(takeLine(text), column);
+Result<std::vector<double>> FrameFile::column(std::string_view name) const {
+  std::string_view text = lines_;
+  const auto index = findCell(takeLine(text), name);
   if (!index) {
-    return fail(file.string() + " has no column " + std::string(column) + "; give the frames.csv of a run");
+    return fail(file_.string() + " has no column " + std::string(name) + "; give the frames.csv of a run");
   }
   std::vector<double> values;
   while (!text.empty()) {
     const auto number = numberAt(takeLine(text), *index);
     if (!number) {
-      return fail(file.string() + ", line " + std::to_string(values.size() + 2) + ": " + std::string(column) +
+      return fail(file_.string() + ", line " + std::to_string(values.size() + 2) + ": " + std::string(name) +
                   " is not a number; give the whole frames.csv of a run");
     }
     values.push_back(*number);
   }
   if (values.empty()) {
-    return fail(file.string() + " has no frames; give the frames.csv of a run");
+    return fail(file_.string() + " has no frames; give the frames.csv of a run");
   }
   return values;
 }

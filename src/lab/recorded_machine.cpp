@@ -11,12 +11,12 @@ namespace {
 
 constexpr double kLight = 0.25;
 
-Result<std::vector<double>> ratesOfRun(const std::filesystem::path& file) {
-  const auto units = readFrameColumn(file, "cost_units");
+Result<std::vector<double>> ratesOfRun(const std::filesystem::path& file, const FrameFile& frames) {
+  const auto units = frames.column("cost_units");
   if (!units) {
     return tl::unexpected(units.error());
   }
-  const auto milliseconds = readFrameColumn(file, "physics_cpu_ms");
+  const auto milliseconds = frames.column("physics_cpu_ms");
   if (!milliseconds) {
     return tl::unexpected(milliseconds.error());
   }
@@ -35,11 +35,11 @@ Result<std::vector<double>> ratesOfRun(const std::filesystem::path& file) {
 }  // namespace
 
 Result<std::vector<double>> readMachine(const std::filesystem::path& file) {
-  const auto isGiven = hasFrameColumn(file, "ms_per_unit");
-  if (!isGiven) {
-    return tl::unexpected(isGiven.error());
+  const auto frames = FrameFile::read(file);
+  if (!frames) {
+    return tl::unexpected(frames.error());
   }
-  auto rates = *isGiven ? readFrameColumn(file, "ms_per_unit") : ratesOfRun(file);
+  auto rates = frames->has("ms_per_unit") ? frames->column("ms_per_unit") : ratesOfRun(file, *frames);
   if (rates && std::any_of(rates->begin(), rates->end(), [](double rate) { return !(rate > 0.0); })) {
     return fail("in " + file.string() + " a unit takes no time in some step; give milliseconds above 0");
   }

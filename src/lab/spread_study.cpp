@@ -216,6 +216,11 @@ bool SpreadStudy::isWithin(std::size_t world, std::size_t quantity) const {
   return median >= first.min && median <= first.max;
 }
 
+bool SpreadStudy::hasSpread() const {
+  const auto& bySeed = worlds.front().values;
+  return seeds.size() == 1 || !std::equal(bySeed.begin() + 1, bySeed.end(), bySeed.begin());
+}
+
 std::pair<int, int> SpreadStudy::aboveAndBelow(std::size_t world, std::size_t quantity) const {
   std::pair<int, int> counts{0, 0};
   for (std::size_t seed = 0; seed < seeds.size(); ++seed) {
@@ -266,9 +271,13 @@ std::string formatSpread(const SpreadStudy& study) {
     lines.push_back(std::move(cells));
   }
   return lab::textTable(lines) +
-         lab::fitTerminal("Median (smallest-largest). Within: the median lies between the extremes of the " +
-                          study.worlds.front().label +
-                          " world; +a -b: in a seeds it is above that world's, in b below.");
+         lab::fitTerminal(
+             "Median (smallest-largest). Within: the median lies between the extremes of the " +
+             study.worlds.front().label + " world; +a -b: in a seeds it is above that world's, in b below." +
+             (study.hasSpread() ? ""
+                                : " No seed changes anything in the " + study.worlds.front().label +
+                                      " world, so that there is no spread to compare with: take "
+                                      "a scene in which something is random."));
 }
 
 std::string spreadCsv(const SpreadStudy& study) {

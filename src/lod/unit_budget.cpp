@@ -37,54 +37,48 @@ UnitBudget UnitBudget::replay(std::vector<BudgetUnits> steps) {
 }
 
 void UnitBudget::takeOver(const UnitBudget& before) {
-  shared_ = before.shared_;
-  left_ = before.left_;
-  taken_ = before.taken_;
-  if (machine_ != before.machine_) return;
-  machineStep_ = before.machineStep_;
-  unitTime_ = before.unitTime_;
-  revision_ = before.revision_;
-  settlement_ = before.settlement_;
+  sharing_ = before.sharing_;
+  if (machine_ == before.machine_) learned_ = before.learned_;
 }
 
 void UnitBudget::share(int steps) {
-  shared_ = left_ = std::max(steps, 1);
-  taken_ = 0.0;
+  const int sharers = std::max(steps, 1);
+  sharing_ = {.steps = sharers, .left = sharers};
 }
 
 /// What those before have left, to equal parts; and something if they have left nothing.
 double UnitBudget::ofShared(double units) {
-  if (left_ == 0) share(1);
-  const double part = (units - taken_) / left_;
-  --left_;
-  return std::max(part, kLeastShare * units / shared_);
+  if (sharing_.left == 0) share(1);
+  const double part = (units - sharing_.taken) / sharing_.left;
+  --sharing_.left;
+  return std::max(part, kLeastShare * units / sharing_.steps);
 }
 
 double UnitBudget::next() {
-  revision_.begin();
-  settlement_.begin();
+  learned_.revision.begin();
+  learned_.settlement.begin();
   given_ = nextUnits();
   return given_;
 }
 
 double UnitBudget::revise(double units, double milliseconds) {
-  return milliseconds_ > 0.0 ? roomAt(revision_, units, milliseconds) : orGiven(now_.revised);
+  return milliseconds_ > 0.0 ? roomAt(learned_.revision, units, milliseconds) : orGiven(now_.revised);
 }
 
 double UnitBudget::settle(double units, double milliseconds) {
-  return milliseconds_ > 0.0 ? roomAt(settlement_, units, milliseconds) : orGiven(now_.settled);
+  return milliseconds_ > 0.0 ? roomAt(learned_.settlement, units, milliseconds) : orGiven(now_.settled);
 }
 
 double UnitBudget::roomAt(StepPoint& point, double units, double measured) {
   point.pass(units, timeOf(units, measured));
-  const double known = unitTime_.millisecondsPerUnit();
+  const double known = learned_.unitTime.millisecondsPerUnit();
   const double room = point.room(given_, known > 0.0 ? known : 1.0 / kUnitsPerMillisecond);
   return std::max(room, kLeastShare * given_);
 }
 
 double UnitBudget::nextUnits() {
   if (milliseconds_ > 0.0) {
-    const double units = unitTime_.unitsIn(milliseconds_);
+    const double units = learned_.unitTime.unitsIn(milliseconds_);
     return ofShared(units > 0.0 ? units : milliseconds_ * kUnitsPerMillisecond);
   }
   if (constant_ > 0.0) return ofShared(constant_);
@@ -96,16 +90,16 @@ double UnitBudget::nextUnits() {
 
 void UnitBudget::learn(double units, double milliseconds) {
   if (milliseconds_ <= 0.0) return;
-  if (!machine_.empty()) machineStep_ = (machineStep_ + 1) % machine_.size();
+  if (!machine_.empty()) learned_.step = (learned_.step + 1) % machine_.size();
   // In a light step most of the time goes into what no unit stands for.
   constexpr double kLight = 0.25;
-  const double share = milliseconds_ / shared_;
-  const double known = unitTime_.unitsIn(share);
+  const double share = milliseconds_ / sharing_.steps;
+  const double known = learned_.unitTime.unitsIn(share);
   const double allowed = known > 0.0 ? known : share * kUnitsPerMillisecond;
   if (units < kLight * allowed && milliseconds < kLight * share) return;
-  unitTime_.learn(units, milliseconds);
-  revision_.learn(units, milliseconds);
-  settlement_.learn(units, milliseconds);
+  learned_.unitTime.learn(units, milliseconds);
+  learned_.revision.learn(units, milliseconds);
+  learned_.settlement.learn(units, milliseconds);
 }
 
 }  // namespace scatter::lod

@@ -45,11 +45,11 @@ class UnitBudget {
   [[nodiscard]] double settle(double units, double milliseconds);
 
   /// What the step did cost, for those that share its budget.
-  void take(double units) { taken_ += units; }
+  void take(double units) { sharing_.taken += units; }
 
   /// Of a step that cost so much: what it took, measured or on the machine that was given.
   [[nodiscard]] double timeOf(double units, double measured) const {
-    return machine_.empty() ? measured : units * machine_[machineStep_];
+    return machine_.empty() ? measured : units * machine_[learned_.step];
   }
 
   /// After a step that cost so much and took so long. Only a budget of milliseconds learns.
@@ -57,12 +57,12 @@ class UnitBudget {
 
   /// A step's share of a budget of milliseconds that is less than these.
   [[nodiscard]] bool isExceededBy(double milliseconds) const {
-    return milliseconds_ > 0.0 && milliseconds > milliseconds_ / shared_;
+    return milliseconds_ > 0.0 && milliseconds > milliseconds_ / sharing_.steps;
   }
 
   /// As a budget of milliseconds has learned it; 0 for others.
   [[nodiscard]] double millisecondsPerUnit() const {
-    return milliseconds_ > 0.0 ? unitTime_.millisecondsPerUnit() : 0.0;
+    return milliseconds_ > 0.0 ? learned_.unitTime.millisecondsPerUnit() : 0.0;
   }
 
   /// Of milliseconds: learn() must be told how long steps take.
@@ -78,20 +78,30 @@ class UnitBudget {
   [[nodiscard]] double orGiven(double units) const { return units > 0.0 ? units : given_; }
   [[nodiscard]] double ofShared(double units);
 
+  /// Steps that share a budget.
+  struct Sharing {
+    int steps = 1;
+    int left = 0;        ///< Of these, to come.
+    double taken = 0.0;  ///< Units that those before them did cost.
+  };
+
+  /// What a machine needs for a unit.
+  struct Learned {
+    std::size_t step = 0;  ///< Of a machine that was given, the one under way.
+    UnitTime unitTime;
+    StepPoint revision;
+    StepPoint settlement;
+  };
+
   double milliseconds_ = 0.0;
   double constant_ = 0.0;        ///< Units.
-  int shared_ = 1;               ///< Steps that share a budget.
-  int left_ = 0;                 ///< Of these, to come.
-  double taken_ = 0.0;           ///< Units that those before them did cost.
   std::vector<double> machine_;  ///< Milliseconds that a unit takes; empty: measured.
-  std::size_t machineStep_ = 0;  ///< Of these, that of the step under way.
   std::vector<BudgetUnits> recorded_;
   std::size_t step_ = 0;  ///< Of these, the one to come.
   BudgetUnits now_;       ///< Of these, the one under way.
   double given_ = 0.0;    ///< By next().
-  UnitTime unitTime_;
-  StepPoint revision_;
-  StepPoint settlement_;
+  Sharing sharing_;
+  Learned learned_;
 };
 
 }  // namespace scatter::lod

@@ -192,6 +192,19 @@ TEST(BudgetStudy, RefusesWhatTellsNothing) {
               HasSubstr("nothing to govern, as the coarsest world costs nothing, in empty"));
 }
 
+TEST(BudgetStudy, RefusesSeedsOfASceneInWhichNothingIsDrawn) {
+  const auto seeded = [](const char* name, const char* drawn) {
+    return BudgetScene{
+        .name = name, .governed = costing({{90, 0}}, 5), .coarsest = costing({{50, 0}}, 5), .drawn = drawn};
+  };
+  const auto refused = studyBudgets({.scenes = {seeded("a-1", "a"), seeded("a-2", "a")}, .floors = {2.0}});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().message,
+            "a-2 is the same run as a-1: its seed changes nothing in a; give it one seed");
+  EXPECT_TRUE(studyBudgets({.scenes = {seeded("a-1", "a"), seeded("b-1", "b")}, .floors = {2.0}}));
+  EXPECT_TRUE(studyBudgets({.scenes = {seeded("a", ""), seeded("a", "")}, .floors = {2.0}}));
+}
+
 TEST(BudgetStudy, GoesOnWithoutScenesInWhichThereIsNothingToGovern) {
   const BudgetScene empty{
       .name = "empty", .governed = costing({{90, 0}}, 2), .coarsest = costing({{0, 0}}, 2)};

@@ -26,6 +26,10 @@ using test::TemporaryFolder;
 using testing::HasSubstr;
 using testing::Not;
 
+Result<std::vector<double>> columnOf(const std::filesystem::path& file, std::string_view name) {
+  return FrameFile::read(file).and_then([name](const FrameFile& frames) { return frames.column(name); });
+}
+
 // One real, one integer and one hash channel.
 class FrameCsvTest : public testing::Test {
  protected:
@@ -114,16 +118,16 @@ TEST_F(FrameCsvTest, AColumnReadsBackToTheSameBits) {
     ASSERT_TRUE(csv->write(data));
   }
   ASSERT_TRUE(csv->finish());
-  const auto read = readFrameColumn(file, "time_s");
+  const auto read = columnOf(file, "time_s");
   ASSERT_TRUE(read);
   EXPECT_EQ(*read, values);
-  EXPECT_EQ(*readFrameColumn(file, "objects"), std::vector<double>(4, 7.0));
+  EXPECT_EQ(*columnOf(file, "objects"), std::vector<double>(4, 7.0));
 }
 
 TEST_F(FrameCsvTest, AColumnThatCannotBeReadIsOneClearLine) {
   const auto expectRefused = [&](const std::string& content, const char* words) {
     std::ofstream(file, std::ios::trunc) << content;
-    const auto read = readFrameColumn(file, "budget_units");
+    const auto read = columnOf(file, "budget_units");
     ASSERT_FALSE(read) << content;
     EXPECT_THAT(read.error().message, HasSubstr(words));
     EXPECT_THAT(read.error().message, HasSubstr(file.string()));
@@ -138,17 +142,31 @@ TEST_F(FrameCsvTest, AColumnThatCannotBeReadIsOneClearLine) {
   expectRefused("frame,budget_units\n1,\n", "line 2");
   expectRefused("frame,budget_units\n\n1,3\n", "line 2");
   std::filesystem::remove(file);
-  EXPECT_FALSE(readFrameColumn(file, "budget_units"));
-  EXPECT_FALSE(readFrameColumn(folder.path(), "budget_units"));
+  EXPECT_FALSE(columnOf(file, "budget_units"));
+  EXPECT_FALSE(columnOf(folder.path(), "budget_units"));
 }
 
 TEST_F(FrameCsvTest, AFileFromAnotherSystemIsReadToo) {
   std::ofstream(file) << "budget_units,frame\r\n4.5,1\r\n5,2\r\n";
-  EXPECT_EQ(*readFrameColumn(file, "budget_units"), (std::vector<double>{4.5, 5.0}));
-  EXPECT_EQ(*readFrameColumn(file, "frame"), (std::vector<double>{1.0, 2.0}));
-  EXPECT_TRUE(*hasFrameColumn(file, "frame"));
-  EXPECT_FALSE(*hasFrameColumn(file, "settled_units"));
-  EXPECT_FALSE(hasFrameColumn(folder.path(), "frame"));
+  EXPECT_EQ(*columnOf(file, "budget_units"), (std::vector<double>{4.5, 5.0}));
+  EXPECT_EQ(*columnOf(file, "frame"), (std::vector<double>{1.0, 2.0}));
+  EXPECT_TRUE(FrameFile::read(file)->has("frame"));
+  EXPECT_FALSE(FrameFile::read(file)->has("settled_units"));
+  EXPECT_FALSE(FrameFile::read(folder.path()));
+}
+
+TEST_F(FrameCsvTest, AFileThatIsReadWhileItGrowsHasColumnsOfOneLength) {
+  auto csv = FrameCsv::create(file, data);
+  ASSERT_TRUE(csv);
+  add(1, 1, 1);
+  ASSERT_TRUE(csv->write(data));
+  const auto frames = FrameFile::read(file);
+  ASSERT_TRUE(frames);
+  EXPECT_EQ(frames->column("time_s")->size(), 1U);
+  add(2, 1, 1);
+  ASSERT_TRUE(csv->write(data));
+  EXPECT_EQ(frames->column("objects")->size(), 1U);
+  EXPECT_EQ(columnOf(file, "objects")->size(), 2U);
 }
 
 TEST_F(FrameCsvTest, AWholeTableGivesTheSameFile) {
@@ -177,7 +195,7 @@ TEST_F(FrameCsvTest, WhatIsNotFinishedKeepsItsFrames) {
     csv = FrameCsv::create(folder.path() / "other.csv", data);
     EXPECT_EQ(std::filesystem::exists(file), hasFrame);
   }
-  EXPECT_EQ(readFrameColumn(file, "objects")->size(), 1U);
+  EXPECT_EQ(columnOf(file, "objects")->size(), 1U);
 }
 
 TEST_F(FrameCsvTest, AFolderThatIsAFileIsOneClearLine) {
@@ -230,7 +248,7 @@ TEST_F(FrameCsvTest, AFullDiskIsReportedAndTheWholeFramesAreKept) {
   EXPECT_THAT(written.error().message, Not(HasSubstr("\n")));
   EXPECT_EQ(folder.entries(), 1U);
   EXPECT_EQ(contentOf(file).back(), '\n');
-  EXPECT_EQ(readFrameColumn(file, "objects")->size(), frames - 1);
+  EXPECT_EQ(columnOf(file, "objects")->size(), frames - 1);
 }
 
 TEST_F(FrameCsvTest, AFullDiskAtTheFirstFrameChangesNothing) {

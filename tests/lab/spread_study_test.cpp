@@ -6,8 +6,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace scatter {
 namespace {
@@ -15,6 +18,7 @@ namespace {
 using testing::ContainsRegex;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 
 std::size_t indexOf(const std::string& name) {
   const auto& quantities = spreadQuantities();
@@ -152,6 +156,17 @@ TEST(StudySpread, RefusesNoWorldsNoSeedsAndWhatARunRefuses) {
           .error()
           .message,
       HasSubstr("frame 2"));
+}
+
+TEST(FormatSpread, SaysThatNoSeedChangesAnything) {
+  const auto textOf = [](const RunOptions& world, std::vector<std::uint64_t> seeds) {
+    const auto study = studySpread({.worlds = {world}, .seeds = std::move(seeds)});
+    return study ? formatSpread(*study) : study.error().message;
+  };
+  const RunOptions same = test::fakeRun(WorldKind::kStandard, 5);
+  EXPECT_THAT(textOf(same, {3, 4}), HasSubstr("No seed"));
+  EXPECT_THAT(textOf(same, {3}), Not(HasSubstr("No seed")));
+  EXPECT_THAT(textOf(deeperEveryTime("deeper", 0.5), {3, 4}), Not(HasSubstr("No seed")));
 }
 
 TEST(FormatSpread, SaysWhatLiesWithinTheFirstWorldsExtremes) {

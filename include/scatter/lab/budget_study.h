@@ -15,6 +15,7 @@ struct BudgetScene {
   std::string name;     ///< In tables.
   RunOptions governed;  ///< The world that is given budgets.
   RunOptions coarsest;  ///< The same with everything at level 1: what it takes is the reachable floor.
+  std::string drawn{};  ///< The scene that several seeds were given to, this being one of them; or empty.
 };
 
 struct BudgetStudyOptions {

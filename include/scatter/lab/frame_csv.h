@@ -44,14 +44,24 @@ class FrameCsv {
 /// The same file from a whole run at once.
 [[nodiscard]] Result<void> writeFrameCsv(const std::filesystem::path& file, const FrameTable& table);
 
-/// One column of such a file, which must be real or integer and filled in every frame. A last line without an
-/// end is that of a program that was killed, and left out. Fails if the file cannot be read, has no such
-/// column, no frames, or a cell in it that is no finite number; the message names the file and the line.
-[[nodiscard]] Result<std::vector<double>> readFrameColumn(const std::filesystem::path& file,
-                                                          std::string_view column);
+/// Such a file as it was when it was read, so that all columns are as long while a run still adds to it. A
+/// last line without an end is that of a program that was killed, and left out.
+class FrameFile {
+ public:
+  [[nodiscard]] static Result<FrameFile> read(const std::filesystem::path& file);
 
-/// Whether such a file has a column of that name. Fails if it cannot be read.
-[[nodiscard]] Result<bool> hasFrameColumn(const std::filesystem::path& file, std::string_view column);
+  [[nodiscard]] bool has(std::string_view column) const;
+
+  /// Of real or whole numbers, filled in every frame. Fails if there is no such column, no frames, or a cell
+  /// in it that is no finite number; the message names the file and the line.
+  [[nodiscard]] Result<std::vector<double>> column(std::string_view name) const;
+
+ private:
+  FrameFile(std::filesystem::path file, std::string lines);
+
+  std::filesystem::path file_;
+  std::string lines_;
+};
 
 /// A whole file. Its columns must be `channels`, in that order; fails on anything that FrameCsv does not
 /// write.

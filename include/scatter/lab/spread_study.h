@@ -60,6 +60,9 @@ struct SpreadStudy {
 
   /// In how many seeds the world's value is above the first world's, and in how many it is below.
   [[nodiscard]] std::pair<int, int> aboveAndBelow(std::size_t world, std::size_t quantity) const;
+
+  /// The first world's figures are not the same with every seed, or there is one seed.
+  [[nodiscard]] bool hasSpread() const;
 };
 
 /// Runs every world once for each seed, all worlds of a seed after one another. Fails as runScene does, and
@@ -68,8 +71,8 @@ struct SpreadStudy {
     const SpreadOptions& options, const std::function<void(const CompareProgress&)>& progress = {});
 
 /// Each quantity's median and extremes over the seeds in each world, whether the median lies within the first
-/// world's extremes, and in how many seeds the value is above and below the first world's; ends with a new
-/// line.
+/// world's extremes, and in how many seeds the value is above and below the first world's; says so if
+/// there is no spread. Ends with a new line.
 [[nodiscard]] std::string formatSpread(const SpreadStudy& study);
 
 /// One line for each world and seed.
