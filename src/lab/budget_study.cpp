@@ -248,8 +248,9 @@ class Runner {
 
   const BudgetStudyOptions& options_;
   lab::RunSeries series_;
-  std::map<std::pair<std::string, std::uint64_t>, std::string>
-      drawn_;  ///< By scene and last state: the name.
+
+  /// Names of runs, by the scene that was given several seeds and its last state.
+  std::map<std::pair<std::string, std::uint64_t>, std::string> drawn_;
 };
 
 /// A share of the frames, such as "0.30".
