@@ -69,7 +69,7 @@ double UnitBudget::settle(double units, double milliseconds) {
   return milliseconds_ > 0.0 ? roomAt(learned_.settlement, units, milliseconds) : orGiven(now_.settled);
 }
 
-double UnitBudget::roomAt(StepPoint& point, double units, double measured) {
+double UnitBudget::roomAt(StepPoint& point, double units, double measured) const {
   point.pass(units, timeOf(units, measured));
   const double known = learned_.unitTime.millisecondsPerUnit();
   const double room = point.room(given_, known > 0.0 ? known : 1.0 / kUnitsPerMillisecond);

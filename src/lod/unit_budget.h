@@ -74,7 +74,7 @@ class UnitBudget {
 
  private:
   [[nodiscard]] double nextUnits();
-  [[nodiscard]] double roomAt(StepPoint& point, double units, double measured);
+  [[nodiscard]] double roomAt(StepPoint& point, double units, double measured) const;
   [[nodiscard]] double orGiven(double units) const { return units > 0.0 ? units : given_; }
   [[nodiscard]] double ofShared(double units);
 
