@@ -13,7 +13,8 @@
 #include <exception>
 #include <new>
 #include <optional>
-#include <string_view>
+
+#include "io/write_all.h"
 
 #if defined(__SANITIZE_ADDRESS__)
 #define SCATTER_LIMITS_MEMORY 0
@@ -43,18 +44,9 @@ void limit(__rlimit_resource resource, std::uint64_t value) {
   setrlimit(resource, &both);
 }
 
-bool sendAll(int descriptor, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t count = write(descriptor, bytes.data(), bytes.size());
-    if (count < 0 && errno != EINTR) return false;
-    bytes.remove_prefix(count > 0 ? static_cast<std::size_t>(count) : 0);
-  }
-  return true;
-}
-
 Ending answer(const std::function<std::string()>& work, int descriptor) {
   try {
-    return sendAll(descriptor, work()) ? kDone : kCannotSend;
+    return writeAll(descriptor, work()) == 0 ? kDone : kCannotSend;
   } catch (const std::bad_alloc&) {
     return kOutOfMemory;
   } catch (...) {
