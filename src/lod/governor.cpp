@@ -49,6 +49,13 @@ constexpr double kTrendShare = 0.25;
 // Steps in which what is given may be had back: so far ahead room is kept for what there is no way around.
 constexpr double kHorizon = 120.0;
 
+// Pairs to come, in what a pair that is apart takes as coarse as it may be: each of those that may have
+// their wish before contact is taken for so many, as some of them will touch. And of what is free with all
+// as coarse as they may be: up to so much of it for those to come, detail is given back to others all the
+// same. docs/budget-figures.md has what others did.
+constexpr double kOfPairToCome = 1.5;
+constexpr double kFewToCome = 0.7;
+
 // Steps from one look at that to the next, and how much of the newest trend, which is the middle one of
 // three, is believed: less of one that falls, as a pile that is forming grows by fits and starts.
 // docs/budget-figures.md has what other shares did.
@@ -187,11 +194,14 @@ void Governor::await() {
 }
 
 /// Detail that is given back makes a pile denser, and dearer than its pairs cost now: where all that is
-/// missing would not fit, there must be room for that.
+/// missing would not fit, there must be room for that. So there must be for pairs to come, which detail
+/// cannot be taken for quickly enough if they are many: it is the bodies that it has let come closer that
+/// they are of.
 double Governor::giveBackLimit(double foreseen) const {
   const double load = (foreseen + correction_ * missingUnits_) / capacity_;
   const double tightness = std::clamp((load - kFits) / (kFitsNot - kFits), 0.0, 1.0);
-  return (kAllBelow + (kGiveBackBelow - kAllBelow) * tightness) * capacity_;
+  const double toCome = apartUnits_ * toCome_.foreseen - kFewToCome * (capacity_ - reachableUnits());
+  return (kAllBelow + (kGiveBackBelow - kAllBelow) * tightness) * capacity_ - std::max(toCome, 0.0);
 }
 
 void Governor::planUnlimited(std::span<PlannedPair> pairs, const CostModel& costs) {
@@ -252,14 +262,21 @@ void Governor::foreseeFloor(std::span<const PlannedPair> pairs, const CostModel&
   stepsToFloor_ = kFloorEvery - 1;
   double coarsest = 0.0;
   double middle = 0.0;
+  double apart = 0.0;
+  int numApart = 0;
   for (const PlannedPair& pair : pairs) {
     const int level = pair.view.level;
     if (level == 0 || pair.rests) continue;
     const int low = std::min(lowest(pair), level);
     const int between = std::min(std::max(middleOf(pair, def_.creditLevel), low), level);
-    coarsest += predict(pair, costs, low);
+    const double least = predict(pair, costs, low);
+    coarsest += least;
     middle += predict(pair, costs, between);
+    if (pair.view.touching) continue;
+    apart += least;
+    ++numApart;
   }
+  apartUnits_ = costs.weights().broadphasePair + std::max(correction_, 1.0) * apart / std::max(numApart, 1);
   // Where pairs take less than was predicted, as in a lull, they need not do so when they meet.
   const bool isFirst = !(coarsest_ > 0.0);
   coarsest_ = std::max(correction_, 1.0) * coarsest;
@@ -314,7 +331,8 @@ void Governor::forecast(double budget, double detail) {
   const double reusable = kReused * reuseSaves_ * correction_ * contactUnits_;
   capacity_ = budget - std::max(headroom - reusable, kLeastKept * budget);
   // One level for all whom it refuses their wish, not changed for a little.
-  const double growth = kHorizon * std::max(floorTrend_, 0.0);
+  const double growth =
+      std::max(kHorizon * std::max(floorTrend_, 0.0), kOfPairToCome * apartUnits_ * toCome_.expected);
   isMiddle_ = capacity_ > (isMiddle_ ? kMiddleKept : kMiddleRoom) * (fixed_ + middle_ + growth);
   // What there will be no way around, as far as it does not cost it yet.
   const double reserve = std::max(fixed_ + coarsest_ + growth - (planned() - correction_ * detail), 0.0);

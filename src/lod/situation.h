@@ -50,7 +50,6 @@ struct Situation {
   std::span<const PairView> pairs{};
   std::optional<Focus> focus{};
   Load load{};
-  float timeStep = 1.0F / 60.0F;
   std::uint64_t step = 0;
 };
 

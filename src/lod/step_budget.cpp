@@ -23,6 +23,7 @@ void StepBudget::set(UnitBudget budget) {
 // What pairs cost, which costs_ knows, is the same with a budget and without one.
 void StepBudget::forget() {
   governor_ = Governor(GovernorDef());
+  convergence_ = Convergence();
   contacts_ = ContactThinning(costs_.weights().hiddenContact);
   looseSaved_ = 0.0;
 }
@@ -47,8 +48,13 @@ void StepBudget::begin(const StepLoad& load, StepClock clock) {
   audits_.begin(given);
 }
 
+void StepBudget::look(std::span<const BodyView> bodies, float timeStep) {
+  if (isLimited()) convergence_.advance(bodies, timeStep);
+}
+
 void StepBudget::plan(std::span<PlannedPair> pairs, int creditLevel) {
   governor_.awaitNew(newPairs_);
+  governor_.expect(convergence_.pairsToCome());
   governor_.setCreditLevel(creditLevel);
   governor_.plan(pairs, costs_, fixedUnits_, allowed_.given);
 }

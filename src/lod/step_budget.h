@@ -10,6 +10,7 @@
 
 #include "lod/audit_room.h"
 #include "lod/contact_thinning.h"
+#include "lod/convergence.h"
 #include "lod/cost_model.h"
 #include "lod/governor.h"
 #include "lod/planned_pair.h"
@@ -48,6 +49,14 @@ class StepBudget {
   /// Begins a step. Contacts that belong to no pair are taken to be those of the step before until
   /// takeLoose() tells. `clock`: until takeTime().
   void begin(const StepLoad& load, StepClock clock = {});
+
+  /// Before begin(): whether the step is to be given bodies.
+  [[nodiscard]] bool needsBodies() const {
+    return budget_.isLimited() && (convergence_.isDue() || std::isinf(allowed_.given));
+  }
+
+  /// After begin(): looks at which bodies are going to meet. `bodies`: all of them, if the step needs them.
+  void look(std::span<const BodyView> bodies, float timeStep);
 
   /// Gives every pair its target.
   void plan(std::span<PlannedPair> pairs, int creditLevel);
@@ -157,6 +166,7 @@ class StepBudget {
   StepClock clock_{};
   CostModel costs_;
   Governor governor_;
+  Convergence convergence_;
   UnitBudget budget_;
   ContactThinning contacts_;
   AuditRoom audits_;

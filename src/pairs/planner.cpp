@@ -174,6 +174,7 @@ void Planner::plan(const PlanInput& input) {
   budget_.begin(input.load, input.clock);
   plans_ = budget_.isLimited() || !policies_.empty() || asks_ || numBelowFinest_ > 0;
   if (!plans_) return;
+  budget_.look(input.bodies, input.timeStep);
   if (!policies_.empty()) {
     showPairs();
     situation_.bodies = input.bodies;

@@ -34,7 +34,8 @@ struct SwitchSettings {
 struct PlanInput {
   std::span<const lod::BodyView> bodies{};  ///< Stays valid until the next plan. Only if needsBodies().
   lod::StepLoad load{};
-  lod::StepClock clock{};  ///< Until takeTime().
+  float timeStep = 1.0F / 60.0F;  ///< Seconds.
+  lod::StepClock clock{};         ///< Until takeTime().
 };
 
 /// A body that meets others at a coarser level than it could, and the coarsest level in its pairs.
@@ -99,7 +100,7 @@ class Planner {
   }
 
   /// Whether plan() is to be given bodies.
-  [[nodiscard]] bool needsBodies() const { return !policies_.empty(); }
+  [[nodiscard]] bool needsBodies() const { return !policies_.empty() || budget_.needsBodies(); }
 
   /// The next so many steps share one budget.
   void shareBudget(int steps) { budget_.share(steps); }

@@ -165,6 +165,25 @@ TEST(GovernorAdmission, KeepsRoomForBodiesThatAreOnTheirWay) {
   EXPECT_EQ(before, 0.0);
 }
 
+TEST(GovernorAdmission, KeepsRoomForPairsThatAreForeseen) {
+  CostModel costs{CostWeights{}};
+  const auto admission = [&costs](double expected) {
+    Governor governor({});
+    std::vector<PlannedPair> pairs = knownPairs(costs, 100, 1, 10.0, false);
+    governor.expect({.foreseen = 0.0, .expected = expected});
+    governor.plan(pairs, costs, 100.0, kBudget);
+    return governor.admission();
+  };
+  EXPECT_EQ(admission(0.0), 1.0);
+  EXPECT_EQ(admission(100.0), 1.0) << "200 units are taken, and they take as much as those that are there";
+  double before = 1.0;
+  for (double expected = 200.0; expected < 600.0; expected += 50.0) {
+    EXPECT_LE(admission(expected), before) << expected;
+    before = admission(expected);
+  }
+  EXPECT_EQ(before, 0.0);
+}
+
 TEST(GovernorAdmission, ALullIsNotTheEndOfAPile) {
   CostModel costs{CostWeights{}};
   constexpr int kSteps = 40;

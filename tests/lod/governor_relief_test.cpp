@@ -270,6 +270,25 @@ TEST(GovernorGivingBack, NothingComesBackWithoutRoom) {
   }
 }
 
+TEST(GovernorGivingBack, ManyPairsToComeAreLeftRoom) {
+  CostModel costs{CostWeights{}};
+  // 110 units are taken, of 2000.
+  const auto finestWith = [&costs](double foreseen) {
+    Governor governor({});
+    std::vector<PlannedPair> pairs = knownPairs(costs, 100, 1);
+    const std::vector<PlannedPair> apart = knownPairs(costs, 10, 1, 10.0, false);
+    pairs.insert(pairs.end(), apart.begin(), apart.end());
+    for (std::size_t i = 100; i < pairs.size(); ++i) pairs[i].wish.atMost = 1;
+    governor.expect({.foreseen = foreseen, .expected = 0.0});
+    governor.plan(pairs, costs, 0.0, 2000.0);
+    return countAt(pairs, 3);
+  };
+  const int undisturbed = finestWith(0.0);
+  EXPECT_GT(undisturbed, 5);
+  EXPECT_EQ(finestWith(900.0), undisturbed) << "which take less than what is free";
+  EXPECT_EQ(finestWith(3000.0), 0);
+}
+
 TEST(GovernorGivingBack, ABlockedPairIsNotAsked) {
   CostModel costs{CostWeights{}};
   Governor governor({});

@@ -181,6 +181,24 @@ TEST(Planner, SaysWhatIsWrongWithAPolicy) {
   EXPECT_FALSE(planner.needsBodies());
 }
 
+TEST(Planner, NeedsBodiesForABudgetNowAndThen) {
+  PlannedRow row(4);
+  row.step();
+  EXPECT_FALSE(row.planner.needsBodies()) << "without a budget";
+  row.planner.setBudget(lod::UnitBudget::ofUnits(1000.0));
+  std::vector<int> needed;
+  for (int step = 0; step < 20; ++step) {
+    if (row.planner.needsBodies()) needed.push_back(step);
+    row.step();
+  }
+  EXPECT_EQ(needed, std::vector<int>({0, 8, 16}));
+  row.planner.setBudget({});
+  row.step();
+  EXPECT_FALSE(row.planner.needsBodies());
+  ASSERT_TRUE(row.planner.addPolicy("speed"));
+  EXPECT_TRUE(row.planner.needsBodies());
+}
+
 TEST(Planner, NeverTakesTheCoarsestLevelOnAGround) {
   FakeBody body(0);
   FakeBody ground(1);

@@ -483,7 +483,7 @@ void btHybridDynamicsWorld::planPairs()
 	m_planner->setInfo(btHybridEffective(m_pairSwitching));
 	m_planner->plan(m_collisionObjects, m_nonStaticRigidBodies,
 	                m_broadphasePairCache->getOverlappingPairCache()->getNumOverlappingPairs(), m_constraints.size(),
-	                [this] { return getStepMilliseconds(); });
+	                m_dispatchInfo.m_timeStep, [this] { return getStepMilliseconds(); });
 }
 
 // A body has switched when all its pairs have.

@@ -120,7 +120,8 @@ void btHybridPlanner::addGround(btHybridLevelBodies* body, btHybridLevelBodies* 
 }
 
 void btHybridPlanner::plan(const btCollisionObjectArray& objects, const btAlignedObjectArray<btRigidBody*>& moving,
-                           int numOverlappingPairs, int numJoints, const scatter::lod::StepClock& clock)
+                           int numOverlappingPairs, int numJoints, btScalar timeStep,
+                           const scatter::lod::StepClock& clock)
 {
 	if (needsBodies())
 	{
@@ -131,7 +132,7 @@ void btHybridPlanner::plan(const btCollisionObjectArray& objects, const btAligne
 	int numAwake = 0;
 	for (int i = 0; i < moving.size(); i++)
 		numAwake += moving[i]->isActive() ? 1 : 0;
-	Planner::plan({m_bodies, {objects.size(), numAwake, numOverlappingPairs, numJoints}, clock});
+	Planner::plan({m_bodies, {objects.size(), numAwake, numOverlappingPairs, numJoints}, float(timeStep), clock});
 }
 
 void btHybridPlanner::finish(btDispatcher* dispatcher, const scatter::lod::SolverWork& solver)

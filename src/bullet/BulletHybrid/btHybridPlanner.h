@@ -48,7 +48,7 @@ public:
 
 	/// Between broadphase and narrowphase.
 	void plan(const btCollisionObjectArray& objects, const btAlignedObjectArray<btRigidBody*>& moving,
-	          int numOverlappingPairs, int numJoints, const scatter::lod::StepClock& clock);
+	          int numOverlappingPairs, int numJoints, btScalar timeStep, const scatter::lod::StepClock& clock);
 
 	/// After the narrowphase.
 	void finish(btDispatcher* dispatcher, const scatter::lod::SolverWork& solver);
