@@ -105,7 +105,8 @@ void Convergence::learn() {
   Look& before = looks_[numLooks_ % kLooks];
   if (numLooks_ >= kLooks) {
     foreseen_ = kLearnedKept * foreseen_ + before.foreseen;
-    came_ = kLearnedKept * came_ + std::max(look_.near - before.near, 0.0);
+    // A look before anything moved foresees nothing, and says nothing of those that come later.
+    came_ = kLearnedKept * came_ + std::clamp(look_.near - before.near, 0.0, kMostCome * before.foreseen);
   }
   ++numLooks_;
   before = look_;

@@ -194,13 +194,13 @@ void Governor::await() {
 }
 
 /// Detail that is given back makes a pile denser, and dearer than its pairs cost now: where all that is
-/// missing would not fit, there must be room for that. So there must be for pairs to come, which detail
-/// cannot be taken for quickly enough if they are many: it is the bodies that it has let come closer that
-/// they are of.
+/// missing would not fit, there must be room for that. So there must be for pairs to come: of bodies that
+/// detail has let come closer there are more, and they stay when it is taken again.
 double Governor::giveBackLimit(double foreseen) const {
   const double load = (foreseen + correction_ * missingUnits_) / capacity_;
   const double tightness = std::clamp((load - kFits) / (kFitsNot - kFits), 0.0, 1.0);
-  const double toCome = apartUnits_ * toCome_.foreseen - kFewToCome * (capacity_ - reachableUnits());
+  const double toCome = apartUnits_ * std::min(toCome_.foreseen, toCome_.expected) -
+                        kFewToCome * (capacity_ - reachableUnits());
   return (kAllBelow + (kGiveBackBelow - kAllBelow) * tightness) * capacity_ - std::max(toCome, 0.0);
 }
 

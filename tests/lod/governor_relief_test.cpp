@@ -279,7 +279,7 @@ TEST(GovernorGivingBack, ManyPairsToComeAreLeftRoom) {
     const std::vector<PlannedPair> apart = knownPairs(costs, 10, 1, 10.0, false);
     pairs.insert(pairs.end(), apart.begin(), apart.end());
     for (std::size_t i = 100; i < pairs.size(); ++i) pairs[i].wish.atMost = 1;
-    governor.expect({.foreseen = foreseen, .expected = 0.0});
+    governor.expect({.foreseen = foreseen, .expected = foreseen});
     governor.plan(pairs, costs, 0.0, 2000.0);
     return countAt(pairs, 3);
   };
