@@ -202,28 +202,28 @@ class Governor {
   GovernorDef def_;
   std::array<Kind, PlannedPair::kKinds> kinds_{};
   double fixed_ = 0.0;
-  double predicted_ = 0.0;     ///< Units besides the fixed ones, not corrected.
-  double budget_ = 0.0;        ///< Units that the step may cost.
-  double spent_ = 0.0;         ///< Of the step under way, besides the fixed units.
-  Taken took_;                 ///< Of that, by pairs that have put nothing off.
-  double remaining_ = 0.0;     ///< What its pairs are still expected to take, not corrected.
-  int awaited_ = 0;            ///< Pairs that are still expected to come up in it.
-  double newUnits_ = 0.0;      ///< What a new pair takes in its first step.
-  double saved_ = 0.0;         ///< By putting off.
-  double lastActual_ = 0.0;    ///< 0: nothing was learned yet.
-  double capacity_ = 0.0;      ///< Units a step may be planned to cost.
-  double contactUnits_ = 0.0;  ///< Of pairs in contact at their finest level.
-  double missingUnits_ = 0.0;  ///< What pairs in contact would cost more at their finest level.
-  double foreseen_ = 0.0;      ///< What the step was expected to cost when its narrowphase began.
-  RecentQuantile<32> misses_;  ///< How much more steps did cost.
-  double reuseSaves_ = 0.2;    ///< Of what a pair costs: what it saves when its contacts are reused.
-  double firstLook_ = 0.0;     ///< What a pair that goes finer takes in that step, more than usual there.
-  double finerRoom_ = 0.0;     ///< Units left for pairs that are apart and get finer.
-  double coarserRoom_ = 0.0;   ///< The same for those that get coarser.
-  double trend_ = 0.0;         ///< Units a step by which steps get dearer.
-  double coarsest_ = 0.0;      ///< What all pairs would cost as coarse as they may be.
-  double middle_ = 0.0;        ///< The same with all at the middle level.
-  PairsToCome toCome_;
+  double predicted_ = 0.0;      ///< Units besides the fixed ones, not corrected.
+  double budget_ = 0.0;         ///< Units that the step may cost.
+  double spent_ = 0.0;          ///< Of the step under way, besides the fixed units.
+  Taken took_;                  ///< Of that, by pairs that have put nothing off.
+  double remaining_ = 0.0;      ///< What its pairs are still expected to take, not corrected.
+  int awaited_ = 0;             ///< Pairs that are still expected to come up in it.
+  double newUnits_ = 0.0;       ///< What a new pair takes in its first step.
+  double saved_ = 0.0;          ///< By putting off.
+  double lastActual_ = 0.0;     ///< 0: nothing was learned yet.
+  double capacity_ = 0.0;       ///< Units a step may be planned to cost.
+  double contactUnits_ = 0.0;   ///< Of pairs in contact at their finest level.
+  double missingUnits_ = 0.0;   ///< What pairs in contact would cost more at their finest level.
+  double foreseen_ = 0.0;       ///< What the step was expected to cost when its narrowphase began.
+  RecentQuantile<32> misses_;   ///< How much more steps did cost.
+  double reuseSaves_ = 0.2;     ///< Of what a pair costs: what it saves when its contacts are reused.
+  double firstLook_ = 0.0;      ///< What a pair that goes finer takes in that step, more than usual there.
+  double finerRoom_ = 0.0;      ///< Units left for pairs that are apart and get finer.
+  double coarserRoom_ = 0.0;    ///< The same for those that get coarser.
+  double trend_ = 0.0;          ///< Units a step by which steps get dearer.
+  double coarsest_ = 0.0;       ///< What all pairs would cost as coarse as they may be.
+  double middle_ = 0.0;         ///< The same with all at the middle level.
+  PairsToCome toCome_;          ///< Of the steps after this one.
   double apartUnits_ = 0.0;     ///< What a pair that is apart costs as coarse as it may be, with its bounds.
   double lastFloor_ = 0.0;      ///< What reachableUnits() was when `coarsest_` was last found.
   RecentQuantile<3> growths_;   ///< Units a step by which that has grown: many bodies may come in one step.
