@@ -47,7 +47,7 @@ constexpr double kForesight = 6.0;
 constexpr double kTrendShare = 0.25;
 
 // Steps in which what is given may be had back: so far ahead room is kept for what there is no way around.
-constexpr double kHorizon = 120.0;
+constexpr double kHorizon = Convergence::kHorizon;
 
 // Pairs to come, in what a pair that is apart takes as coarse as it may be: each of those that may have
 // their wish before contact is taken for so many, as some of them will touch. And of what is free with all

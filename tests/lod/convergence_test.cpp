@@ -9,25 +9,27 @@
 #include <vector>
 
 #include "lod/fake_engine.h"
+#include "lod/policy_world.h"
 
 /// Which bodies are on their way to each other.
 namespace scatter::lod {
 namespace {
 
+using testing::ball;
 using testing::Random;
 
 constexpr float kTimeStep = 1.0F / 60.0F;
 
-/// A ball of 1 m: it meets another one whose centre comes nearer than 1.6 m.
-BodyView ball(const Vec3& center, const Vec3& velocity = Vec3(0.0F)) {
-  return {.center = center, .velocity = velocity, .radius = 1.0F, .mass = 1.0F, .present = true};
+/// A step, with bodies if they are due.
+void advance(Convergence& convergence, const std::vector<BodyView>& bodies, float timeStep = kTimeStep) {
+  convergence.advance(convergence.isDue() ? bodies : std::vector<BodyView>(), timeStep);
 }
 
 /// What it foresees of bodies that stay where they are as it looks.
 PairsToCome lookAt(Convergence& convergence, const std::vector<BodyView>& bodies,
                    float timeStep = kTimeStep) {
   do {
-    convergence.advance(convergence.isDue() ? bodies : std::vector<BodyView>(), timeStep);
+    advance(convergence, bodies, timeStep);
   } while (!convergence.isDue());
   return convergence.pairsToCome();
 }
@@ -49,6 +51,7 @@ TEST(Convergence, IsAPairWhenTwoMeet) {
   EXPECT_EQ(foreseen({ball({0, 0, 0}), ball({10, 0, 0})}), 0.0) << "nothing moves";
 }
 
+// Two balls of 1 m meet where their centres are nearer than 1.6 m.
 TEST(Convergence, IsNoneOfThoseThatPassOrAreThereAlready) {
   EXPECT_EQ(foreseen({ball({0, 0, 0}), ball({10, 1.5F, 0}, {-5, 0, 0})}), 1.0);
   EXPECT_EQ(foreseen({ball({0, 0, 0}), ball({10, 1.7F, 0}, {-5, 0, 0})}), 0.0) << "it passes by";
@@ -95,7 +98,7 @@ TEST(Convergence, NeedsBodiesInOneStepOfEight) {
   for (int step = 0; step < 40; ++step) {
     EXPECT_EQ(convergence.isDue(), step % 8 == 0) << step;
     EXPECT_EQ(convergence.pairsToCome().foreseen, step < 8 ? 0.0 : 1.0) << step;
-    convergence.advance(convergence.isDue() ? bodies : std::vector<BodyView>(), kTimeStep);
+    advance(convergence, bodies);
   }
 }
 

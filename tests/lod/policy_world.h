@@ -10,6 +10,11 @@
 
 namespace scatter::lod::testing {
 
+/// A ball of 1 m and 1 kg.
+inline BodyView ball(const Vec3& center, const Vec3& velocity = Vec3(0.0F)) {
+  return {.center = center, .velocity = velocity, .radius = 1.0F, .mass = 1.0F, .present = true};
+}
+
 /// Bodies and pairs for policies to look at, made by hand.
 struct PolicyWorld {
   std::vector<BodyView> bodies;
@@ -18,9 +23,9 @@ struct PolicyWorld {
   Load load;
   std::uint64_t step = 0;
 
-  /// A ball of 1 m and 1 kg, unless it is changed.
+  /// A ball(), unless it is changed.
   std::uint32_t addBody(const Vec3& center, const Vec3& velocity = Vec3(0.0F)) {
-    bodies.push_back({.center = center, .velocity = velocity, .radius = 1.0F, .mass = 1.0F, .present = true});
+    bodies.push_back(ball(center, velocity));
     return static_cast<std::uint32_t>(bodies.size() - 1);
   }
 
