@@ -20,6 +20,10 @@ constexpr double kFiner = 0.03;
 constexpr double kLeastCoarser = 0.03;
 constexpr double kCoarser = 0.12;
 
+// Steps in which what pairs cost is a guess, half a second: a scene that begins with a pile would lose detail
+// that it could afford. docs/budget-figures.md has what else was tried.
+constexpr int kUnsureSteps = 30;
+
 // Of the capacity: a load with all detail that is as good as fitting, and one that certainly does not fit.
 constexpr double kFits = 1.05;
 constexpr double kFitsNot = 1.3;
@@ -339,6 +343,7 @@ void Governor::forecast(double budget, double detail) {
   const double foreseen = planned() + kForesight * std::max(trend_, 0.0) + reserve;
   admission_ =
       std::clamp((kNoneFrom * capacity_ - foreseen) / ((kNoneFrom - kAllBelow) * capacity_), 0.0, 1.0);
+  isFull_ = admission_ <= 0.0 && learnedSteps_ >= kUnsureSteps;
   finerRoom_ = kFiner * capacity_;
   coarserRoom_ = std::clamp(capacity_ - planned(), kLeastCoarser * capacity_, kCoarser * capacity_);
 }
@@ -412,12 +417,40 @@ int Governor::levelFor(const PlannedPair& pair, bool isAdmitted) const {
   return isMiddle_ ? std::clamp(middleOf(pair, def_.creditLevel), low, high) : low;
 }
 
+/// What a pair takes less in this step, and in those after it, if it goes to `level`.
+double Governor::savedUnits(const PlannedPair& pair, const CostModel& costs, int level) const {
+  return correction_ * (predict(pair, costs, pair.view.level) - predict(pair, costs, level));
+}
+
+/// Where a pair that is apart should be. At a middle level it hardly costs less than at its finest, where it
+/// is near others: it goes there if there is no room at all, and it is one of those that do.
+int Governor::levelApart(const PlannedPair& pair, const CostModel& costs, int now) const {
+  const bool admitted = isAdmitted(pair);
+  const int level = levelFor(pair, admitted);
+  if (admitted || !isMiddle_) return level;
+  const bool isTaken = isFull_ && savedUnits(pair, costs, level) > kWorthwhile;
+  return isTaken ? std::min(level, now) : now;
+}
+
+/// The same as far as the step has room for switches. Where there is none for detail, one that gets coarser
+/// pays with what it saves at once: the dearest are not held up.
+int Governor::switchApart(const PlannedPair& pair, const CostModel& costs, int now) {
+  const int level = levelApart(pair, costs, now);
+  if (level == pair.view.level) return now;
+  const bool isCoarser = level < pair.view.level;
+  const double saved = isCoarser && isFull_ ? savedUnits(pair, costs, level) : 0.0;
+  const double cost = freshSwitchUnits(costs) - std::max(saved, 0.0);
+  double& room = isCoarser ? coarserRoom_ : finerRoom_;
+  if (cost > 0.0 && room <= 0.0) return now;
+  room -= std::max(cost, 0.0);
+  return level;
+}
+
 // The wish's bounds, and pairs that are apart.
 void Governor::planPair(PlannedPair& pair, const CostModel& costs) {
   const PairView& view = pair.view;
-  const int low = lowest(pair);
   const int high = highest(pair);
-  int target = std::clamp<int>(view.level, low, high);
+  int target = std::clamp<int>(view.level, lowest(pair), high);
   // Credit that does not pay.
   const bool isDear = !pair.rests && view.credited && view.touching && pair.blockedSteps == 0 &&
                       target < high &&
@@ -425,16 +458,7 @@ void Governor::planPair(PlannedPair& pair, const CostModel& costs) {
   if (isDear) target = high;
   pair.mustSave = isDear;
   const bool isFree = !pair.rests && !view.touching && !view.credited && pair.blockedSteps == 0;
-  if (isFree) {
-    // One that is near others at its finest level hardly costs more there than at a middle one.
-    const bool admitted = isAdmitted(pair);
-    const int wanted = isMiddle_ && !admitted ? target : levelFor(pair, admitted);
-    double& room = wanted < view.level ? coarserRoom_ : finerRoom_;
-    if (wanted != view.level && room > 0.0) {
-      room -= freshSwitchUnits(costs);
-      target = wanted;
-    }
-  }
+  if (isFree) target = switchApart(pair, costs, target);
   pair.target = static_cast<std::uint8_t>(target);
 }
 
@@ -563,6 +587,7 @@ void Governor::learn(double units) {
   // Too little to tell anything.
   constexpr double kAlmostNone = 10.0;
   if (predicted_ < kAlmostNone) return;
+  learnedSteps_ = std::min(learnedSteps_ + 1, kUnsureSteps);
   ratios_.add((actualUnits - fixed_) / predicted_);
   correction_ = std::clamp(ratios_.at(kCorrectionShare), kLeastCorrection, kMostCorrection);
 }

@@ -151,6 +151,9 @@ class Governor {
   [[nodiscard]] double stakeOf(const PlannedPair& pair, const CostModel& costs) const;
   [[nodiscard]] bool isAdmitted(const PlannedPair& pair) const;
   [[nodiscard]] int levelFor(const PlannedPair& pair, bool isAdmitted) const;
+  [[nodiscard]] int levelApart(const PlannedPair& pair, const CostModel& costs, int now) const;
+  [[nodiscard]] double savedUnits(const PlannedPair& pair, const CostModel& costs, int level) const;
+  [[nodiscard]] int switchApart(const PlannedPair& pair, const CostModel& costs, int now);
   void relieve(std::span<PlannedPair> pairs, const CostModel& costs, double excess);
   void acceptRelief(std::span<PlannedPair> pairs, const CostModel& costs, double excess);
   void giveBack(std::span<PlannedPair> pairs, const CostModel& costs, double room);
@@ -234,6 +237,8 @@ class Governor {
   int stepsToFloor_ = 0;        ///< Until these are found anew.
   int vainSteps_ = 0;           ///< For so many the budget has been impossible with little at stake.
   double admission_ = 1.0;
+  int learnedSteps_ = 0;     ///< Ever, up to as many as it takes to be sure of what pairs cost.
+  bool isFull_ = false;      ///< There is no room for detail, as far as is known by now.
   bool isMiddle_ = false;    ///< Pairs that are refused their wish get a middle level, not the least.
   double correction_ = 1.0;  ///< For predictions, from how much steps cost against what was predicted.
   RecentQuantile<16> ratios_;
