@@ -259,7 +259,7 @@ void NeighbourSearch::pairUp(std::size_t ofA, const Faces& faces, const Plane* p
   }
 }
 
-void NeighbourSearch::byWorldBounds(PartBody& a, PartBody& b) {
+void NeighbourSearch::byWorldBounds(PartBody& a, PartBody& b, float limit) {
   found_.clear();
   for (int i = 0; i < a.parts().count(); ++i) {
     const std::ptrdiff_t room = b.parts().paddedCount();
@@ -267,11 +267,13 @@ void NeighbourSearch::byWorldBounds(PartBody& a, PartBody& b) {
     const std::ptrdiff_t roomA = a.parts().paddedCount();
     const float* const boundsB = b.worldBounds().data();
     for (std::ptrdiff_t j = 0; j < room; j += static_cast<std::ptrdiff_t>(kLaneCount)) {
-      auto overlap = load<Lanes>(boundsB + j) <= Lanes(boundsA[3 * roomA]);
-      overlap = overlap && load<Lanes>(boundsB + 3 * room + j) >= Lanes(boundsA[0]);
+      auto overlap = load<Lanes>(boundsB + j) <= Lanes(boundsA[3 * roomA] + limit);
+      overlap = overlap && load<Lanes>(boundsB + 3 * room + j) >= Lanes(boundsA[0] - limit);
       for (std::ptrdiff_t axis = 1; axis < 3; ++axis) {
-        overlap = overlap && load<Lanes>(boundsB + axis * room + j) <= Lanes(boundsA[(axis + 3) * roomA]);
-        overlap = overlap && load<Lanes>(boundsB + (axis + 3) * room + j) >= Lanes(boundsA[axis * roomA]);
+        overlap =
+            overlap && load<Lanes>(boundsB + axis * room + j) <= Lanes(boundsA[(axis + 3) * roomA] + limit);
+        overlap =
+            overlap && load<Lanes>(boundsB + (axis + 3) * room + j) >= Lanes(boundsA[axis * roomA] - limit);
       }
       simd::forEachSet(overlap, [&](int lane) {
         found_.push_back({static_cast<std::uint16_t>(i), static_cast<std::uint16_t>(j + lane),

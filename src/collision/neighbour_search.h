@@ -23,9 +23,9 @@ class NeighbourSearch {
   /// frame in A's.
   void byPartBoxes(const PartList& a, const PartList& b, const Frame& frameB, float limit);
 
-  /// All pairs of parts whose world bounds overlap, in ascending order, without an axis and with the lowest
-  /// separation.
-  void byWorldBounds(PartBody& a, PartBody& b);
+  /// All pairs of parts whose world bounds are no further apart than `limit` along any axis of the world, in
+  /// ascending order, without an axis and with the lowest separation.
+  void byWorldBounds(PartBody& a, PartBody& b, float limit);
 
   [[nodiscard]] const std::vector<Neighbours>& found() const { return found_; }
 

@@ -235,7 +235,7 @@ float PartPair::skin() const {
 void PartPair::rebuild(PartBody& a, PartBody& b, const PairSteps& steps, PairScratch& scratch) {
   NeighbourSearch& search = scratch.search;
   if (steps.midphase == PairMidphase::kWorldBoxes || a.parts().hasOpaque() || b.parts().hasOpaque()) {
-    search.byWorldBounds(a, b);
+    search.byWorldBounds(a, b, boundsAreOfAll_ ? 0.0F : threshold_ + rounding_);
     merge(a, b, search.found(), scratch);
     enclose(b.parts(), steps.midphase);
     listed_ = true;

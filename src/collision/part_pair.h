@@ -174,6 +174,10 @@ class PartPair {
   /// At most so much it is going to be after advance() where the bodies are now, if neither has jumped.
   [[nodiscard]] double mostMotion(const PartBody& a, const PartBody& b) const;
 
+  /// From now on A's parts are pieces of larger ones, whose bounds tell an engine what may meet: parts are
+  /// near whose own come within the threshold.
+  void followPieces() { boundsAreOfAll_ = false; }
+
   /// From now on the motion of the listed parts is that of the bodies: for wakeAt().
   void followWholeBodies(bool whole) { followsWhole_ = whole; }
 
@@ -244,6 +248,7 @@ class PartPair {
   float turnSince_ = 0.0F;
   bool touches_ = false;  ///< There were others at the last look.
   bool followsWhole_ = false;
+  bool boundsAreOfAll_ = true;
   bool listed_ = false;
   bool motionBound_ = true;
 

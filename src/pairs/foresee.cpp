@@ -17,8 +17,8 @@ class PeekingKeeper final : public ContactKeeper {
 
   // Whoever is told that a contact lasts compares bounds next.
   bool outlasts(void* contact) const override {
+    if (!peek_.carries()) foresight_.asked.push_back(contact);
     if (!peek_.wouldOutlast(contact)) return false;
-    if (!peek_.carries()) foresight_.kept.push_back(contact);
     locks_.compute(*bodies_.a);
     locks_.compute(*bodies_.b);
     return true;
@@ -153,7 +153,7 @@ Foresight& ForesightScratch::take() {
   next.carried.clear();
   next.work = {};
   next.dropped.clear();
-  next.kept.clear();
+  next.asked.clear();
   next.awake.clear();
   next.looks.clear();
   return next;
@@ -225,6 +225,10 @@ bool foresee(Pair& pair, const PlacedBodies& bodies, const PairSteps& steps, con
   }
   const PeekingKeeper keeper(peek, bodies, locks, foresight);
   scratch.parts.keeper = &keeper;
+  if (steps.midphase == PairMidphase::kWorldBoxes) {
+    locks.compute(*bodies.a);
+    locks.compute(*bodies.b);
+  }
   foresight.isAwake = pair.parts.advance(*bodies.a, *bodies.b, steps, scratch.parts, foresight.work);
   scratch.parts.keeper = nullptr;
   foresight.dropped.insert(foresight.dropped.end(), scratch.parts.dropped.begin(),
@@ -264,7 +268,7 @@ bool isForeseeable(const GroundPair& pair, const PlacedBody& placed, int level, 
 
 // What there is too much of, and what has become of a body that has jumped, is found out in the step itself.
 bool foresee(GroundPair& pair, const PlacedBody& placed, const Frame& ground, const PairSteps& steps,
-             GroundEngine& engine, RegionScratch& region, ForesightScratch& scratch) {
+             GroundEngine& engine, RegionScratch& region, BoundsLocks& locks, ForesightScratch& scratch) {
   if (engine.halfSpace()) return true;
   const Frame bodyInGround = relativeFrame(ground, placed.body->frame());
   const Vec3 ahead = steps.passages ? engine.wayAhead() : Vec3(0.0F);
@@ -276,6 +280,7 @@ bool foresee(GroundPair& pair, const PlacedBody& placed, const Frame& ground, co
   foresight.work = work;
   pair.foresight = &foresight;
   PartBody& pieces = pair.region.moveTo(ground);
+  if (steps.midphase == PairMidphase::kWorldBoxes) locks.compute(*placed.body);
   foresight.isAwake = pair.parts.advance(pieces, *placed.body, steps, scratch.parts, foresight.work);
   if (!foresight.isAwake) return true;
   judgeAll(pair.parts, pieces, *placed.body, steps, foresight);

@@ -94,6 +94,6 @@ bool foresee(Pair& pair, const PlacedBodies& bodies, const PairSteps& steps, con
 [[nodiscard]] bool isForeseeable(const GroundPair& pair, const PlacedBody& placed, int level,
                                  const Frame& ground, int groundVersion, const PairSteps& steps);
 bool foresee(GroundPair& pair, const PlacedBody& placed, const Frame& ground, const PairSteps& steps,
-             GroundEngine& engine, RegionScratch& region, ForesightScratch& scratch);
+             GroundEngine& engine, RegionScratch& region, BoundsLocks& locks, ForesightScratch& scratch);
 
 }  // namespace scatter::pairs

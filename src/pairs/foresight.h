@@ -45,7 +45,7 @@ struct Foresight {
   bool recycles = false;   ///< Contacts that are not stale move along with the bodies.
   std::vector<void*> carried{};    ///< All contacts, if so, before anything was looked for.
   std::vector<void*> dropped{};    ///< Contacts of child pairs that are no neighbours any more.
-  std::vector<void*> kept{};       ///< Of others that are none, and have contacts that last.
+  std::vector<void*> asked{};      ///< Of these, and of others that are none, whether they last was asked.
   std::vector<int> awake{};        ///< The child pairs that are to be looked at.
   std::vector<ChildLook> looks{};  ///< One for each of them.
 };

@@ -7,7 +7,7 @@ namespace scatter::pairs {
 void Pair::closeForesight(PairEngine& engine) {
   if (foresight == nullptr) return;
   for (void* manifold : foresight->carried) static_cast<void>(engine.carry(manifold));
-  for (void* manifold : foresight->kept) static_cast<void>(engine.outlasts(manifold));
+  for (void* manifold : foresight->asked) static_cast<void>(engine.outlasts(manifold));
   for (void* manifold : foresight->dropped) engine.release(manifold);
   foresight = nullptr;
 }

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <optional>
+
 #include "collision/part_pair.h"
 #include "pairs/manifolds.h"
 
@@ -20,7 +23,10 @@ class PairEngine : public Manifolds {
   /// shape is no list of parts (any more).
   [[nodiscard]] virtual bool place(int level, PlacedBodies& bodies) = 0;
 
-  /// The parts of body 0 or 1 at a level, and where the body is.
+  /// PlacedBodies::versions as place() would tell them; none if it would refuse. The bodies stay as they are.
+  [[nodiscard]] virtual std::optional<std::array<int, 2>> versionsAt(int level) = 0;
+
+  /// The parts of body 0 or 1 at a level, as they are now, and where the body is.
   [[nodiscard]] virtual const PartList& partsOf(int body, int level) = 0;
   [[nodiscard]] virtual Frame frameOf(int body) const = 0;
 

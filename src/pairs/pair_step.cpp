@@ -43,6 +43,7 @@ class PairStep {
         level_(plan.view.level) {}
 
   PairOutcome run() {
+    if (hasOtherParts()) renewCredit();
     choose();
     if (changesLevel_) {
       changeLevel();
@@ -174,15 +175,39 @@ class PairStep {
     // Contacts of the finest shapes, found just now, tell the gap.
     const float least = pair_.held.leastDistance(engine_);
     credit_.gap = wasFinest && least < pair_.parts.threshold() ? least : findGap();
-    // Every overlap that there is at the new level is given credit for.
+    grantOverlaps();
+  }
+
+  // Every overlap that there is at the level is given credit for. The pair's motion starts again with its
+  // parts.
+  void grantOverlaps() {
     const auto& overlaps =
         scratch_.query.overlaps(engine_.partsOf(0, level_), engine_.partsOf(1, level_), frameB());
     for (const PartQuery::Overlap& overlap : overlaps)
       credit_.account.grant(overlap.a, overlap.b, overlap.depth, credit_.gap);
-    // The pair's motion starts again with the level.
     credit_.seenMotion = 0.0;
     credit_.freshUntil = 0.0;
     freshen();
+  }
+
+  // Whether a program has changed a body's shape, so that credit and contacts that are held are of parts that
+  // may be gone.
+  [[nodiscard]] bool hasOtherParts() const {
+    if (credit_.kind == CreditKind::kNone && pair_.held.empty()) return false;
+    const auto versions = engine_.versionsAt(level_);
+    return versions && !std::ranges::equal(*versions, pair_.versions);
+  }
+
+  void renewCredit() {
+    pair_.held.release(engine_);
+    credit_.account.close();
+    if (!credit_.isCoarser()) {
+      credit_.kind = CreditKind::kNone;
+      return;
+    }
+    credit_.gap = findGap();
+    if (credit_.gap < engine_.threshold()) look_.atFinest(finest());
+    grantOverlaps();
   }
 
   // Of the finest shapes, as deep as their contacts do not press.

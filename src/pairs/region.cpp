@@ -42,6 +42,7 @@ bool areSame(const GroundPieces& a, const GroundPieces::Piece& pieceA, const Gro
 void Region::forget() {
   if (whole_) body_.reset();
   whole_.reset();
+  pieces_.clear();
   gathered_ = false;
   lookedUp_ = 0;
 }

@@ -185,7 +185,7 @@ TEST(NeighbourSearch, ByWorldBoundsFindsWhatALoopFinds) {
     PartBody b(listB);
     a.moveTo(randomFrame(random, random.uniform(0.0F, 1.5F)));
     b.moveTo(randomFrame(random, random.uniform(0.0F, 1.5F)));
-    search.byWorldBounds(a, b);
+    search.byWorldBounds(a, b, 0.0F);
     BoundsTest test(a, b);
     std::vector<IndexPair> expected;
     for (int i = 0; i < listA.count(); ++i) {
@@ -204,6 +204,40 @@ TEST(NeighbourSearch, ByWorldBoundsFindsWhatALoopFinds) {
   EXPECT_GT(total, 1000U);
 }
 
+TEST(NeighbourSearch, ByWorldBoundsFindsWhatIsWithinALimit) {
+  Random random(85);
+  NeighbourSearch search;
+  std::size_t wider = 0;
+  for (int round = 0; round < 50; ++round) {
+    const PartList list(randomParts(random, 20, 1.0F, 0.02F));
+    PartBody a(list);
+    PartBody b(list);
+    a.moveTo(randomFrame(random, 1.0F));
+    b.moveTo(randomFrame(random, 1.0F));
+    const float limit = random.uniform(0.0F, 0.2F);
+    const auto room = static_cast<std::size_t>(list.paddedCount());
+    const auto gapAlong = [&](std::size_t axis, std::size_t i, std::size_t j) {
+      const auto low = [&](PartBody& body, std::size_t k) { return body.worldBounds()[axis * room + k]; };
+      const auto high = [&](PartBody& body, std::size_t k) {
+        return body.worldBounds()[(axis + 3) * room + k];
+      };
+      return std::max(low(b, j) - high(a, i), low(a, i) - high(b, j));
+    };
+    std::size_t expected = 0;
+    for (std::size_t i = 0; i < 20; ++i) {
+      for (std::size_t j = 0; j < 20; ++j)
+        expected += std::max({gapAlong(0, i, j), gapAlong(1, i, j), gapAlong(2, i, j)}) <= limit ? 1 : 0;
+    }
+    search.byWorldBounds(a, b, 0.0F);
+    const std::size_t overlapping = search.found().size();
+    search.byWorldBounds(a, b, limit);
+    // What is at the limit is rounding's to decide.
+    EXPECT_NEAR(static_cast<double>(search.found().size()), static_cast<double>(expected), 1.0);
+    wider += search.found().size() - overlapping;
+  }
+  EXPECT_GT(wider, 100U);
+}
+
 TEST(NeighbourSearch, FindsNothingAtAPlaceThatIsNoNumber) {
   Random random(84);
   const PartList list(randomParts(random, 20, 1.0F, 0.0F));
@@ -216,7 +250,7 @@ TEST(NeighbourSearch, FindsNothingAtAPlaceThatIsNoNumber) {
   PartBody there(list);
   here.moveTo(Frame{});
   there.moveTo(nowhere);
-  search.byWorldBounds(here, there);
+  search.byWorldBounds(here, there, 0.0F);
   EXPECT_TRUE(search.found().empty());
 }
 

@@ -36,6 +36,10 @@ class FakeEngine : public FakeManifolds<pairs::PairEngine> {
     placed.b->moveTo(frameOf(1));
     return !refuses;
   }
+  std::optional<std::array<int, 2>> versionsAt(int /*level*/) override {
+    if (refuses) return std::nullopt;
+    return std::array<int, 2>{version, version};
+  }
   const PartList& partsOf(int /*body*/, int level) override {
     return *lists_.at(static_cast<std::size_t>(level - 1));
   }

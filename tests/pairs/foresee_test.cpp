@@ -246,7 +246,7 @@ struct OverGround {
     if (!engine.place(1, placed) ||
         !isForeseeable(pair, placed, 1, engine.groundFrame(), engine.groundVersion(), steps))
       return false;
-    foresee(pair, placed, engine.groundFrame(), steps, engine, scratch.ground.region, scratches);
+    foresee(pair, placed, engine.groundFrame(), steps, engine, scratch.ground.region, locks, scratches);
     return true;
   }
 
@@ -261,6 +261,7 @@ struct OverGround {
   GroundPair pair;
   PairSteps steps;
   StepScratch scratch;
+  BoundsLocks locks;
   ForesightScratch scratches;
 };
 

@@ -98,6 +98,16 @@ TEST_P(GroundStep, IsQuietAsLongAsNothingCanTouch) {
   EXPECT_FALSE(body.isQuiet()) << "it touches";
 }
 
+// The memory of a pair that has ended is another one's.
+TEST(GroundPair, ForgetsThePiecesOfTheOneBefore) {
+  LivingGround body(true);
+  body.stepAt(0.8F);
+  EXPECT_FALSE(body.pair.region.empty());
+  body.pair.restart(0.0F, body.engine);
+  body.pair.renew();
+  EXPECT_TRUE(body.pair.region.empty());
+}
+
 // A random walk, in which every part is compared with the truth in every step.
 TEST_P(GroundStep, MissesNothingOnTheWay) {
   testing::Random random(7);

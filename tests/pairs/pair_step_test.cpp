@@ -359,6 +359,34 @@ TEST(PairStep, BeginsAnewWithNewParts) {
   EXPECT_TRUE(living.pair.restarted);
 }
 
+// What is on credit, and held, is of parts that may be gone.
+TEST(PairStep, GivesCreditAnewToNewParts) {
+  ThreeLevelPair living;
+  ASSERT_TRUE(living.meetAndGoTo(2).credited);
+  constexpr std::uint16_t kGone = 999;
+  living.pair.credit.account.grant(kGone, kGone, 0.1F, 0.0F);
+  ++living.engine.version;
+  const PairOutcome outcome = living.step(1.59F);
+  EXPECT_TRUE(living.pair.restarted);
+  EXPECT_TRUE(outcome.credited);
+  EXPECT_FALSE(outcome.isUnsafe);
+  EXPECT_EQ(living.pair.credit.account.of(kGone, kGone), 0.0F);
+  EXPECT_NEAR(living.press(), 0.01F, 1e-4F) << "what the finest shapes have is found anew";
+}
+
+TEST(PairStep, HasNoCreditForNewPartsAtItsFinestLevel) {
+  ThreeLevelPair living;
+  ASSERT_TRUE(living.meetAndGoTo(2).credited);
+  living.step(1.58F);
+  living.plan.target = kFinest;
+  living.step(1.58F);
+  ASSERT_EQ(living.pair.credit.kind, CreditKind::kFinest);
+  ++living.engine.version;
+  living.step(1.58F);
+  EXPECT_EQ(living.pair.credit.kind, CreditKind::kNone);
+  EXPECT_TRUE(living.pair.credit.account.empty());
+}
+
 TEST(PairStep, CountsItsOwnWorkOnly) {
   ThreeLevelPair living;
   living.step(3.0F);

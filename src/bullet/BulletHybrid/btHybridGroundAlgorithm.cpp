@@ -200,7 +200,7 @@ btHybridForeseen btHybridGroundAlgorithm::foresee(btHybridAhead& ahead, btHybrid
 	bool isDecided = keeps || scatter::pairs::onlyCarries(pair, placed, m_bodies->m_level, ground, version, steps);
 	if (!isDecided && scatter::pairs::isForeseeable(pair, placed, m_bodies->m_level, ground, version, steps))
 		isDecided = scatter::pairs::foresee(pair, placed, ground, steps, engine, memory.m_step.ground.region,
-		                                    memory.m_foresight);
+		                                    ahead.m_locks, memory.m_foresight);
 	if (!isDecided || !btHybridAheadRules::mayStep(ahead, m_bodies->m_object->getObject(), m_bodies->m_groundObject))
 		return btHybridForeseen::IN_PART;
 	stepAhead(step, plan, engine, memory);

@@ -89,6 +89,11 @@ bool btHybridObjects::update(btHybridPartBody* body, const btCollisionShape* sha
 	return true;
 }
 
+bool btHybridObjects::refresh(btHybridPartBody* body, const btTransform& transform)
+{
+	return !body->m_changes || update(body, body->getShapeNow(), transform);
+}
+
 void btHybridObjects::count(btHybridCollisionMemory& memory) const
 {
 	for (int i = 0; i < m_objects.size(); i++)

@@ -60,6 +60,9 @@ public:
 	/// Takes in a changed shape, and where the body is. False if the shape is no part list any more.
 	bool update(btHybridPartBody* body, const btCollisionShape* shape, const btTransform& transform);
 
+	/// The same of a body whose shape may change in place; others stay where they are.
+	bool refresh(btHybridPartBody* body, const btTransform& transform);
+
 	/// Adds what it holds.
 	void count(btHybridCollisionMemory& memory) const;
 };

@@ -1,6 +1,7 @@
 #include "btHybridPairEngine.h"
 
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
+#include <BulletCollision/CollisionDispatch/btCompoundCompoundCollisionAlgorithm.h>
 #include <LinearMath/btAabbUtil2.h>
 
 using scatter::ChildPair;
@@ -74,10 +75,31 @@ bool btHybridPairEngine::place(int level, scatter::pairs::PlacedBodies& bodies)
 	return true;
 }
 
-const scatter::PartList& btHybridPairEngine::partsOf(int body, int level)
+btHybridPartBody* btHybridPairEngine::getBody(int body, int level)
 {
 	btHybridLevelBodies* object = m_bodies.m_objects[body];
-	return m_objects.getBody(object, object->getLevelIn(level))->getBody().parts();
+	return m_objects.getBody(object, object->getLevelIn(level));
+}
+
+std::optional<std::array<int, 2>> btHybridPairEngine::versionsAt(int level)
+{
+	std::array<int, 2> versions;
+	for (int i = 0; i < 2; i++)
+	{
+		btHybridPartBody* body = getBody(i, level);
+		if (!m_objects.refresh(body, m_call.m_wraps[i]->getWorldTransform()))
+			return std::nullopt;
+		versions[i] = body->getVersion();
+	}
+	return versions;
+}
+
+// Of a shape that is no list any more, the parts that it had.
+const scatter::PartList& btHybridPairEngine::partsOf(int body, int level)
+{
+	btHybridPartBody* parts = getBody(body, level);
+	static_cast<void>(m_objects.refresh(parts, m_call.m_wraps[body]->getWorldTransform()));
+	return parts->getBody().parts();
 }
 
 scatter::Frame btHybridPairEngine::frameOf(int body) const

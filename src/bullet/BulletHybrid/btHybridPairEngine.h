@@ -72,6 +72,7 @@ class btHybridPairEngine : public btHybridManifolds<scatter::pairs::PairEngine>
 	bool isOdd(int body, int part) const;
 	bool looksFromB(const scatter::ChildPair& child) const;
 	bool areSpheres(const scatter::ChildPair& child) const;
+	btHybridPartBody* getBody(int body, int level);
 	btPersistentManifold* manifoldOf(scatter::ChildPair& child);
 	void detectByGjk(scatter::PartPair& parts, scatter::ChildPair& child);
 	void detectByAlgorithm(scatter::ChildPair& child);
@@ -95,6 +96,7 @@ public:
 	bool follow(scatter::pairs::PlacedBodies& bodies);
 
 	virtual bool place(int level, scatter::pairs::PlacedBodies& bodies);
+	virtual std::optional<std::array<int, 2>> versionsAt(int level);
 	virtual const scatter::PartList& partsOf(int body, int level);
 	virtual scatter::Frame frameOf(int body) const;
 	virtual float pointDistance() const;

@@ -81,6 +81,21 @@ TEST_P(Grounds, HaveBulletsContacts) {
   EXPECT_LT(errs, expected / 20);
 }
 
+TEST_P(Grounds, HaveBulletsContactsWhateverFindsThem) {
+  long expected = 0;
+  for (const std::uint64_t seed : seeds(101, 32)) {
+    Stage stage(GetParam(), seed, 1.0F, 8);
+    btHybridCollisionInfo info = stage.w.world.getCollisionInfo();
+    info.m_steps.midphase = seed % 2 == 0 ? BT_HYBRID_WORLD_BOXES : BT_HYBRID_PART_BOXES;
+    stage.w.world.setCollisionInfo(info);
+    stage.run(static_cast<Motion>(seed / 2 % kMotions), 40, seed % 5 == 0);
+    EXPECT_EQ(stage.w.report().m_missed, 0) << "seed " << seed;
+    EXPECT_EQ(stage.w.report().m_extra, 0) << "seed " << seed;
+    expected += stage.w.report().m_expected;
+  }
+  EXPECT_GT(expected, trials(500));
+}
+
 /// A contact of a part with the ground.
 struct Touch {
   float distance;
@@ -468,6 +483,24 @@ TEST(MeshGround, ThatIsReplacedOrScaledStartsAnew) {
   hills->setLocalScaling(btVector3(1, 1e-3F, 1));
   body->setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(0, 1.5F, 0)));
   EXPECT_EQ(contacts(), 0) << "the hills are gone";
+}
+
+// What was known of the ground that was there is of no use for another one, a plane above all, which has no
+// pieces.
+TEST(Ground, ThatIsAPlaneKnowsNothingOfAMeshThatWasThere) {
+  PairTestWorld w;
+  btTriangleMesh net;
+  addFlatNet(net, -6, 6);
+  btRigidBody* mesh = w.add(0, w.shape<btBvhTriangleMeshShape>(&net, true), {0, 0, 0});
+  btHybridRigidBody* body = w.addBlock({-4, 0.5F, -4});
+  w.world.performDiscreteCollisionDetection();
+  ASSERT_GT(w.contactsOf(mesh, body), 0);
+  w.world.removeRigidBody(mesh);
+  w.world.performDiscreteCollisionDetection();
+  btRigidBody* plane = w.addGround();
+  body->setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(4, 0.495F, 4)));
+  w.world.performDiscreteCollisionDetection();
+  EXPECT_EQ(w.contactsOf(plane, body), 4) << "one of each box that lies on it";
 }
 
 /// Bodies over a net of triangles.

@@ -191,6 +191,20 @@ void recycleWithBudgets(Crowd& crowd, int step) {
   giveBudgetsOnGrounds(crowd, step);
 }
 
+void layGrounds(Crowd& crowd, int step) {
+  if (step == 0) crowd.addGrounds();
+  for (auto& body : crowd.bodies) body->applyCentralForce(btVector3(0, -30, 0));
+  if (step % 40 == 20) crowd.requestAll(1 + step / 40);
+}
+
+void searchByWorldBoxes(Crowd& crowd, int step) {
+  layGrounds(crowd, step);
+  if (step > 0) return;
+  btHybridCollisionInfo info = crowd.world.getCollisionInfo();
+  info.m_steps.midphase = BT_HYBRID_WORLD_BOXES;
+  crowd.world.setCollisionInfo(info);
+}
+
 void leaveManifolds(Crowd& crowd, int step) {
   if (step > 0) return;
   btHybridCollisionInfo info = crowd.world.getCollisionInfo();
@@ -202,12 +216,6 @@ void removeAndAdd(Crowd& crowd, int step) {
   btRigidBody* body = crowd.bodies[static_cast<std::size_t>(step) % crowd.bodies.size()].get();
   if (step % 7 == 3) crowd.world.removeRigidBody(body);
   if (step % 7 == 3) crowd.world.addRigidBody(body);
-}
-
-void layGrounds(Crowd& crowd, int step) {
-  if (step == 0) crowd.addGrounds();
-  for (auto& body : crowd.bodies) body->applyCentralForce(btVector3(0, -30, 0));
-  if (step % 40 == 20) crowd.requestAll(1 + step / 40);
 }
 
 void recycleOnGrounds(Crowd& crowd, int step) {
@@ -249,6 +257,7 @@ INSTANTIATE_TEST_SUITE_P(Ways, Threads,
                                          Way{.name = "RecycledWithBudgets", .act = recycleWithBudgets},
                                          Way{.name = "Recycled", .act = recycle},
                                          Way{.name = "AllManifolds", .act = leaveManifolds},
+                                         Way{.name = "WorldBoxes", .act = searchByWorldBoxes},
                                          Way{.name = "BodiesComeAndGo", .act = removeAndAdd},
                                          Way{.name = "OnGrounds", .act = layGrounds},
                                          Way{.name = "RecycledOnGrounds", .act = recycleOnGrounds},

@@ -1,0 +1,586 @@
+#include <BulletHybrid/btHybridContactSolver.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdlib>
+
+#include "../../trials.h"
+#include "PairTestWorld.h"
+#include "RandomGrounds.h"
+
+// A program that does between two steps whatever a program may, in any order: nothing breaks, nothing is left
+// behind, and any number of threads gives the same bits.
+
+namespace scatter::test {
+namespace {
+
+constexpr int kUseSteps = 150;
+constexpr std::size_t kMostBodies = 40;
+
+/// What callbacks have heard of in a step, in its order.
+std::uint64_t heard = 0;
+
+bool hear(const btManifoldPoint& point) {
+  heard = 31 * heard + std::bit_cast<std::uint32_t>(point.getDistance());
+  return true;
+}
+bool hearAdded(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
+               const btCollisionObjectWrapper*, int, int) {
+  return hear(point);
+}
+bool hearProcessed(btManifoldPoint& point, void*, void*) {
+  return hear(point);
+}
+void hearManifold(btPersistentManifold* const& manifold) {
+  heard = 31 * heard + manifold->getNumContacts();
+}
+
+/// Hands on every pair but a few.
+void passOn(btBroadphasePair& pair, btCollisionDispatcher& dispatcher, const btDispatcherInfo& info) {
+  if ((pair.m_pProxy0->m_uniqueId + pair.m_pProxy1->m_uniqueId) % 7 != 0)
+    btCollisionDispatcher::defaultNearCallback(pair, dispatcher, info);
+}
+
+/// Which of Bullet's callbacks a program has set.
+class Callbacks {
+ public:
+  Callbacks() = default;
+  Callbacks(const Callbacks&) = delete;
+  Callbacks& operator=(const Callbacks&) = delete;
+  ~Callbacks() { set(0); }
+
+  static void set(int which) {
+    gContactAddedCallback = which == 1 ? hearAdded : nullptr;
+    gContactProcessedCallback = which == 2 ? hearProcessed : nullptr;
+    gContactStartedCallback = which == 3 ? hearManifold : nullptr;
+    gContactEndedCallback = which == 3 ? hearManifold : nullptr;
+  }
+};
+
+/// Asks for more when it hears of something.
+class Talker : public btHybridListener {
+ public:
+  explicit Talker(btHybridDynamicsWorld& world) : world_(world) {}
+
+  void pairEvent(const btHybridPairEvent& event) override {
+    heard = 31 * heard + event.m_toLevel;
+    if (heard % 5 == 0 && world_.getNumHybrids() > 0)
+      world_.requestLevel(world_.getHybrid(0), 1 + event.m_toLevel % 3);
+  }
+  void switched(btHybridRigidBody* body, int /*from*/, int to, const btHybridRequest& /*request*/) override {
+    heard = 31 * heard + to;
+    if (heard % 3 == 0) world_.requestLevel(body, 1 + to % 3);
+  }
+
+ private:
+  btHybridDynamicsWorld& world_;
+};
+
+class AnyProgram : public PairTestWorld {
+ public:
+  explicit AnyProgram(std::uint64_t seed)
+      : PairTestWorld(seed % 5 == 0 ? BT_HYBRID_BODY_SWITCHING : BT_HYBRID_PAIR_SWITCHING, seed),
+        shapes_(seed),
+        grounds_(shapes_),
+        hasCcd_(seed % 3 == 0),
+        leavesOut_(seed % 4 == 0) {
+    for (int i = 0; i < 16; ++i) addAny();
+    world.getSwitchingInfo().m_proximity = random().chance(0.5F);
+    world.setListener(&talker_);
+  }
+
+  ~AnyProgram() {
+    world.setListener(nullptr);
+    world.verifyContacts(0);
+    world.setConstraintSolver(&solver);
+    while (!bodies.empty()) destroy(bodies.size() - 1);
+    if (hasSensor_) world.removeCollisionObject(&sensor_);
+    EXPECT_EQ(countOrphans(), 0);
+    EXPECT_EQ(broadphase.getOverlappingPairCache()->getNumOverlappingPairs(), 0);
+    EXPECT_EQ(world.getCollisionMemory().m_pairs, 0);
+    EXPECT_EQ(world.getNumHybrids(), 0);
+  }
+
+  void doAnything() {
+    for (int i = random().index(4); i > 0; --i) doOne();
+  }
+
+  // Bodies are drawn together, so that they meet.
+  void stepSomehow() {
+    for (const auto& body : bodies)
+      body->applyCentralForce(-8 * body->getWorldTransform().getOrigin() / (body->getInvMass() + 0.1F));
+    const int kind = random().index(8);
+    if (kind == 0) {
+      world.stepSimulation(1.0F / 30, 3, 1.0F / 60);
+    } else if (kind == 1) {
+      world.stepSimulation(0.001F, 2);
+    } else if (kind == 2) {
+      world.stepSimulation(0.0F, 0);
+    } else {
+      step();
+    }
+  }
+
+  [[nodiscard]] std::vector<std::uint32_t> all() const {
+    std::vector<std::uint32_t> result = bits();
+    result.push_back(static_cast<std::uint32_t>(dispatcher.getNumManifolds()));
+    for (int i = 0; i < dispatcher.getNumManifolds(); ++i)
+      result.push_back(static_cast<std::uint32_t>(manifoldAt(i).getNumContacts()));
+    const btHybridCollisionCounts counts = world.getCollisionCounts();
+    for (const int count : {counts.pairs, counts.childPairs, counts.gjkRuns, counts.detectorRuns})
+      result.push_back(static_cast<std::uint32_t>(count));
+    return result;
+  }
+
+  /// Manifolds that no pair of the broadphase has, but for those that Bullet makes of bodies that are about
+  /// to pass through others (setCcdMotionThreshold), which it keeps for itself.
+  [[nodiscard]] int countOrphans() {
+    if (hasCcd_) return 0;
+    btBroadphasePairArray& overlaps = broadphase.getOverlappingPairCache()->getOverlappingPairArray();
+    btManifoldArray owned;
+    for (int i = 0; i < overlaps.size(); ++i) {
+      if (overlaps[i].m_algorithm != nullptr) overlaps[i].m_algorithm->getAllContactManifolds(owned);
+    }
+    return dispatcher.getNumManifolds() - owned.size();
+  }
+
+  [[nodiscard]] bool isFinite() const {
+    return std::all_of(bodies.begin(), bodies.end(), [](const auto& body) {
+      const btVector3& at = body->getWorldTransform().getOrigin();
+      return std::isfinite(at.length()) && std::isfinite(body->getLinearVelocity().length());
+    });
+  }
+
+ private:
+  [[nodiscard]] Random& random() { return shapes_.random; }
+  [[nodiscard]] btRigidBody& any() {
+    return *bodies[static_cast<std::size_t>(random().index(static_cast<int>(bodies.size())))];
+  }
+  [[nodiscard]] static bool isInWorld(const btRigidBody& body) { return body.getWorldArrayIndex() >= 0; }
+
+  void doOne() {
+    using Deed = void (AnyProgram::*)();
+    static constexpr Deed kDeeds[] = {
+        &AnyProgram::addAny,       &AnyProgram::removeAny,    &AnyProgram::addBack,
+        &AnyProgram::destroyAny,   &AnyProgram::put,          &AnyProgram::push,
+        &AnyProgram::putToSleep,   &AnyProgram::changeKind,   &AnyProgram::changeShape,
+        &AnyProgram::changeParts,  &AnyProgram::ask,          &AnyProgram::limit,
+        &AnyProgram::changeRules,  &AnyProgram::changeWays,   &AnyProgram::tie,
+        &AnyProgram::untie,        &AnyProgram::look,         &AnyProgram::cleanPairs,
+        &AnyProgram::changeSolver, &AnyProgram::changeMode,   &AnyProgram::sense,
+        &AnyProgram::changeTouch,  &AnyProgram::changeBounds, &AnyProgram::repeat,
+        &AnyProgram::passOnSome};
+    const int deed = random().index(static_cast<int>(std::size(kDeeds)));
+    (this->*kDeeds[deed])();
+  }
+
+  void addAny() {
+    if (bodies.size() >= kMostBodies) return;
+    const btTransform pose(random().rotation(), random().inCube(3));
+    const int kind = random().index(10);
+    if (kind < 4) {
+      addBody(kind == 0   ? cross
+              : kind == 1 ? block
+                          : ship,
+              pose, random().between(0.1F, 10), random().index(4));
+      if (random().chance(0.5F)) bodies.back()->forceActivationState(ACTIVE_TAG);
+      return;
+    }
+    if (kind == 4) {
+      const GroundType type = kGrounds[random().index(static_cast<int>(std::size(kGrounds)))];
+      add(0, grounds_.make(type, random().between(0.3F, 1.5F)), random().inCube(2) - btVector3(0, 3, 0));
+      return;
+    }
+    btCollisionShape* form = anyShape();
+    bodies.push_back(std::make_unique<btRigidBody>(info(random().between(0.1F, 10), form, pose.getOrigin())));
+    world.addRigidBody(bodies.back().get());
+  }
+
+  btCollisionShape* anyShape() {
+    const float size = random().between(0.3F, 2.0F);
+    switch (random().index(4)) {
+      case 0:
+        return shapes_.convex(size);
+      case 1:
+        return shapes_.compound(1 + random().index(8), size, 0.1F);
+      case 2:
+        return shapes_.make<btBoxShape>(btVector3(0.4F, 0.3F, 0.5F) * size);
+      default:
+        return shapes_.hull(size, 4 + random().index(20));
+    }
+  }
+
+  void untieFrom(const btRigidBody& body) {
+    for (std::size_t i = joints.size(); i-- > 0;) {
+      if (&joints[i]->getRigidBodyA() != &body && &joints[i]->getRigidBodyB() != &body) continue;
+      world.removeConstraint(joints[i].get());
+      joints.erase(joints.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+  }
+
+  void removeAny() {
+    if (bodies.empty()) return;
+    btRigidBody& body = any();
+    untieFrom(body);
+    if (isInWorld(body)) world.removeRigidBody(&body);
+  }
+
+  void addBack() {
+    for (const auto& body : bodies) {
+      if (isInWorld(*body)) continue;
+      if (random().chance(0.5F)) {
+        world.addRigidBody(body.get());
+      } else {
+        world.addRigidBody(body.get(), 1 + random().index(3), random().index(4) == 0 ? 0 : -1);
+      }
+      return;
+    }
+  }
+
+  void destroy(std::size_t index) {
+    untieFrom(*bodies[index]);
+    if (isInWorld(*bodies[index])) world.removeRigidBody(bodies[index].get());
+    bodies.erase(bodies.begin() + static_cast<std::ptrdiff_t>(index));
+  }
+
+  void destroyAny() {
+    if (bodies.size() > 8) destroy(static_cast<std::size_t>(random().index(static_cast<int>(bodies.size()))));
+  }
+
+  void put() {
+    if (bodies.empty()) return;
+    btRigidBody& body = any();
+    const btVector3 place = random().inCube(random().chance(0.1F) ? 1e4F : 3.0F);
+    body.setWorldTransform(btTransform(random().rotation(), place));
+    if (random().chance(0.5F)) body.setInterpolationWorldTransform(body.getWorldTransform());
+    if (random().chance(0.3F) && isInWorld(body)) world.updateSingleAabb(&body);
+    body.activate();
+  }
+
+  void push() {
+    if (bodies.empty()) return;
+    btRigidBody& body = any();
+    if (body.isStaticObject()) return;
+    body.setLinearVelocity(random().inCube(random().chance(0.1F) ? 300.0F : 5.0F));
+    body.setAngularVelocity(random().inCube(random().chance(0.1F) ? 40.0F : 3.0F));
+    body.activate();
+  }
+
+  void putToSleep() {
+    if (bodies.empty()) return;
+    static constexpr int kStates[] = {ACTIVE_TAG, ISLAND_SLEEPING, WANTS_DEACTIVATION, DISABLE_DEACTIVATION,
+                                      DISABLE_SIMULATION};
+    any().forceActivationState(kStates[random().index(5)]);
+  }
+
+  // Bodies with mass become kinematic and back, or let others through.
+  void changeKind() {
+    if (bodies.empty()) return;
+    btRigidBody& body = any();
+    if (body.getInvMass() == 0) return;
+    const int flag = random().chance(0.5F) ? btCollisionObject::CF_KINEMATIC_OBJECT
+                                           : btCollisionObject::CF_NO_CONTACT_RESPONSE;
+    body.setCollisionFlags(body.getCollisionFlags() ^ flag);
+    body.forceActivationState(ACTIVE_TAG);
+  }
+
+  void changeShape() {
+    if (bodies.empty()) return;
+    btRigidBody& body = any();
+    if (btHybridRigidBody::upcast(&body) != nullptr) return;
+    if (random().chance(0.5F) || body.isStaticObject()) {
+      body.getCollisionShape()->setLocalScaling(btVector3(1, 1, 1) * random().between(0.5F, 1.5F));
+    } else {
+      body.setCollisionShape(anyShape());
+      if (isInWorld(body)) clean(body);
+    }
+  }
+
+  void changeParts() {
+    if (bodies.empty()) return;
+    btRigidBody& body = any();
+    if (btHybridRigidBody::upcast(&body) != nullptr || !body.getCollisionShape()->isCompound()) return;
+    auto* parts = static_cast<btCompoundShape*>(body.getCollisionShape());
+    if (parts->getNumChildShapes() > 1 && random().chance(0.5F)) {
+      parts->removeChildShapeByIndex(random().index(parts->getNumChildShapes()));
+    } else {
+      btCollisionShape* part = shapes_.convex(0.5F);
+      if (random().chance(0.2F)) part = shapes_.compound(2, 0.5F);
+      parts->addChildShape(random().pose(0.3F), part);
+    }
+  }
+
+  void clean(const btRigidBody& body) {
+    broadphase.getOverlappingPairCache()->cleanProxyFromPairs(
+        const_cast<btBroadphaseProxy*>(body.getBroadphaseHandle()), &dispatcher);
+  }
+
+  void cleanPairs() {
+    if (bodies.empty()) return;
+    btRigidBody& body = any();
+    if (!isInWorld(body)) return;
+    if (random().chance(0.5F)) {
+      clean(body);
+    } else {
+      world.refreshBroadphaseProxy(&body);
+    }
+  }
+
+  void ask() {
+    if (world.getNumHybrids() == 0) return;
+    btHybridRigidBody* body = world.getHybrid(random().index(world.getNumHybrids()));
+    switch (random().index(4)) {
+      case 0:
+        world.retractRequest(body);
+        break;
+      case 1:
+        world.setHeld(body, random().chance(0.5F));
+        break;
+      case 2:
+        requestAll(1 + random().index(3));
+        break;
+      default:
+        world.requestLevel(body, 1 + random().index(3),
+                           random().chance(0.5F) ? BT_HYBRID_LOCAL : BT_HYBRID_GLOBAL);
+    }
+  }
+
+  void limit() {
+    static constexpr const char* kPolicies[] = {"speed",         "proximity", "coarsest", "load",
+                                                "group-density", "focus",     "held"};
+    const double machine[] = {0.001, 0.003, 0.0005};
+    switch (random().index(6)) {
+      case 0:
+        world.removeBudget();
+        break;
+      case 1:
+        world.setBudgetMilliseconds(random().between(0.01F, 2), machine, 3);
+        break;
+      case 2:
+        world.addPolicy(kPolicies[random().index(static_cast<int>(std::size(kPolicies)))]);
+        break;
+      case 3:
+        world.removePolicies();
+        break;
+      case 4:
+        world.setFocus(random().inCube(9), random().inCube(1), 1);
+        break;
+      default:
+        world.setBudgetUnits(random().between(5, 600));
+    }
+  }
+
+  void changeRules() {
+    btHybridPairSwitchingInfo& rules = world.getPairSwitchingInfo();
+    rules.m_credit = random().chance(0.8F);
+    rules.m_creditLevel = random().index(4);
+    rules.m_retryInterval = random().index(20);
+    rules.m_auditDistance = random().between(-0.01F, 0.05F);
+    rules.m_earlyRest = random().chance(0.5F);
+    rules.m_wakesForDetail = random().chance(0.5F);
+    world.getSwitchingInfo().m_proximity = random().chance(0.5F);
+    world.setGravity(random().inCube(2));
+  }
+
+  void changeWays() {
+    btHybridCollisionInfo ways = world.getCollisionInfo();
+    ways.m_pairAlgorithm = random().chance(0.9F);
+    ways.m_plainBodies = random().chance(0.7F);
+    ways.m_steps.midphase = static_cast<PairMidphase>(random().index(3));
+    ways.m_steps.motionBound = random().chance(0.8F);
+    ways.m_steps.cachedAxis = random().chance(0.8F);
+    ways.m_steps.lazyManifolds = random().chance(0.8F);
+    ways.m_steps.ownGjk = random().chance(0.8F);
+    ways.m_steps.warmSimplex = random().chance(0.8F);
+    ways.m_steps.recycling = random().chance(0.5F) ? 0.0F : random().between(0, 0.01F);
+    ways.m_steps.passages = random().chance(0.7F);
+    world.setCollisionInfo(ways);
+  }
+
+  void tie() {
+    if (bodies.size() < 2) return;
+    btRigidBody& a = any();
+    btRigidBody& b = any();
+    if (&a == &b || !isInWorld(a) || !isInWorld(b)) return;
+    joints.push_back(
+        std::make_unique<btPoint2PointConstraint>(a, b, random().inCube(0.5F), random().inCube(0.5F)));
+    world.addConstraint(joints.back().get(), random().chance(0.5F));
+  }
+
+  void untie() {
+    if (joints.empty()) return;
+    world.removeConstraint(joints.back().get());
+    joints.pop_back();
+  }
+
+  void look() {
+    struct Heard : btCollisionWorld::ContactResultCallback {
+      btScalar addSingleResult(btManifoldPoint&, const btCollisionObjectWrapper*, int, int,
+                               const btCollisionObjectWrapper*, int, int) override {
+        return ++count;
+      }
+      int count = 0;
+    } found;
+    const btVector3 from = random().inCube(8);
+    const btVector3 to = random().inCube(8);
+    btCollisionWorld::ClosestRayResultCallback ray(from, to);
+    world.rayTest(from, to, ray);
+    if (bodies.size() < 2) return;
+    btRigidBody& a = any();
+    btRigidBody& b = any();
+    if (isInWorld(a)) world.contactTest(&a, found);
+    if (&a != &b && isInWorld(a) && isInWorld(b)) world.contactPairTest(&a, &b, found);
+    if (random().chance(0.2F)) world.performDiscreteCollisionDetection();
+    if (!leavesOut_ && random().chance(0.2F)) world.verifyContacts(random().index(5));
+  }
+
+  void changeSolver() {
+    btConstraintSolver* const solvers[] = {&solver, &wide_};
+    if (random().chance(0.5F)) wide_.setContactReduction(btHybridContactReductionInfo());
+    world.setConstraintSolver(solvers[random().index(2)]);
+    world.getSolverInfo().m_solverMode ^= random().chance(0.3F) ? SOLVER_USE_2_FRICTION_DIRECTIONS : 0;
+    world.getSolverInfo().m_splitImpulse = random().chance(0.5F) ? 1 : 0;
+  }
+
+  void changeMode() {
+    if (random().chance(0.7F)) return;
+    world.setSwitchingMode(random().chance(0.3F) ? BT_HYBRID_BODY_SWITCHING : BT_HYBRID_PAIR_SWITCHING);
+  }
+
+  // An object that is not a body, and hears of others without pushing them.
+  void sense() {
+    if (hasSensor_) {
+      world.removeCollisionObject(&sensor_);
+    } else {
+      sensor_.setCollisionShape(anyShape());
+      sensor_.setCollisionFlags(btCollisionObject::CF_NO_CONTACT_RESPONSE |
+                                btCollisionObject::CF_STATIC_OBJECT);
+      sensor_.setWorldTransform(random().pose(2));
+      world.addCollisionObject(&sensor_);
+    }
+    hasSensor_ = !hasSensor_;
+  }
+
+  void changeBounds() {
+    if (bodies.empty()) return;
+    btRigidBody& body = any();
+    if (btHybridRigidBody::upcast(&body) == nullptr && body.getCollisionShape()->isConvex())
+      body.getCollisionShape()->setMargin(random().between(0, 0.05F));
+  }
+
+  void repeat() {
+    std::vector<btHybridBudgetUnits> steps(3);
+    for (btHybridBudgetUnits& step : steps)
+      step.given = step.revised = step.settled = random().between(0, 500);
+    world.replayBudget(steps.data(), 3);
+  }
+
+  // The verification does not know of near callbacks.
+  void passOnSome() {
+    if (!leavesOut_) return;
+    world.verifyContacts(0);
+    dispatcher.setNearCallback(random().chance(0.2F) ? passOn : btCollisionDispatcher::defaultNearCallback);
+  }
+
+  void changeTouch() {
+    if (bodies.empty()) return;
+    btRigidBody& body = any();
+    body.setFriction(random().between(0, 2));
+    body.setRestitution(random().between(0, 1));
+    body.setRollingFriction(random().chance(0.2F) ? 0.1F : 0.0F);
+    body.setCollisionFlags(body.getCollisionFlags() ^ btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
+    if (random().chance(0.2F)) body.setContactStiffnessAndDamping(1000, 10);
+    if (random().chance(0.2F)) body.setAnisotropicFriction(btVector3(1, 0.1F, 1));
+    if (hasCcd_ && random().chance(0.2F)) body.setCcdMotionThreshold(0.01F);
+    body.setCcdSweptSphereRadius(0.1F);
+    if (body.getInvMass() > 0 && random().chance(0.2F))
+      body.setMassProps(random().between(0.1F, 5), random().inCube(0.5F).absolute() + btVector3(1, 1, 1));
+  }
+
+  RandomShapes shapes_;
+  RandomGrounds grounds_;
+  btHybridContactSolver wide_;
+  btCollisionObject sensor_;
+  bool hasSensor_ = false;
+  bool hasCcd_;
+  bool leavesOut_;
+  Talker talker_{world};
+};
+
+// SCATTER_RANDOM_USES says how many other programs to run, from SCATTER_RANDOM_USE on.
+std::vector<std::uint64_t> programs() {
+  const char* first = std::getenv("SCATTER_RANDOM_USE");
+  const char* count = std::getenv("SCATTER_RANDOM_USES");
+  if (count == nullptr) return seeds(1, 100);
+  std::vector<std::uint64_t> all(std::strtoull(count, nullptr, 10));
+  std::iota(all.begin(), all.end(), first == nullptr ? 1 : std::strtoull(first, nullptr, 10));
+  return all;
+}
+
+/// Contacts that Bullet has and the world has not, or the other way round, in its last verified step.
+std::string describe(const btAlignedObjectArray<btHybridMissedContact>& contacts) {
+  std::string text;
+  for (int i = 0; i < btMin(contacts.size(), 3); ++i) {
+    const btHybridMissedContact& one = contacts[i];
+    for (const auto& [object, child] :
+         {std::pair(one.m_bodyA, one.m_childA), std::pair(one.m_bodyB, one.m_childB)}) {
+      text += std::string(object->getCollisionShape()->getName()) + " " +
+              std::to_string(object->getWorldArrayIndex()) + " child " + std::to_string(child) + ", ";
+    }
+    text += std::to_string(one.m_distance) + " m\n";
+  }
+  return text;
+}
+
+/// What the programs have come to.
+struct Seen {
+  long manifolds = 0;
+  long credited = 0;
+  long switches = 0;
+
+  void add(AnyProgram& program) {
+    const btHybridPairStepInfo info = program.world.getPairStepInfo();
+    manifolds += program.dispatcher.getNumManifolds();
+    credited += info.creditedPairs;
+    switches += info.switchesCoarser + info.switchesFiner;
+  }
+};
+
+TEST(RandomUse, BreaksNothingAndGivesTheSameBitsOnThreads) {
+  Seen seen;
+  for (const std::uint64_t seed : programs()) {
+    SCOPED_TRACE("program " + std::to_string(seed));
+    AnyProgram one(seed);
+    AnyProgram other(seed);
+    Random random(seed);
+    const Callbacks callbacks;
+    for (int step = 0; step < kUseSteps; ++step) {
+      if (step % 20 == 0) other.world.setNumThreads(1 + random.index(4));
+      if (step % 20 == 10) Callbacks::set(random.index(7));
+      heard = 0;
+      one.doAnything();
+      one.stepSomehow();
+      const std::uint64_t heardByOne = std::exchange(heard, 0);
+      other.doAnything();
+      other.stepSomehow();
+      ASSERT_EQ(heard, heardByOne) << "step " << step;
+      ASSERT_TRUE(one.isFinite()) << "step " << step;
+      ASSERT_EQ(one.countOrphans(), 0) << "step " << step;
+      ASSERT_EQ(one.all(), other.all()) << "step " << step;
+      seen.add(one);
+      ASSERT_EQ(one.world.getContactReport().m_missed, 0)
+          << "step " << step << ": " << describe(one.world.getContactReport().m_lastMissed);
+      ASSERT_EQ(one.world.getContactReport().m_extra, 0)
+          << "step " << step << ": " << describe(one.world.getContactReport().m_lastExtra);
+    }
+  }
+  const auto steps = static_cast<long>(programs().size()) * kUseSteps;
+  EXPECT_GT(seen.manifolds, 5 * steps);
+  EXPECT_GT(seen.credited, steps / 10);
+  EXPECT_GT(seen.switches, steps / 50);
+}
+
+}  // namespace
+}  // namespace scatter::test
