@@ -75,7 +75,8 @@ struct btHybridSwitchingInfo
 struct btHybridPairSwitchingInfo
 {
 	/// Pairs in contact can go coarser: the overlap of the coarser shapes becomes penetration credit, and nothing is
-	/// pushed. Off: only levels that are apart.
+	/// pushed. Off: only levels that are apart. So it is of bodies whose contacts are springs
+	/// (btCollisionObject::setContactStiffnessAndDamping), which cannot be told to leave an overlap as it is.
 	bool m_credit;
 
 	/// The coarsest level that a pair in contact takes on credit, unless the budget cannot be kept without. Of four to

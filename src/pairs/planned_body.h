@@ -24,6 +24,9 @@ class PlannedBody {
   /// Whether contacts act on it. They do not on a sensor.
   [[nodiscard]] virtual bool hasResponse() const = 0;
 
+  /// Whether contacts of it can be told to leave an overlap as it is. Springs, in their place, cannot.
+  [[nodiscard]] virtual bool easesContacts() const = 0;
+
   /// Whether contacts can move it, and wake it with others.
   [[nodiscard]] virtual bool isMovable() const = 0;
 

@@ -322,6 +322,11 @@ lod::SwitchRules Planner::rulesOf(std::size_t pair) const {
   return rules;
 }
 
+bool Planner::easesContacts(std::size_t pair) const {
+  const Known& known = known_[pair];
+  return known.bodies[0]->easesContacts() && known.bodies[1]->easesContacts();
+}
+
 // Queries that a pair with contacts must have made before it should keep its contacts for this step, as the
 // budget is about to be exceeded. Those of coarser shapes on credit are held ones, whose audits are put off.
 int Planner::keepsFrom(std::size_t pair) {
@@ -356,6 +361,7 @@ PairPlan Planner::planPair(int index) {
                               (canWait && plans_ && budget_.isShortOfFiner(planned, known_[i].isGround)));
   plan.tries = plan.target != plan.view.level && !isPutOff;
   plan.rules = rulesOf(i);
+  if (plan.tries && plan.rules.credit) plan.rules.credit = easesContacts(i);
   plan.auditDistance = settings_.auditDistance;
   plan.auditsFrom = auditsFrom();
   plan.keepsFrom = keepsFrom(i);

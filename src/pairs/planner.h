@@ -238,6 +238,7 @@ class Planner {
   [[nodiscard]] bool isHeld(const PlannedBody& body) const;
   [[nodiscard]] int targetOf(std::size_t pair);
   [[nodiscard]] lod::SwitchRules rulesOf(std::size_t pair) const;
+  [[nodiscard]] bool easesContacts(std::size_t pair) const;
   [[nodiscard]] int keepsFrom(std::size_t pair);
   [[nodiscard]] float auditsFrom() const;
   void followRequest(std::size_t pair);

@@ -14,10 +14,12 @@ class FakeBody : public PlannedBody {
   [[nodiscard]] std::uint32_t index() const override { return index_; }
   [[nodiscard]] int askedLevel() const override { return asked; }
   [[nodiscard]] bool hasResponse() const override { return !isSensor; }
+  [[nodiscard]] bool easesContacts() const override { return !hasSprings; }
   [[nodiscard]] bool isMovable() const override { return !isFixed; }
 
   int asked = 0;
   bool isSensor = false;
+  bool hasSprings = false;
   bool isFixed = false;
 
  private:

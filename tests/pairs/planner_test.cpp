@@ -171,6 +171,20 @@ TEST(Planner, KeepsPairsOfSensorsAndOfWhatIsHeldFinest) {
   EXPECT_EQ(row.level(2), kLevels);
 }
 
+TEST(Planner, GivesNoCreditWhereContactsAreSprings) {
+  PlannedRow row(3);
+  row.bodies[0]->hasSprings = true;
+  ASSERT_TRUE(row.planner.addPolicy("coarsest"));
+  row.step();
+  row.planner.removePolicies();
+  row.planner.plan({});
+  for (const int i : {0, 1}) {
+    const PairPlan plan = row.planner.planPair(row.places[static_cast<std::size_t>(i)]);
+    ASSERT_TRUE(plan.tries);
+    EXPECT_EQ(plan.rules.credit, i == 1);
+  }
+}
+
 TEST(Planner, SaysWhatIsWrongWithAPolicy) {
   Planner planner;
   const Result<void> result = planner.addPolicy("sped");

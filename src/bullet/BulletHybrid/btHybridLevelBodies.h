@@ -49,6 +49,11 @@ public:
 		return m_object->hasContactResponse();
 	}
 
+	virtual bool easesContacts() const
+	{
+		return !(m_object->getCollisionFlags() & btCollisionObject::CF_HAS_CONTACT_STIFFNESS_DAMPING);
+	}
+
 	virtual bool isMovable() const
 	{
 		return !m_object->isStaticOrKinematicObject();
