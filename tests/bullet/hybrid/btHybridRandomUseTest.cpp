@@ -78,6 +78,19 @@ class Talker : public btHybridListener {
   btHybridDynamicsWorld& world_;
 };
 
+/// Another world, to which bodies go.
+struct Elsewhere {
+  explicit Elsewhere(btHybridSwitchingMode mode)
+      : world(std::make_unique<btHybridDynamicsWorld>(&dispatcher, &broadphase, &solver, &configuration,
+                                                      mode)) {}
+
+  btDefaultCollisionConfiguration configuration{BulletTestWorld<btHybridDynamicsWorld>::smallPools()};
+  btCollisionDispatcher dispatcher{&configuration};
+  btDbvtBroadphase broadphase;
+  btSequentialImpulseConstraintSolver solver;
+  std::unique_ptr<btHybridDynamicsWorld> world;
+};
+
 class AnyProgram : public PairTestWorld {
  public:
   explicit AnyProgram(std::uint64_t seed)
@@ -95,6 +108,7 @@ class AnyProgram : public PairTestWorld {
     world.setListener(nullptr);
     world.verifyContacts(0);
     world.setConstraintSolver(&solver);
+    endElsewhere();
     while (!bodies.empty()) destroy(bodies.size() - 1);
     if (hasSensor_) world.removeCollisionObject(&sensor_);
     EXPECT_EQ(countOrphans(), 0);
@@ -121,6 +135,7 @@ class AnyProgram : public PairTestWorld {
     } else {
       step();
     }
+    if (elsewhere_) elsewhere_->world->stepSimulation(1.0F / 60, 0);
   }
 
   [[nodiscard]] std::vector<std::uint32_t> all() const {
@@ -158,7 +173,12 @@ class AnyProgram : public PairTestWorld {
   [[nodiscard]] btRigidBody& any() {
     return *bodies[static_cast<std::size_t>(random().index(static_cast<int>(bodies.size())))];
   }
-  [[nodiscard]] static bool isInWorld(const btRigidBody& body) { return body.getWorldArrayIndex() >= 0; }
+  [[nodiscard]] bool isElsewhere(const btRigidBody& body) const {
+    return std::find(gone_.begin(), gone_.end(), &body) != gone_.end();
+  }
+  [[nodiscard]] bool isInWorld(const btRigidBody& body) const {
+    return body.getWorldArrayIndex() >= 0 && !isElsewhere(body);
+  }
 
   void doOne() {
     using Deed = void (AnyProgram::*)();
@@ -171,7 +191,8 @@ class AnyProgram : public PairTestWorld {
         &AnyProgram::untie,        &AnyProgram::look,         &AnyProgram::cleanPairs,
         &AnyProgram::changeSolver, &AnyProgram::changeMode,   &AnyProgram::sense,
         &AnyProgram::changeTouch,  &AnyProgram::changeBounds, &AnyProgram::repeat,
-        &AnyProgram::passOnSome,   &AnyProgram::changeBody};
+        &AnyProgram::passOnSome,   &AnyProgram::changeBody,   &AnyProgram::emigrate,
+        &AnyProgram::endElsewhere};
     const int deed = random().index(static_cast<int>(std::size(kDeeds)));
     (this->*kDeeds[deed])();
   }
@@ -224,12 +245,47 @@ class AnyProgram : public PairTestWorld {
     if (bodies.empty()) return;
     btRigidBody& body = any();
     untieFrom(body);
-    if (isInWorld(body)) world.removeRigidBody(&body);
+    remove(body);
+  }
+
+  void remove(btRigidBody& body) {
+    if (isElsewhere(body)) {
+      elsewhere_->world->removeRigidBody(&body);
+      gone_.erase(std::find(gone_.begin(), gone_.end(), &body));
+    } else if (isInWorld(body)) {
+      world.removeRigidBody(&body);
+    }
+  }
+
+  void emigrate() {
+    if (bodies.empty()) return;
+    btRigidBody& body = any();
+    untieFrom(body);
+    remove(body);
+    if (!elsewhere_)
+      elsewhere_ = std::make_unique<Elsewhere>(random().chance(0.5F) ? BT_HYBRID_PAIR_SWITCHING
+                                                                     : BT_HYBRID_BODY_SWITCHING);
+    elsewhere_->world->addRigidBody(&body);
+    gone_.push_back(&body);
+    // Twice in a world, or in two, nobody is.
+    elsewhere_->world->addRigidBody(&body);
+    world.addRigidBody(&body);
+    world.removeRigidBody(&body);
+    ASSERT_NE(world.getRefusal(), nullptr);
+  }
+
+  // Hybrids may outlive their world.
+  void endElsewhere() {
+    for (std::size_t i = gone_.size(); i-- > 0;) {
+      if (btHybridRigidBody::upcast(gone_[i]) == nullptr) remove(*gone_[i]);
+    }
+    elsewhere_.reset();
+    gone_.clear();
   }
 
   void addBack() {
     for (const auto& body : bodies) {
-      if (isInWorld(*body)) continue;
+      if (isInWorld(*body) || isElsewhere(*body)) continue;
       if (random().chance(0.5F)) {
         world.addRigidBody(body.get());
       } else {
@@ -241,7 +297,7 @@ class AnyProgram : public PairTestWorld {
 
   void destroy(std::size_t index) {
     untieFrom(*bodies[index]);
-    if (isInWorld(*bodies[index])) world.removeRigidBody(bodies[index].get());
+    remove(*bodies[index]);
     bodies.erase(bodies.begin() + static_cast<std::ptrdiff_t>(index));
   }
 
@@ -294,7 +350,7 @@ class AnyProgram : public PairTestWorld {
       body.getCollisionShape()->setLocalScaling(btVector3(1, 1, 1) * random().between(0.5F, 1.5F));
     } else {
       body.setCollisionShape(anyShape());
-      if (isInWorld(body)) clean(body);
+      if (isInWorld(body) || isElsewhere(body)) clean(body);
     }
   }
 
@@ -313,8 +369,11 @@ class AnyProgram : public PairTestWorld {
   }
 
   void clean(const btRigidBody& body) {
-    broadphase.getOverlappingPairCache()->cleanProxyFromPairs(
-        const_cast<btBroadphaseProxy*>(body.getBroadphaseHandle()), &dispatcher);
+    const bool isHere = !isElsewhere(body);
+    btBroadphaseInterface& bounds = isHere ? broadphase : elsewhere_->broadphase;
+    bounds.getOverlappingPairCache()->cleanProxyFromPairs(
+        const_cast<btBroadphaseProxy*>(body.getBroadphaseHandle()),
+        isHere ? &dispatcher : &elsewhere_->dispatcher);
   }
 
   void cleanPairs() {
@@ -545,6 +604,8 @@ class AnyProgram : public PairTestWorld {
   RandomGrounds grounds_;
   btHybridContactSolver wide_;
   btCollisionObject sensor_;
+  std::unique_ptr<Elsewhere> elsewhere_;
+  std::vector<btRigidBody*> gone_;  ///< To it.
   bool hasSensor_ = false;
   bool hasCcd_;
   bool isUnverified_;
