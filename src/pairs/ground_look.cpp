@@ -271,8 +271,11 @@ void GroundLook::lookAtPieces() {
   const Vec3 ahead = steps_.passages ? engine_.wayAhead() : Vec3(0.0F);
   if (!hasRegion(bodyInGround, ahead)) return;
   const auto room = static_cast<double>(pair_.region.room(body_->parts(), bodyInGround));
-  if (steps_.passages)
+  if (steps_.passages) {
     pair_.passage.follow(bodyInGround, pair_.region.pieces(), reachOf(pair_, engine_), ahead);
+  } else {
+    pair_.passage.forget();
+  }
   if (pair_.region.empty()) {
     ++work_.pairs;
     staysQuietFor(room);

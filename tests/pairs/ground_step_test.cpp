@@ -262,6 +262,18 @@ TEST(GroundStep, HoldsWhatHasPassedThroughItsTriangles) {
   }
 }
 
+// A program may turn it off, and the piece that holds the body is not known any more once others are looked
+// up.
+TEST(GroundStep, HoldsNothingOnceItIsNotToAnyMore) {
+  FastPlates plates(true);
+  plates.stepAt(0.1F);
+  plates.stepAt(-0.5F);
+  ASSERT_TRUE(plates.pair.passage.open());
+  plates.steps.passages = false;
+  plates.stepAt(-0.5F);
+  EXPECT_FALSE(plates.pair.passage.holds());
+}
+
 TEST(GroundRegion, OfTooManyPiecesIsTheEnginesWhileItHasContacts) {
   LivingGround body(true);
   body.engine.isTooFine = true;

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "../../trials.h"
 #include "PairTestWorld.h"
 #include "RandomGrounds.h"
+#include "RandomPrograms.h"
 
 // A program that does between two steps whatever a program may, in any order: nothing breaks, nothing is left
 // behind, and any number of threads gives the same bits.
@@ -612,16 +612,6 @@ class AnyProgram : public PairTestWorld {
   Talker talker_{world};
 };
 
-// SCATTER_RANDOM_USES says how many other programs to run, from SCATTER_RANDOM_USE on.
-std::vector<std::uint64_t> programs() {
-  const char* first = std::getenv("SCATTER_RANDOM_USE");
-  const char* count = std::getenv("SCATTER_RANDOM_USES");
-  if (count == nullptr) return seeds(1, 100);
-  std::vector<std::uint64_t> all(std::strtoull(count, nullptr, 10));
-  std::iota(all.begin(), all.end(), first == nullptr ? 1 : std::strtoull(first, nullptr, 10));
-  return all;
-}
-
 /// Contacts that Bullet has and the world has not, or the other way round, in its last verified step.
 std::string describe(const btAlignedObjectArray<btHybridMissedContact>& contacts) {
   std::string text;
@@ -669,7 +659,8 @@ struct Seen {
 
 TEST(RandomUse, BreaksNothingAndGivesTheSameBitsOnThreads) {
   Seen seen;
-  for (const std::uint64_t seed : programs()) {
+  const std::vector<std::uint64_t> all = programs(100);
+  for (const std::uint64_t seed : all) {
     SCOPED_TRACE("program " + std::to_string(seed));
     AnyProgram one(seed);
     AnyProgram other(seed);
@@ -696,7 +687,7 @@ TEST(RandomUse, BreaksNothingAndGivesTheSameBitsOnThreads) {
     seen.add(one.world.getContactReport());
   }
   EXPECT_LE(seen.missed + seen.extra, seen.expected / 1000);
-  const auto steps = static_cast<long>(programs().size()) * kUseSteps;
+  const auto steps = static_cast<long>(all.size()) * kUseSteps;
   EXPECT_GT(seen.manifolds, 5 * steps);
   EXPECT_GT(seen.credited, steps / 10);
   EXPECT_GT(seen.switches, steps / 50);

@@ -1,0 +1,249 @@
+#include <BulletHybrid/btHybridInstallation.h>
+#include <gtest/gtest.h>
+
+#include <BulletDynamics/Featherstone/btMultiBody.h>
+#include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
+#include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
+#include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "BulletTestWorld.h"
+#include "RandomGrounds.h"
+#include "RandomPrograms.h"
+
+// A program with the pair algorithm in a world of multi-bodies does between two steps whatever it may.
+
+namespace scatter::test {
+namespace {
+
+using MultiBodyWorld = BulletTestWorld<btMultiBodyDynamicsWorld, btMultiBodyConstraintSolver>;
+
+/// Five links in a row, each of many parts.
+class Chain {
+ public:
+  Chain(btMultiBodyDynamicsWorld& world, RandomShapes& shapes) : world_(world) {
+    body_ = std::make_unique<btMultiBody>(kLinks, 1.0F, btVector3(1, 1, 1), false, false);
+    body_->setBasePos(shapes.random.inCube(2));
+    for (int i = 0; i < kLinks; ++i) {
+      body_->setupSpherical(i, 1.0F, btVector3(1, 1, 1), i - 1, btQuaternion::getIdentity(),
+                            btVector3(0.6F, 0, 0), btVector3(0.6F, 0, 0), true);
+    }
+    body_->finalizeMultiDof();
+    world_.addMultiBody(body_.get());
+    for (int link = -1; link < kLinks; ++link) addCollider(link, shapes.compound(4, 0.8F));
+  }
+  Chain(const Chain&) = delete;
+  Chain& operator=(const Chain&) = delete;
+  ~Chain() {
+    for (auto& collider : colliders_) world_.removeCollisionObject(collider.get());
+    world_.removeMultiBody(body_.get());
+  }
+
+  [[nodiscard]] bool isFinite() const { return std::isfinite(body_->getBasePos().length()); }
+  void push(const btVector3& velocity) { body_->setBaseVel(velocity); }
+
+ private:
+  static constexpr int kLinks = 5;
+
+  void addCollider(int link, btCollisionShape* shape) {
+    colliders_.push_back(std::make_unique<btMultiBodyLinkCollider>(body_.get(), link));
+    btMultiBodyLinkCollider* collider = colliders_.back().get();
+    collider->setCollisionShape(shape);
+    world_.addCollisionObject(collider, 1, -1);
+    if (link < 0) {
+      body_->setBaseCollider(collider);
+    } else {
+      body_->getLink(link).m_collider = collider;
+    }
+  }
+
+  btMultiBodyDynamicsWorld& world_;
+  std::unique_ptr<btMultiBody> body_;
+  std::vector<std::unique_ptr<btMultiBodyLinkCollider>> colliders_;
+};
+
+class AnyInstalled : public MultiBodyWorld {
+ public:
+  explicit AnyInstalled(std::uint64_t seed) : shapes_(seed), grounds_(shapes_) {
+    installation_ = std::make_unique<btHybridInstallation>(&dispatcher);
+    for (int i = 0; i < 10; ++i) addAny();
+    chains_.push_back(std::make_unique<Chain>(world, shapes_));
+  }
+
+  ~AnyInstalled() {
+    chains_.clear();
+    while (!bodies.empty()) destroy(bodies.size() - 1);
+    EXPECT_EQ(countOrphans(), 0);
+    EXPECT_EQ(dispatcher.getNumManifolds(), 0);
+    if (installation_) {
+      EXPECT_EQ(installation_->getCollisionMemory().m_pairs, 0);
+    }
+  }
+
+  void doAnything() {
+    using Deed = void (AnyInstalled::*)();
+    static constexpr Deed kDeeds[] = {&AnyInstalled::addAny,      &AnyInstalled::destroyAny,
+                                      &AnyInstalled::put,         &AnyInstalled::changeShape,
+                                      &AnyInstalled::changeParts, &AnyInstalled::look,
+                                      &AnyInstalled::changeWays,  &AnyInstalled::reinstall,
+                                      &AnyInstalled::chain,       &AnyInstalled::putToSleep};
+    for (int i = random().index(4); i > 0; --i)
+      (this->*kDeeds[random().index(static_cast<int>(std::size(kDeeds)))])();
+  }
+
+  void stepOn() {
+    for (const auto& body : bodies)
+      body->applyCentralForce(-8 * body->getWorldTransform().getOrigin() / (body->getInvMass() + 0.1F));
+    step();
+  }
+
+  [[nodiscard]] int countOrphans() {
+    btBroadphasePairArray& overlaps = broadphase.getOverlappingPairCache()->getOverlappingPairArray();
+    btManifoldArray owned;
+    for (int i = 0; i < overlaps.size(); ++i) {
+      if (overlaps[i].m_algorithm != nullptr) overlaps[i].m_algorithm->getAllContactManifolds(owned);
+    }
+    return dispatcher.getNumManifolds() - owned.size();
+  }
+
+  [[nodiscard]] bool isFinite() const {
+    return std::all_of(bodies.begin(), bodies.end(),
+                       [](const auto& body) {
+                         return std::isfinite(body->getWorldTransform().getOrigin().length());
+                       }) &&
+           std::all_of(chains_.begin(), chains_.end(), [](const auto& chain) { return chain->isFinite(); });
+  }
+
+ private:
+  [[nodiscard]] Random& random() { return shapes_.random; }
+  [[nodiscard]] btRigidBody& any() {
+    return *bodies[static_cast<std::size_t>(random().index(static_cast<int>(bodies.size())))];
+  }
+
+  void addAny() {
+    if (bodies.size() > 25) return;
+    if (random().chance(0.2F)) {
+      const GroundType type = kGrounds[random().index(static_cast<int>(std::size(kGrounds)))];
+      add(0, grounds_.make(type, random().between(0.3F, 1.5F)), random().inCube(2) - btVector3(0, 3, 0));
+    } else {
+      add(random().between(0.1F, 10), anyShape(), random().inCube(3));
+    }
+  }
+
+  btCollisionShape* anyShape() {
+    const float size = random().between(0.3F, 2.0F);
+    if (random().chance(0.3F)) return shapes_.convex(size);
+    return shapes_.compound(1 + random().index(8), size, 0.1F);
+  }
+
+  void destroy(std::size_t index) {
+    world.removeRigidBody(bodies[index].get());
+    bodies.erase(bodies.begin() + static_cast<std::ptrdiff_t>(index));
+  }
+
+  void destroyAny() {
+    if (bodies.size() > 5) destroy(static_cast<std::size_t>(random().index(static_cast<int>(bodies.size()))));
+  }
+
+  void put() {
+    any().setWorldTransform(btTransform(random().rotation(), random().inCube(3)));
+    any().activate();
+  }
+
+  void putToSleep() { any().forceActivationState(random().chance(0.5F) ? ISLAND_SLEEPING : ACTIVE_TAG); }
+
+  void clean(const btRigidBody& body) {
+    broadphase.getOverlappingPairCache()->cleanProxyFromPairs(
+        const_cast<btBroadphaseProxy*>(body.getBroadphaseHandle()), &dispatcher);
+  }
+
+  void changeShape() {
+    btRigidBody& body = any();
+    if (random().chance(0.5F) || body.getInvMass() == 0) {
+      body.getCollisionShape()->setLocalScaling(btVector3(1, 1, 1) * random().between(0.5F, 1.5F));
+    } else {
+      body.setCollisionShape(anyShape());
+      clean(body);
+    }
+  }
+
+  void changeParts() {
+    btRigidBody& body = any();
+    if (!body.getCollisionShape()->isCompound()) return;
+    auto* parts = static_cast<btCompoundShape*>(body.getCollisionShape());
+    if (parts->getNumChildShapes() > 1 && random().chance(0.5F)) {
+      parts->removeChildShapeByIndex(random().index(parts->getNumChildShapes()));
+    } else {
+      parts->addChildShape(random().pose(0.3F), shapes_.convex(0.5F));
+    }
+  }
+
+  void look() {
+    struct Heard : btCollisionWorld::ContactResultCallback {
+      btScalar addSingleResult(btManifoldPoint&, const btCollisionObjectWrapper*, int, int,
+                               const btCollisionObjectWrapper*, int, int) override {
+        return 0;
+      }
+    } found;
+    btRigidBody& a = any();
+    btRigidBody& b = any();
+    world.contactTest(&a, found);
+    if (&a != &b) world.contactPairTest(&a, &b, found);
+    world.performDiscreteCollisionDetection();
+  }
+
+  void changeWays() {
+    if (!installation_) return;
+    btHybridCollisionInfo ways = installation_->getCollisionInfo();
+    ways.m_pairAlgorithm = random().chance(0.8F);
+    ways.m_steps.midphase = static_cast<PairMidphase>(random().index(3));
+    ways.m_steps.recycling = random().chance(0.5F) ? 0.0F : random().between(0, 0.01F);
+    ways.m_steps.passages = random().chance(0.7F);
+    ways.m_steps.lazyManifolds = random().chance(0.8F);
+    installation_->setCollisionInfo(ways);
+  }
+
+  // Pairs that use the algorithm keep it.
+  void reinstall() {
+    if (installation_) {
+      installation_.reset();
+    } else {
+      installation_ = std::make_unique<btHybridInstallation>(&dispatcher);
+      EXPECT_EQ(installation_->getMistake(), nullptr);
+    }
+  }
+
+  void chain() {
+    if (chains_.size() > 2 || (!chains_.empty() && random().chance(0.3F))) {
+      chains_.pop_back();
+    } else if (random().chance(0.5F)) {
+      chains_.push_back(std::make_unique<Chain>(world, shapes_));
+    } else if (!chains_.empty()) {
+      chains_.back()->push(random().inCube(5));
+    }
+  }
+
+  RandomShapes shapes_;
+  RandomGrounds grounds_;
+  std::unique_ptr<btHybridInstallation> installation_;
+  std::vector<std::unique_ptr<Chain>> chains_;
+};
+
+TEST(RandomInstallation, BreaksNothing) {
+  for (const std::uint64_t seed : programs(80)) {
+    SCOPED_TRACE("program " + std::to_string(seed));
+    AnyInstalled program(seed);
+    for (int step = 0; step < 120; ++step) {
+      program.doAnything();
+      program.stepOn();
+      ASSERT_TRUE(program.isFinite()) << "step " << step;
+      ASSERT_EQ(program.countOrphans(), 0) << "step " << step;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace scatter::test
