@@ -231,7 +231,8 @@ public:
 	/// pair switching of those at their finest level, with those of a plain Bullet world beside this one; see
 	/// btHybridContactReport. That world makes every step, so all are slow. Does not change the simulation; asks
 	/// filters (broadphase, dispatcher, children of compounds) once more, but no contact callback. Does not know create
-	/// functions registered with the dispatcher, nor its near callback. 0 or less: never. Clears the report.
+	/// functions registered with the dispatcher, nor its near callback. Takes Bullet's global callbacks away meanwhile:
+	/// not while another world is stepped on another thread. 0 or less: never. Clears the report.
 	void verifyContacts(int everyNSteps);
 	const btHybridContactReport& getContactReport() const;
 

@@ -323,10 +323,14 @@ btHybridContactVerifier::~btHybridContactVerifier()
 	reset();
 }
 
+// The callbacks are those of all worlds, which may be on other threads: nothing is taken away for nothing.
 void btHybridContactVerifier::reset()
 {
-	const btHybridSilence silence;
-	delete m_parallel;
+	if (m_parallel)
+	{
+		const btHybridSilence silence;
+		delete m_parallel;
+	}
 	m_parallel = 0;
 	m_extras.clear();
 	m_report = btHybridContactReport();

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdlib>
+#include <thread>
 
 #include "PairTestWorld.h"
 #include "RandomGrounds.h"
@@ -19,8 +20,8 @@ namespace {
 constexpr int kUseSteps = 150;
 constexpr std::size_t kMostBodies = 40;
 
-/// What callbacks have heard of in a step, in its order.
-std::uint64_t heard = 0;
+/// What callbacks of a thread's world have heard of in a step, in its order.
+thread_local std::uint64_t heard = 0;
 
 bool hear(const btManifoldPoint& point) {
   heard = 31 * heard + std::bit_cast<std::uint32_t>(point.getDistance());
@@ -93,12 +94,12 @@ struct Elsewhere {
 
 class AnyProgram : public PairTestWorld {
  public:
-  explicit AnyProgram(std::uint64_t seed)
+  explicit AnyProgram(std::uint64_t seed, bool mayVerify = true)
       : PairTestWorld(seed % 5 == 0 ? BT_HYBRID_BODY_SWITCHING : BT_HYBRID_PAIR_SWITCHING, seed),
         shapes_(seed),
         grounds_(shapes_),
         hasCcd_(seed % 3 == 0),
-        isUnverified_(seed % 4 == 0) {
+        isUnverified_(!mayVerify || seed % 4 == 0) {
     for (int i = 0; i < 16; ++i) addAny();
     world.getSwitchingInfo().m_proximity = random().chance(0.5F);
     world.setListener(&talker_);
@@ -691,6 +692,33 @@ TEST(RandomUse, BreaksNothingAndGivesTheSameBitsOnThreads) {
   EXPECT_GT(seen.manifolds, 5 * steps);
   EXPECT_GT(seen.credited, steps / 10);
   EXPECT_GT(seen.switches, steps / 50);
+}
+
+// Verification silences Bullet's callbacks, which all worlds share.
+std::vector<std::uint32_t> runOne(std::uint64_t seed) {
+  heard = 0;
+  AnyProgram program(seed, false);
+  program.world.setNumThreads(1 + static_cast<int>(seed % 2));
+  for (int step = 0; step < 60; ++step) {
+    program.doAnything();
+    program.stepSomehow();
+  }
+  return program.all();
+}
+
+TEST(RandomUse, WorldsOfSeveralThreadsAreAsAlone) {
+  const std::vector<std::uint64_t> all = programs(24);
+  std::vector<std::vector<std::uint32_t>> alone;
+  for (const std::uint64_t seed : all) alone.push_back(runOne(seed));
+  std::vector<std::vector<std::uint32_t>> beside(all.size());
+  std::vector<std::thread> threads;
+  for (std::size_t first = 0; first < 3; ++first) {
+    threads.emplace_back([&all, &beside, first] {
+      for (std::size_t i = first; i < all.size(); i += 3) beside[i] = runOne(all[i]);
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  for (std::size_t i = 0; i < all.size(); ++i) EXPECT_EQ(alone[i], beside[i]) << "program " << all[i];
 }
 
 }  // namespace
