@@ -44,7 +44,7 @@ Result<void> Outputs::prepare(const std::filesystem::path& folder) const {
 
 void Outputs::report(const Result<void>& written, const std::filesystem::path& what) {
   message_ = written ? what.string() + ": written" : written.error().message;
-  failed_ = failed_ || !written;
+  if (!written && failure_.empty()) failure_ = message_;
 }
 
 void Outputs::take(const Image& picture) {

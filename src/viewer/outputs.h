@@ -42,8 +42,8 @@ class Outputs {
   /// What was written last, or what went wrong.
   [[nodiscard]] const std::string& message() const { return message_; }
 
-  /// Whether anything could not be written.
-  [[nodiscard]] bool failed() const { return failed_; }
+  /// What went wrong first, whatever was written since; empty if nothing did.
+  [[nodiscard]] const std::string& failure() const { return failure_; }
 
  private:
   [[nodiscard]] Result<void> prepare(const std::filesystem::path& folder) const;
@@ -57,7 +57,7 @@ class Outputs {
   std::uint64_t filmed_ = 0;  ///< Pictures of the film.
   std::uint64_t recordings_ = 0;
   std::string message_;
-  bool failed_ = false;
+  std::string failure_;
 };
 
 }  // namespace scatter::viewer

@@ -42,7 +42,7 @@ Result<void> WindowLoop::runLoops() {
     loopMs_.push_back(watch.milliseconds());
   }
   if (!error_.empty()) return fail(error_);
-  if (outputs_.failed()) return fail(outputs_.message());
+  if (!outputs_.failure().empty()) return fail(outputs_.failure());
   return {};
 }
 

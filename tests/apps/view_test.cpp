@@ -64,6 +64,14 @@ TEST_F(View, DoesWhatItsScriptSaysInTwoWorlds) {
   EXPECT_TRUE(fs::exists(folder / "seen" / "standard" / "summary.json"));
 }
 
+TEST_F(View, SaysWhatFailedWhateverIsWrittenLater) {
+  writeText(folder / "s.txt", "1 do write\n5 do screenshot\n9 close\n");
+  const Outcome seen = scatter({"view", "duel", "--renderer", "null", "--script", "s.txt"});
+  EXPECT_EQ(seen.status, 1);
+  EXPECT_THAT(seen.errors, HasSubstr("no frame yet"));
+  EXPECT_TRUE(fs::exists(folder / "out" / "view" / "screenshot-1.png"));
+}
+
 TEST_F(View, ShowsTheLevelsOfAModelUnlessTheSceneIsAskedFor) {
   const std::string mug = std::string(SCATTER_MODELS) + "/mug.dae";
   const Outcome levels = scatter({"view", mug, "--renderer", "null", "--loops", "4"});
