@@ -499,5 +499,22 @@ TEST(HybridWorld, SurvivesRemovalAndReturnOfBodiesInContact) {
   }
 }
 
+TEST(BodySwitching, TakesPlainBodiesWithoutHybrids) {
+  HybridTestWorld w(BT_HYBRID_BODY_SWITCHING);
+  btHybridCollisionInfo info = w.world.getCollisionInfo();
+  info.m_plainBodies = true;
+  w.world.setCollisionInfo(info);
+  auto* shape = w.shape<btCompoundShape>();
+  shape->addChildShape(btTransform::getIdentity(), w.shape<btBoxShape>(btVector3(0.5F, 0.5F, 0.5F)));
+  for (int i = 0; i < 6; ++i) w.add(1, shape, btVector3(0.9F * static_cast<float>(i), 0, 0));
+  w.steps(3);
+  EXPECT_GT(w.dispatcher.getNumManifolds(), 0);
+  // One that was there has told nothing of objects that have come since.
+  w.world.removeRigidBody(w.addCross({0, 9, 0}));
+  for (int i = 0; i < 6; ++i) w.add(1, shape, btVector3(0.9F * static_cast<float>(i), 0.9F, 0));
+  w.steps(3);
+  EXPECT_GT(w.dispatcher.getNumManifolds(), 6);
+}
+
 }  // namespace
 }  // namespace scatter::test
