@@ -20,6 +20,9 @@ namespace {
 constexpr int kUseSteps = 150;
 constexpr std::size_t kMostBodies = 40;
 
+// Where contacts are recycled, others may begin a quarter of the contact threshold late.
+constexpr btScalar kLate = 0.006F;
+
 /// What callbacks of a thread's world have heard of in a step, in its order.
 thread_local std::uint64_t heard = 0;
 
@@ -682,8 +685,10 @@ TEST(RandomUse, BreaksNothingAndGivesTheSameBitsOnThreads) {
       ASSERT_EQ(one.all(), other.all()) << "step " << step;
       seen.add(one);
       const btHybridContactReport& report = one.world.getContactReport();
-      ASSERT_GE(nearest(report.m_lastMissed), 0) << "step " << step << ": " << describe(report.m_lastMissed);
-      ASSERT_GE(nearest(report.m_lastExtra), 0) << "step " << step << ": " << describe(report.m_lastExtra);
+      ASSERT_GE(nearest(report.m_lastMissed), -kLate)
+          << "step " << step << ": " << describe(report.m_lastMissed);
+      ASSERT_GE(nearest(report.m_lastExtra), -kLate)
+          << "step " << step << ": " << describe(report.m_lastExtra);
     }
     seen.add(one.world.getContactReport());
   }
