@@ -19,8 +19,7 @@ class PeekingKeeper final : public ContactKeeper {
   bool outlasts(void* contact) const override {
     if (!peek_.carries()) foresight_.asked.push_back(contact);
     if (!peek_.wouldOutlast(contact)) return false;
-    locks_.compute(*bodies_.a);
-    locks_.compute(*bodies_.b);
+    locks_.compute(bodies_);
     return true;
   }
 
@@ -106,10 +105,7 @@ class ChildForesight {
   }
 
   bool overlap(const ChildPair& child) {
-    if (!hasBounds_) {
-      locks_.compute(*bodies_.a);
-      locks_.compute(*bodies_.b);
-    }
+    if (!hasBounds_) locks_.compute(bodies_);
     hasBounds_ = true;
     return bounds_.overlap(child.a, child.b);
   }
@@ -225,10 +221,7 @@ bool foresee(Pair& pair, const PlacedBodies& bodies, const PairSteps& steps, con
   }
   const PeekingKeeper keeper(peek, bodies, locks, foresight);
   scratch.parts.keeper = &keeper;
-  if (steps.midphase == PairMidphase::kWorldBoxes) {
-    locks.compute(*bodies.a);
-    locks.compute(*bodies.b);
-  }
+  if (steps.midphase == PairMidphase::kWorldBoxes) locks.compute(bodies);
   foresight.isAwake = pair.parts.advance(*bodies.a, *bodies.b, steps, scratch.parts, foresight.work);
   scratch.parts.keeper = nullptr;
   foresight.dropped.insert(foresight.dropped.end(), scratch.parts.dropped.begin(),

@@ -21,6 +21,10 @@ class BoundsLocks {
         locks_[(reinterpret_cast<std::uintptr_t>(&body) / sizeof(PartBody)) % kLocks]);
     static_cast<void>(body.worldBounds());
   }
+  void compute(const PlacedBodies& bodies) {
+    compute(*bodies.a);
+    compute(*bodies.b);
+  }
 
  private:
   static constexpr std::size_t kLocks = 64;

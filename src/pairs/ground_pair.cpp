@@ -6,7 +6,6 @@ void GroundPair::restart(float threshold, Manifolds& engine) {
   for (const GroundContact& contact : contacts) engine.release(contact.manifold);
   contacts.clear();
   parts.reset(threshold);
-  parts.followPieces();
   quietUntil = Pair::kAwake;
   isSettled = hasRecycled = false;
   restarted = true;

@@ -19,6 +19,8 @@ struct GroundContact {
 /// it. What they know of each other from step to step. Owns its manifolds; they are the engine's to free,
 /// which must have happened before its end.
 struct GroundPair {
+  GroundPair() { parts.followPieces(); }
+
   /// Nothing can be in contact while the body's travel is less than `quietUntil`, it has not jumped, and the
   /// ground is where it was.
   double quietUntil = Pair::kAwake;

@@ -23,7 +23,8 @@ class PairEngine : public Manifolds {
   /// shape is no list of parts (any more).
   [[nodiscard]] virtual bool place(int level, PlacedBodies& bodies) = 0;
 
-  /// PlacedBodies::versions as place() would tell them; none if it would refuse. The bodies stay as they are.
+  /// PlacedBodies::versions as place() would tell them; none if it would refuse. Where the
+  /// bodies are now it need not take in.
   [[nodiscard]] virtual std::optional<std::array<int, 2>> versionsAt(int level) = 0;
 
   /// The parts of body 0 or 1 at a level, as they are now, and where the body is.

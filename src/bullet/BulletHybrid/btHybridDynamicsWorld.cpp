@@ -464,19 +464,15 @@ void btHybridDynamicsWorld::solveIslands(btContactSolverInfo& info)
 	btDiscreteDynamicsWorld::solveConstraints(whole);
 }
 
-// Without hybrids nothing is known of the world's objects, which are there for the sake of plain pairs then.
 void btHybridDynamicsWorld::planBodies()
 {
-	if (m_hybrids.size() == 0)
-	{
-		m_requests->endStep();
-		return;
-	}
 	BT_PROFILE("planSwitching");
 	const btHybridBodySwitching::Step step = {
 	    m_hybrids,   m_nonStaticRigidBodies,    m_held,      m_broadphasePairCache, getDispatcher(),
 	    m_effective, m_dispatchInfo.m_timeStep, m_loadIsFine};
-	m_bodySwitching->plan(step);
+	// Without hybrids nothing is known of the world's objects, which are there for the sake of plain pairs then.
+	if (m_hybrids.size() > 0)
+		m_bodySwitching->plan(step);
 	m_requests->endStep();
 }
 

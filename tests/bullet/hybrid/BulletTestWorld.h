@@ -97,6 +97,16 @@ class BulletTestWorld {
     return result;
   }
 
+  /// Manifolds that no pair of the broadphase has.
+  [[nodiscard]] int countOrphans() {
+    btBroadphasePairArray& overlaps = broadphase.getOverlappingPairCache()->getOverlappingPairArray();
+    btManifoldArray owned;
+    for (int i = 0; i < overlaps.size(); ++i) {
+      if (overlaps[i].m_algorithm != nullptr) overlaps[i].m_algorithm->getAllContactManifolds(owned);
+    }
+    return dispatcher.getNumManifolds() - owned.size();
+  }
+
   btDefaultCollisionConfiguration configuration{smallPools()};
   btCollisionDispatcher dispatcher{&configuration};
   btDbvtBroadphase broadphase;

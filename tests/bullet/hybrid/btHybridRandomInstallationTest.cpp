@@ -100,15 +100,6 @@ class AnyInstalled : public MultiBodyWorld {
     step();
   }
 
-  [[nodiscard]] int countOrphans() {
-    btBroadphasePairArray& overlaps = broadphase.getOverlappingPairCache()->getOverlappingPairArray();
-    btManifoldArray owned;
-    for (int i = 0; i < overlaps.size(); ++i) {
-      if (overlaps[i].m_algorithm != nullptr) overlaps[i].m_algorithm->getAllContactManifolds(owned);
-    }
-    return dispatcher.getNumManifolds() - owned.size();
-  }
-
   [[nodiscard]] bool isFinite() const {
     return std::all_of(bodies.begin(), bodies.end(),
                        [](const auto& body) {
