@@ -4,6 +4,7 @@
 #include <BulletCollision/BroadphaseCollision/btDispatcher.h>
 
 #include "BulletHybrid/btHybridSeparation.h"
+#include "btHybridGhostPairs.h"
 
 void btHybridBodySwitching::plan(const Step& step)
 {
@@ -140,7 +141,11 @@ void btHybridBodySwitching::switchLevel(btHybridRigidBody* body, int level, cons
 	body->setCollisionShape(body->m_levels->getLevelShape(level));
 	// A cached algorithm was made for the old shape's type.
 	for (int i = 0; i < m_neighbourhood.getNumPairs(body->m_hybridIndex); i++)
-		step.m_broadphase->getOverlappingPairCache()->cleanOverlappingPair(
-		    *m_neighbourhood.getPair(body->m_hybridIndex, i), step.m_dispatcher);
+	{
+		btBroadphasePair* pair = m_neighbourhood.getPair(body->m_hybridIndex, i);
+		step.m_broadphase->getOverlappingPairCache()->cleanOverlappingPair(*pair, step.m_dispatcher);
+		if (btOverlappingPairCache* own = btHybridGhostPairs(partnerIn(pair, body)))
+			own->cleanProxyFromPairs(body->getBroadphaseHandle(), step.m_dispatcher);
+	}
 	m_requests.fulfil(body, level);
 }

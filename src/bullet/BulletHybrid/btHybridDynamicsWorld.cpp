@@ -13,6 +13,7 @@
 #include "btHybridContactGroups.h"
 #include "btHybridContactVerifier.h"
 #include "btHybridEarlyRest.h"
+#include "btHybridGhostPairs.h"
 #include "btHybridManifolds.h"
 #include "btHybridNarrowphase.h"
 #include "btHybridNeighbourhood.h"
@@ -240,16 +241,24 @@ const char* btHybridDynamicsWorld::getNarrowphaseMistake() const
 }
 
 // Of all pairs with a hybrid, or of all.
-void btHybridDynamicsWorld::dropContacts(bool ofAll)
+static void dropContactsOf(btOverlappingPairCache* cache, bool ofAll, btDispatcher* dispatcher)
 {
-	btBroadphasePairArray& pairs = m_broadphasePairCache->getOverlappingPairCache()->getOverlappingPairArray();
+	btBroadphasePairArray& pairs = cache->getOverlappingPairArray();
 	for (int i = 0; i < pairs.size(); i++)
 	{
 		const btCollisionObject* first = static_cast<const btCollisionObject*>(pairs[i].m_pProxy0->m_clientObject);
 		const btCollisionObject* second = static_cast<const btCollisionObject*>(pairs[i].m_pProxy1->m_clientObject);
 		if (ofAll || btHybridRigidBody::upcast(first) || btHybridRigidBody::upcast(second))
-			m_broadphasePairCache->getOverlappingPairCache()->cleanOverlappingPair(pairs[i], getDispatcher());
+			cache->cleanOverlappingPair(pairs[i], dispatcher);
 	}
+}
+
+void btHybridDynamicsWorld::dropContacts(bool ofAll)
+{
+	dropContactsOf(m_broadphasePairCache->getOverlappingPairCache(), ofAll, getDispatcher());
+	for (int i = 0; i < m_collisionObjects.size(); i++)
+		if (btOverlappingPairCache* own = btHybridGhostPairs(m_collisionObjects[i]))
+			dropContactsOf(own, ofAll, getDispatcher());
 }
 
 const btHybridCollisionCounts& btHybridDynamicsWorld::getCollisionCounts() const

@@ -25,8 +25,8 @@ btHybridGroundAlgorithm::btHybridGroundAlgorithm(const btCollisionAlgorithmConst
 {
 	const btCollisionObjectWrapper* wraps[2] = {body0Wrap, body1Wrap};
 	btHybridObjects& objects = m_narrowphase->getObjects();
-	btHybridPlanner* planner = m_narrowphase->getPlanner();
-	btHybridLevelBodies* body = objects.acquire(wraps[side]->getCollisionObject(), planner);
+	btHybridPlanner* planner = m_narrowphase->getPlannerOfNew();
+	btHybridLevelBodies* body = objects.acquire(wraps[side]->getCollisionObject(), m_narrowphase->getPlanner());
 	const bool switches = planner && body->getNumLevels() > 0;
 	m_bodies = new btHybridGroundBodies(body, wraps[1 - side]->getCollisionObject(), side, switches);
 	m_bodies->take(body->getNumLevels(), objects);

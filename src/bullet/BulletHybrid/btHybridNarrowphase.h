@@ -54,6 +54,13 @@ public:
 		return m_planner;
 	}
 
+	/// Of the levels of a pair that comes up now; 0 if it does so between steps, where a character dispatches pairs of
+	/// its own, which nobody plans.
+	btHybridPlanner* getPlannerOfNew()
+	{
+		return m_objects.isDispatching() ? m_planner : 0;
+	}
+
 	/// Starts anew with a planner or without one. No pair of a hybrid must be left.
 	void setSwitchesPairs(bool switchesPairs);
 

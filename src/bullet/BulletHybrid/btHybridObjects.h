@@ -43,6 +43,11 @@ public:
 		m_dispatches = dispatches;
 	}
 
+	bool isDispatching() const
+	{
+		return m_dispatches;
+	}
+
 	/// hasLevels: a hybrid's levels are those of its pairs.
 	btHybridLevelBodies* acquire(const btCollisionObject* object, bool hasLevels);
 	void release(btHybridLevelBodies* object);

@@ -26,7 +26,7 @@ btHybridPairAlgorithm::btHybridPairAlgorithm(const btCollisionAlgorithmConstruct
                narrowphase->getObjects().acquire(body1Wrap->getCollisionObject(), narrowphase->getPlanner())),
       m_index(-1),
       m_planIndex(-1),
-      m_switches(m_narrowphase->getPlanner() &&
+      m_switches(m_narrowphase->getPlannerOfNew() &&
                  btMax(m_bodies.m_objects[0]->getNumLevels(), m_bodies.m_objects[1]->getNumLevels()) > 0)
 {
 	m_narrowphase->addUser();

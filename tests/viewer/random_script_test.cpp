@@ -1,0 +1,211 @@
+#include <gtest/gtest.h>
+#include <scatter/bullet/bullet_physics.h>
+#include <scatter/io/file.h>
+#include <scatter/lab/run.h>
+#include <scatter/recording/recording.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <random>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "trials.h"
+#include "viewer/renderers.h"
+#include "viewer/viewer.h"
+
+namespace scatter::viewer {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kWidth = 640;
+constexpr int kHeight = 400;
+
+/// Scenes of few bodies: with levels, that rest, that are thrown, and that break.
+constexpr std::array kScenes{"duel", "quiet_hybrids", "convergence", "collapse", "tower"};
+
+// Commands as the help panel has them, but those that close the window.
+constexpr std::array kCommands{"pause",       "step",    "back",  "first",   "now",    "slower", "faster",
+                               "normal-rate", "restart", "frame", "orbit",   "follow", "grab",   "push",
+                               "throw",       "gather",  "spawn", "delete",  "freeze", "object", "group",
+                               "everything",  "coarser", "finer", "retract", "record"};
+constexpr std::array kSights{"action",         "fly",         "screenshot", "film", "shadows-all",
+                             "shadows-ground", "shadows-off", "show-cost",  "help"};
+constexpr std::array kPanels{"panels",     "lab-panel",      "numbers-panel", "time-panel",
+                             "next-scene", "previous-scene", "panels",        "film"};
+
+/// What is done at random: with hands alone, or with panels, too, which change worlds, and open other scenes.
+enum class Use { kHands, kEverything };
+
+/// What somebody may do at a window who does not know what anything is for.
+class RandomScript {
+ public:
+  RandomScript(std::uint64_t seed, Use use) : random_(seed), use_(use) {
+    const int lines = upTo(20, 150);
+    for (int i = 0; i < lines; ++i) {
+      loop_ += static_cast<std::uint64_t>(upTo(0, 3));
+      text_ << loop_ << ' ' << action() << '\n';
+    }
+    // Of a scene that has just been started there is no frame to write.
+    text_ << loop_ + 1 << " do step\n" << loop_ + 3 << " do write\n";
+  }
+
+  [[nodiscard]] std::string text() const { return text_.str(); }
+  [[nodiscard]] std::uint64_t loops() const { return loop_ + 5; }
+
+ private:
+  [[nodiscard]] int upTo(int least, int most) {
+    return std::uniform_int_distribution<int>(least, most)(random_);
+  }
+
+  template <std::size_t N>
+  [[nodiscard]] std::string oneOf(const std::array<const char*, N>& names) {
+    return names[static_cast<std::size_t>(upTo(0, static_cast<int>(N) - 1))];
+  }
+
+  [[nodiscard]] std::string pointer() {
+    // Bodies are in the middle more often than not.
+    const auto within = [this](int length) {
+      return std::to_string((upTo(0, length) + upTo(0, length)) / 2);
+    };
+    return "move " + within(kWidth) + " " + within(kHeight);
+  }
+
+  [[nodiscard]] std::string action() {
+    const int kind = upTo(0, 99);
+    if (kind < 30) return pointer();
+    if (kind < 45) return "down " + oneOf(std::array{"left", "left", "right", "middle"});
+    if (kind < 60) return "up " + oneOf(std::array{"left", "left", "right", "middle"});
+    if (kind < 85) return "do " + oneOf(kCommands);
+    if (kind < 89) return "wheel " + std::to_string(upTo(-3, 3));
+    if (kind < 91)
+      return "look 0 1 0 " + std::to_string(upTo(-180, 180)) + " " + std::to_string(upTo(-80, 80)) + " 15";
+    if (kind < 92) return "resize " + std::to_string(upTo(1, 1500)) + " " + std::to_string(upTo(1, 900));
+    const bool uses = use_ == Use::kEverything;
+    if (kind < 93 && uses) return "open " + oneOf(kScenes);
+    return "do " + (kind < 97 && uses ? oneOf(kPanels) : oneOf(kSights));
+  }
+
+  std::mt19937_64 random_;
+  Use use_;
+  std::uint64_t loop_ = 0;
+  std::ostringstream text_;
+};
+
+RunOptions worldOf(const std::string& scene, WorldKind kind) {
+  RunOptions options;
+  options.scene = scene;
+  options.engine = [](const PhysicsDef& def) -> Result<std::unique_ptr<Physics>> {
+    return makeBulletPhysics(def);
+  };
+  options.physics.world = kind;
+  options.label = kind == WorldKind::kHybrid ? "hybrid" : "standard";
+  return options;
+}
+
+/// A window without a picture. SCATTER_RANDOM_SCRIPTS and SCATTER_RANDOM_SCRIPT are how many, and the first.
+class RandomWindow : public testing::Test {
+ protected:
+  RandomWindow() { fs::remove_all(folder_); }
+  ~RandomWindow() override { fs::remove_all(folder_); }
+
+  [[nodiscard]] static std::vector<std::uint64_t> seeds(int usual) {
+    const char* count = std::getenv("SCATTER_RANDOM_SCRIPTS");
+    const char* first = std::getenv("SCATTER_RANDOM_SCRIPT");
+    const std::uint64_t from = first != nullptr ? std::strtoull(first, nullptr, 10) : 1;
+    if (count == nullptr) return test::seeds(from, usual);
+    std::vector<std::uint64_t> all(std::strtoull(count, nullptr, 10));
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = from + i;
+    return all;
+  }
+
+  [[nodiscard]] ViewerReport play(const ViewerDef& def) const {
+    WindowDef window;
+    window.size = {kWidth, kHeight};
+    auto renderer = makeRenderer("null", window);
+    EXPECT_TRUE(renderer) << renderer.error().message;
+    const auto report = runViewer(**renderer, def);
+    EXPECT_TRUE(report) << report.error().message;
+    return report.value_or(ViewerReport{});
+  }
+
+  [[nodiscard]] ViewerDef defOf(std::vector<RunOptions> worlds, const RandomScript& script) const {
+    auto parsed = ViewScript::parse(script.text(), "script");
+    EXPECT_TRUE(parsed) << parsed.error().message;
+    ViewerDef def;
+    def.worlds = std::move(worlds);
+    def.script = parsed.value_or(ViewScript{});
+    def.loops = script.loops();
+    def.panels = false;
+    def.out = folder_;
+    return def;
+  }
+
+  /// What was stored can be read.
+  void expectWholeFiles() const {
+    for (const auto& entry : fs::recursive_directory_iterator(folder_)) {
+      EXPECT_NE(entry.path().extension(), ".part") << entry.path();
+      if (entry.path().extension() != ".rec") continue;
+      const auto recording = Recording::open(entry.path());
+      ASSERT_TRUE(recording) << recording.error().message;
+      EXPECT_EQ((*recording)->damage(), "") << entry.path();
+    }
+  }
+
+  fs::path folder_ = fs::temp_directory_path() / ("scatter-random-window-" + std::to_string(getpid()));
+};
+
+void expectSame(const ViewerReport& a, const ViewerReport& b) {
+  EXPECT_EQ(a.loops, b.loops);
+  EXPECT_EQ(a.frames, b.frames);
+  EXPECT_EQ(a.stateHashes, b.stateHashes);
+  EXPECT_EQ(a.objects, b.objects);
+  EXPECT_EQ(a.levelEvents, b.levelEvents);
+  EXPECT_EQ(a.historyFrames, b.historyFrames);
+}
+
+TEST_F(RandomWindow, DoesTheSameForTheSameScript) {
+  for (const std::uint64_t seed : seeds(6)) {
+    SCOPED_TRACE("script " + std::to_string(seed));
+    const RandomScript script(seed, Use::kEverything);
+    const char* scene = kScenes[seed % kScenes.size()];
+    std::vector<RunOptions> worlds{worldOf(scene, WorldKind::kHybrid)};
+    if (seed % 3 == 0) worlds.insert(worlds.begin(), worldOf(scene, WorldKind::kStandard));
+    const ViewerDef def = defOf(std::move(worlds), script);
+    const ViewerReport report = play(def);
+    expectWholeFiles();
+    expectSame(report, play(def));
+    if (HasFailure()) FAIL() << script.text();
+  }
+}
+
+TEST_F(RandomWindow, WritesWhatHandsDidForRunsWithoutOne) {
+  std::size_t actions = 0;
+  for (const std::uint64_t seed : seeds(6)) {
+    SCOPED_TRACE("script " + std::to_string(seed));
+    const RandomScript script(seed, Use::kHands);
+    RunOptions alone = worldOf(kScenes[seed % kScenes.size()], WorldKind::kHybrid);
+    const ViewerReport report = play(defOf({alone}, script));
+    const auto hands = readFile(folder_ / "hands.txt");
+    alone.frames = static_cast<int>(report.frames.front());
+    alone.hands = HandScript::parse(hands.value_or(""), "hands.txt").value_or(HandScript{});
+    const auto run = runScene(alone);
+    ASSERT_TRUE(run) << run.error().message;
+    EXPECT_EQ(run->summary.stateHash, report.stateHashes.front());
+    if (HasFailure()) FAIL() << script.text() << "hands:\n" << hands.value_or("");
+    fs::remove_all(folder_);
+    actions += alone.hands.actions().size();
+  }
+  EXPECT_GT(actions, 0U);
+}
+
+}  // namespace
+}  // namespace scatter::viewer
