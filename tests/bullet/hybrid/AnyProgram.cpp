@@ -40,7 +40,7 @@ AnyProgram::~AnyProgram() {
   world.setInternalTickCallback(nullptr, nullptr, false);
   world.setInternalTickCallback(nullptr, nullptr, true);
   endElsewhere();
-  endHaunting();
+  character_.reset();
   endDriving();
   while (!bodies.empty()) destroy(bodies.size() - 1);
   if (hasSensor_) world.removeCollisionObject(&sensor_);
@@ -84,13 +84,7 @@ std::vector<std::uint32_t> AnyProgram::all() const {
 
 int AnyProgram::countOrphans() {
   if (hasCcd_) return 0;
-  btManifoldArray ofGhost;
-  const int overlaps = ghost_ ? ghost_->getOverlappingPairCache()->getNumOverlappingPairs() : 0;
-  for (int i = 0; i < overlaps; ++i) {
-    btCollisionAlgorithm* own = ghost_->getOverlappingPairCache()->getOverlappingPairArray()[i].m_algorithm;
-    if (own != nullptr) own->getAllContactManifolds(ofGhost);
-  }
-  return PairTestWorld::countOrphans() - ofGhost.size();
+  return PairTestWorld::countOrphans() - (character_ ? character_->countOwnManifolds() : 0);
 }
 
 bool AnyProgram::isFinite() const {
@@ -130,7 +124,7 @@ void AnyProgram::doOne() {
                                     &AnyProgram::filterPairs,
                                     &AnyProgram::changeGroups,
                                     &AnyProgram::moveByState,
-                                    &AnyProgram::haunt,
+                                    &AnyProgram::walk,
                                     &AnyProgram::drive,
                                     &AnyProgram::workInSteps,
                                     &AnyProgram::draw,

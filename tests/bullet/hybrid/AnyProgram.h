@@ -1,7 +1,5 @@
 #pragma once
 
-#include <BulletCollision/CollisionDispatch/btGhostObject.h>
-#include <BulletDynamics/Character/btKinematicCharacterController.h>
 #include <BulletDynamics/Vehicle/btRaycastVehicle.h>
 #include <BulletHybrid/btHybridContactSolver.h>
 
@@ -13,6 +11,7 @@
 
 #include "PairTestWorld.h"
 #include "RandomGrounds.h"
+#include "TestCharacter.h"
 
 namespace scatter::test {
 
@@ -145,8 +144,7 @@ class AnyProgram : public PairTestWorld {
   void filterPairs();
   void changeGroups();
   void moveByState();
-  void haunt();
-  void endHaunting();
+  void walk();
   void drive();
   void endDriving();
   void workInSteps();
@@ -164,9 +162,7 @@ class AnyProgram : public PairTestWorld {
   std::vector<btRigidBody*> gone_;                              ///< To it.
   std::vector<std::pair<btRigidBody*, btRigidBody*>> ignored_;  ///< Each lets the other through.
   std::vector<std::unique_ptr<btDefaultMotionState>> states_;
-  btGhostPairCallback ghostPairs_;
-  std::unique_ptr<btPairCachingGhostObject> ghost_;
-  std::unique_ptr<btKinematicCharacterController> walker_;
+  std::unique_ptr<TestCharacter> character_;
   std::unique_ptr<btDefaultVehicleRaycaster> raycaster_;
   std::unique_ptr<btRaycastVehicle> vehicle_;
   int ticks_ = 0;  ///< Whether work is done within steps: before (1) or after Bullet's own (2).

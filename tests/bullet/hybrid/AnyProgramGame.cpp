@@ -90,34 +90,14 @@ void AnyProgram::moveByState() {
   body.setMotionState(states_.back().get());
 }
 
-// A ghost has pairs of its own besides those of the broadphase, and a character dispatches them when it
-// moves.
-void AnyProgram::haunt() {
-  if (walker_) {
-    if (random().chance(0.6F)) {
-      walker_->setWalkDirection(random().inCube(0.1F));
-    } else {
-      endHaunting();
-    }
-    return;
+void AnyProgram::walk() {
+  if (!character_) {
+    character_ = std::make_unique<TestCharacter>(world, random().inCube(2));
+  } else if (random().chance(0.6F)) {
+    character_->walk(random().inCube(0.1F));
+  } else {
+    character_.reset();
   }
-  broadphase.getOverlappingPairCache()->setInternalGhostPairCallback(&ghostPairs_);
-  ghost_ = std::make_unique<btPairCachingGhostObject>();
-  ghost_->setCollisionShape(shapes_.make<btCapsuleShape>(0.3F, 0.6F));
-  ghost_->setCollisionFlags(btCollisionObject::CF_CHARACTER_OBJECT);
-  ghost_->setWorldTransform(btTransform(btQuaternion::getIdentity(), random().inCube(2)));
-  walker_ = std::make_unique<btKinematicCharacterController>(
-      ghost_.get(), static_cast<btConvexShape*>(ghost_->getCollisionShape()), 0.2F);
-  world.addCollisionObject(ghost_.get(), btBroadphaseProxy::CharacterFilter, -1);
-  world.addAction(walker_.get());
-}
-
-void AnyProgram::endHaunting() {
-  if (!walker_) return;
-  world.removeAction(walker_.get());
-  world.removeCollisionObject(ghost_.get());
-  walker_.reset();
-  ghost_.reset();
 }
 
 // All vehicles of a process share Bullet's body for what stands still.

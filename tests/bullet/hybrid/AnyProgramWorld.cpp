@@ -157,9 +157,9 @@ void AnyProgram::clean(const btRigidBody& body) {
   bounds.getOverlappingPairCache()->cleanProxyFromPairs(
       const_cast<btBroadphaseProxy*>(body.getBroadphaseHandle()),
       isHere ? &dispatcher : &elsewhere_->dispatcher);
-  if (ghost_ && isHere)
-    ghost_->getOverlappingPairCache()->cleanProxyFromPairs(
-        const_cast<btBroadphaseProxy*>(body.getBroadphaseHandle()), &dispatcher);
+  if (character_ && isHere)
+    character_->ownPairs().cleanProxyFromPairs(const_cast<btBroadphaseProxy*>(body.getBroadphaseHandle()),
+                                               &dispatcher);
 }
 
 void AnyProgram::cleanPairs() {

@@ -1,8 +1,7 @@
-#include <BulletCollision/CollisionDispatch/btGhostObject.h>
-#include <BulletDynamics/Character/btKinematicCharacterController.h>
 #include <gtest/gtest.h>
 
 #include "PairTestWorld.h"
+#include "TestCharacter.h"
 
 // A character keeps pairs of its own beside those of the broadphase, and dispatches them between steps.
 
@@ -15,36 +14,18 @@ class Walk : public PairTestWorld {
   explicit Walk(btHybridSwitchingMode mode = BT_HYBRID_PAIR_SWITCHING) : PairTestWorld(mode) {
     world.setGravity(btVector3(0, 0, 0));
     world.getSwitchingInfo().m_proximity = false;
-    broadphase.getOverlappingPairCache()->setInternalGhostPairCallback(&callback_);
-    hybrid = addBlock({0, 0, 0});
-    ghost.setCollisionShape(&capsule_);
-    ghost.setCollisionFlags(btCollisionObject::CF_CHARACTER_OBJECT |
-                            btCollisionObject::CF_NO_CONTACT_RESPONSE);
-    ghost.setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(0.9F, 0, 0)));
-    walker_.setGravity(btVector3(0, 0, 0));
-    world.addCollisionObject(&ghost, btBroadphaseProxy::CharacterFilter, -1);
-    world.addAction(&walker_);
-  }
-  ~Walk() { leave(); }
-
-  void leave() {
-    world.removeAction(&walker_);
-    world.removeCollisionObject(&ghost);
   }
 
   /// Of the pair of the ghost and the block that the ghost keeps; null if it has none.
   [[nodiscard]] btCollisionAlgorithm* ownAlgorithm() {
-    btHashedOverlappingPairCache* own = ghost.getOverlappingPairCache();
-    return own->getNumOverlappingPairs() > 0 ? own->getOverlappingPairArray()[0].m_algorithm : nullptr;
+    btHashedOverlappingPairCache& own = character_.ownPairs();
+    return own.getNumOverlappingPairs() > 0 ? own.getOverlappingPairArray()[0].m_algorithm : nullptr;
   }
 
-  btHybridRigidBody* hybrid;
-  btPairCachingGhostObject ghost;
+  btHybridRigidBody* hybrid = addBlock({0, 0, 0});
 
  private:
-  btGhostPairCallback callback_;
-  btCapsuleShape capsule_{0.3F, 0.6F};
-  btKinematicCharacterController walker_{&ghost, &capsule_, 0.2F};
+  TestCharacter character_{world, {0.9F, 0, 0}, btCollisionObject::CF_NO_CONTACT_RESPONSE};
 };
 
 TEST(Character, HasPairsThatNobodyPlans) {

@@ -13,6 +13,7 @@
 #include "BulletTestWorld.h"
 #include "RandomGrounds.h"
 #include "RandomPrograms.h"
+#include "TestCharacter.h"
 
 // A program with the pair algorithm in a world of multi-bodies does between two steps whatever it may.
 
@@ -75,6 +76,7 @@ class AnyInstalled : public MultiBodyWorld {
 
   ~AnyInstalled() {
     chains_.clear();
+    character_.reset();
     while (!bodies.empty()) destroy(bodies.size() - 1);
     EXPECT_EQ(countOrphans(), 0);
     EXPECT_EQ(dispatcher.getNumManifolds(), 0);
@@ -85,11 +87,11 @@ class AnyInstalled : public MultiBodyWorld {
 
   void doAnything() {
     using Deed = void (AnyInstalled::*)();
-    static constexpr Deed kDeeds[] = {&AnyInstalled::addAny,      &AnyInstalled::destroyAny,
-                                      &AnyInstalled::put,         &AnyInstalled::changeShape,
-                                      &AnyInstalled::changeParts, &AnyInstalled::look,
-                                      &AnyInstalled::changeWays,  &AnyInstalled::reinstall,
-                                      &AnyInstalled::chain,       &AnyInstalled::putToSleep};
+    static constexpr Deed kDeeds[] = {
+        &AnyInstalled::addAny,      &AnyInstalled::destroyAny,  &AnyInstalled::put,
+        &AnyInstalled::changeShape, &AnyInstalled::changeParts, &AnyInstalled::look,
+        &AnyInstalled::changeWays,  &AnyInstalled::reinstall,   &AnyInstalled::chain,
+        &AnyInstalled::putToSleep,  &AnyInstalled::walk};
     for (int i = random().index(4); i > 0; --i)
       (this->*kDeeds[random().index(static_cast<int>(std::size(kDeeds)))])();
   }
@@ -98,6 +100,10 @@ class AnyInstalled : public MultiBodyWorld {
     for (const auto& body : bodies)
       body->applyCentralForce(-8 * body->getWorldTransform().getOrigin() / (body->getInvMass() + 0.1F));
     step();
+  }
+
+  [[nodiscard]] int countOrphans() {
+    return MultiBodyWorld::countOrphans() - (character_ ? character_->countOwnManifolds() : 0);
   }
 
   [[nodiscard]] bool isFinite() const {
@@ -149,6 +155,9 @@ class AnyInstalled : public MultiBodyWorld {
   void clean(const btRigidBody& body) {
     broadphase.getOverlappingPairCache()->cleanProxyFromPairs(
         const_cast<btBroadphaseProxy*>(body.getBroadphaseHandle()), &dispatcher);
+    if (character_)
+      character_->ownPairs().cleanProxyFromPairs(const_cast<btBroadphaseProxy*>(body.getBroadphaseHandle()),
+                                                 &dispatcher);
   }
 
   void changeShape() {
@@ -207,6 +216,16 @@ class AnyInstalled : public MultiBodyWorld {
     }
   }
 
+  void walk() {
+    if (!character_) {
+      character_ = std::make_unique<TestCharacter>(world, random().inCube(2));
+    } else if (random().chance(0.6F)) {
+      character_->walk(random().inCube(0.1F));
+    } else {
+      character_.reset();
+    }
+  }
+
   void chain() {
     if (chains_.size() > 2 || (!chains_.empty() && random().chance(0.3F))) {
       chains_.pop_back();
@@ -221,6 +240,7 @@ class AnyInstalled : public MultiBodyWorld {
   RandomGrounds grounds_;
   std::unique_ptr<btHybridInstallation> installation_;
   std::vector<std::unique_ptr<Chain>> chains_;
+  std::unique_ptr<TestCharacter> character_;
 };
 
 TEST(RandomInstallation, BreaksNothing) {
