@@ -110,6 +110,30 @@ TEST_F(ExportTest, BodiesThatRestHaveNoKeysAndThoseThatComeAndGoAreHidden) {
   EXPECT_EQ(glb.root["nodes"][0]["mesh"], glb.root["nodes"][3]["mesh"]);
 }
 
+// As viewers go from one key to the next.
+TEST_F(ExportTest, ABodyThatRestsAndWakesTurnsTheShortWay) {
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const float angle = 2.5F * static_cast<float>(i / 3);
+    for (SampledBody& body : samples[i].bodies) {
+      body.pose.position = {0.0F, 0.0F, 0.0F};
+      body.pose.rotation = glm::angleAxis(angle, Vec3(0.0F, 1.0F, 0.0F));
+    }
+  }
+  test::writeRecording(folder / "wakes.rec", samples, 10);
+  const auto wakes = Recording::open(folder / "wakes.rec").value();
+  ASSERT_TRUE(writeGltfAnimation(*wakes, {.first = 0, .last = 59}, folder / "wakes.glb"));
+  const Glb glb(readFile(folder / "wakes.glb").value());
+  for (const char* name : {"body-4", "body-5"}) {
+    const auto turns = glb.animated(name, "rotation").second;
+    ASSERT_GE(turns.size(), std::size_t{4 * 30}) << name;
+    for (std::size_t i = 4; i < turns.size(); i += 4) {
+      const float dot = turns[i] * turns[i - 4] + turns[i + 1] * turns[i - 3] + turns[i + 2] * turns[i - 2] +
+                        turns[i + 3] * turns[i - 1];
+      EXPECT_GE(dot, 0.0F) << name << ", key " << i / 4;
+    }
+  }
+}
+
 /// Reads what McapWriter writes, by the book.
 class McapFile {
  public:

@@ -2,6 +2,7 @@
 #include <scatter/bullet/bullet_physics.h>
 #include <scatter/io/file.h>
 #include <scatter/lab/run.h>
+#include <scatter/recording/export.h>
 #include <scatter/recording/recording.h>
 #include <unistd.h>
 
@@ -54,8 +55,9 @@ class RandomScript {
       loop_ += static_cast<std::uint64_t>(upTo(0, 3));
       text_ << loop_ << ' ' << action() << '\n';
     }
-    // Of a scene that has just been started there is no frame to write.
-    text_ << loop_ + 1 << " do step\n" << loop_ + 3 << " do write\n";
+    // There is no frame to write of a scene that has just been started, and hands show in the step after
+    // them.
+    text_ << loop_ + 1 << " do now\n" << loop_ + 1 << " do step\n" << loop_ + 3 << " do write\n";
   }
 
   [[nodiscard]] std::string text() const { return text_.str(); }
@@ -149,7 +151,7 @@ class RandomWindow : public testing::Test {
     return def;
   }
 
-  /// What was stored can be read.
+  /// What was stored can be read, and exported.
   void expectWholeFiles() const {
     for (const auto& entry : fs::recursive_directory_iterator(folder_)) {
       EXPECT_NE(entry.path().extension(), ".part") << entry.path();
@@ -157,6 +159,11 @@ class RandomWindow : public testing::Test {
       const auto recording = Recording::open(entry.path());
       ASSERT_TRUE(recording) << recording.error().message;
       EXPECT_EQ((*recording)->damage(), "") << entry.path();
+      const ExportRange all{.first = (*recording)->first(), .last = (*recording)->last()};
+      const auto animation = writeGltfAnimation(**recording, all, folder_ / "run.glb");
+      EXPECT_TRUE(animation) << animation.error().message;
+      const auto messages = writeMcap(**recording, all, folder_ / "run.mcap");
+      EXPECT_TRUE(messages) << messages.error().message;
     }
   }
 

@@ -26,7 +26,7 @@ struct Track {
 
   void add(float time, float step, Transform pose) {
     if (!poses.empty()) {
-      const Transform& last = poses.back();
+      const Transform last = poses.back();
       if (pose.position == last.position && pose.rotation == last.rotation) {
         held = true;
         return;
