@@ -20,6 +20,7 @@
 
 #include "trials.h"
 #include "viewer/renderers.h"
+#include "viewer/replay.h"
 #include "viewer/viewer.h"
 
 namespace scatter::viewer {
@@ -40,11 +41,17 @@ constexpr std::array kCommands{"pause",       "step",    "back",  "first",   "no
                                "everything",  "coarser", "finer", "retract", "record"};
 constexpr std::array kSights{"action",         "fly",         "screenshot", "film", "shadows-all",
                              "shadows-ground", "shadows-off", "show-cost",  "help"};
-constexpr std::array kPanels{"panels",     "lab-panel",      "numbers-panel", "time-panel",
-                             "next-scene", "previous-scene", "panels",        "film"};
+constexpr std::array kPanels{"panels", "lab-panel", "numbers-panel", "time-panel", "panels", "film"};
 
-/// What is done at random: with hands alone, or with panels, too, which change worlds, and open other scenes.
-enum class Use { kHands, kEverything };
+constexpr std::array kReplayed{"play",        "play",       "backwards", "step",   "back",   "forth-far",
+                               "back-far",    "first",      "last",      "slower", "faster", "action",
+                               "orbit",       "frame",      "follow",    "let-go", "levels", "shapes",
+                               "contacts",    "credit",     "sleeping",  "marks",  "panels", "numbers-panel",
+                               "shadows-all", "screenshot", "film",      "help"};
+
+/// What is done at random: with hands alone; with panels, too, which change worlds, and other scenes; or to a
+/// recording.
+enum class Use { kHands, kEverything, kReplay };
 
 /// What somebody may do at a window who does not know what anything is for.
 class RandomScript {
@@ -57,7 +64,8 @@ class RandomScript {
     }
     // There is no frame to write of a scene that has just been started, and hands show in the step after
     // them.
-    text_ << loop_ + 1 << " do now\n" << loop_ + 1 << " do step\n" << loop_ + 3 << " do write\n";
+    if (use != Use::kReplay) text_ << loop_ + 1 << " do now\n" << loop_ + 1 << " do step\n";
+    if (use == Use::kHands) text_ << loop_ + 3 << " do write\n";
   }
 
   [[nodiscard]] std::string text() const { return text_.str(); }
@@ -86,11 +94,12 @@ class RandomScript {
     if (kind < 30) return pointer();
     if (kind < 45) return "down " + oneOf(std::array{"left", "left", "right", "middle"});
     if (kind < 60) return "up " + oneOf(std::array{"left", "left", "right", "middle"});
-    if (kind < 85) return "do " + oneOf(kCommands);
+    if (kind < 85) return "do " + (use_ == Use::kReplay ? oneOf(kReplayed) : oneOf(kCommands));
     if (kind < 89) return "wheel " + std::to_string(upTo(-3, 3));
     if (kind < 91)
       return "look 0 1 0 " + std::to_string(upTo(-180, 180)) + " " + std::to_string(upTo(-80, 80)) + " 15";
     if (kind < 92) return "resize " + std::to_string(upTo(1, 1500)) + " " + std::to_string(upTo(1, 900));
+    if (use_ == Use::kReplay) return "do " + oneOf(kReplayed);
     const bool uses = use_ == Use::kEverything;
     if (kind < 93 && uses) return "open " + oneOf(kScenes);
     return "do " + (kind < 97 && uses ? oneOf(kPanels) : oneOf(kSights));
@@ -116,7 +125,10 @@ RunOptions worldOf(const std::string& scene, WorldKind kind) {
 /// A window without a picture. SCATTER_RANDOM_SCRIPTS and SCATTER_RANDOM_SCRIPT are how many, and the first.
 class RandomWindow : public testing::Test {
  protected:
-  RandomWindow() { fs::remove_all(folder_); }
+  RandomWindow() {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
   ~RandomWindow() override { fs::remove_all(folder_); }
 
   [[nodiscard]] static std::vector<std::uint64_t> seeds(int usual) {
@@ -180,7 +192,7 @@ void expectSame(const ViewerReport& a, const ViewerReport& b) {
 }
 
 TEST_F(RandomWindow, DoesTheSameForTheSameScript) {
-  for (const std::uint64_t seed : seeds(6)) {
+  for (const std::uint64_t seed : seeds(8)) {
     SCOPED_TRACE("script " + std::to_string(seed));
     const RandomScript script(seed, Use::kEverything);
     const char* scene = kScenes[seed % kScenes.size()];
@@ -196,7 +208,7 @@ TEST_F(RandomWindow, DoesTheSameForTheSameScript) {
 
 TEST_F(RandomWindow, WritesWhatHandsDidForRunsWithoutOne) {
   std::size_t actions = 0;
-  for (const std::uint64_t seed : seeds(6)) {
+  for (const std::uint64_t seed : seeds(8)) {
     SCOPED_TRACE("script " + std::to_string(seed));
     const RandomScript script(seed, Use::kHands);
     RunOptions alone = worldOf(kScenes[seed % kScenes.size()], WorldKind::kHybrid);
@@ -212,6 +224,32 @@ TEST_F(RandomWindow, WritesWhatHandsDidForRunsWithoutOne) {
     actions += alone.hands.actions().size();
   }
   EXPECT_GT(actions, 0U);
+}
+
+TEST_F(RandomWindow, ReplaysTheSameForTheSameScript) {
+  ViewerDef recorded;
+  recorded.worlds = {worldOf("collapse", WorldKind::kHybrid)};
+  recorded.script = ViewScript::parse("1 do record\n", "script").value();
+  recorded.loops = 200;
+  recorded.out = folder_;
+  (void)play(recorded);
+  for (const std::uint64_t seed : seeds(8)) {
+    SCOPED_TRACE("script " + std::to_string(seed));
+    const RandomScript script(seed, Use::kReplay);
+    const auto replay = [&] {
+      ReplayDef def{.recording = folder_ / "run-1.rec", .out = folder_, .loops = script.loops()};
+      def.script = ViewScript::parse(script.text(), "script").value();
+      const auto report = runReplay(*makeRenderer("null", {}).value(), def);
+      EXPECT_TRUE(report) << report.error().message << "\n" << script.text();
+      return report.value_or(ReplayReport{});
+    };
+    const ReplayReport first = replay();
+    const ReplayReport second = replay();
+    EXPECT_EQ(first.frame, second.frame);
+    EXPECT_EQ(first.picked, second.picked);
+    EXPECT_EQ(first.loops, second.loops);
+    EXPECT_EQ(first.note, "");
+  }
 }
 
 }  // namespace
