@@ -235,7 +235,8 @@ public:
 	/// btHybridContactReport. That world makes every step, so all are slow. Does not change the simulation; asks
 	/// filters (broadphase, dispatcher, children of compounds) once more, but no contact callback. Does not know create
 	/// functions registered with the dispatcher, nor its near callback. Takes Bullet's global callbacks away meanwhile:
-	/// not while another world is stepped on another thread. 0 or less: never. Clears the report.
+	/// not while another world is stepped on another thread. With a btAxisSweep3, whose proxies keep their numbers, it
+	/// does not notice filter groups that change. 0 or less: never. Clears the report.
 	void verifyContacts(int everyNSteps);
 	const btHybridContactReport& getContactReport() const;
 
