@@ -37,8 +37,8 @@ enum btHybridPromises
 /// In body switching every body has one: a finer level needs the body to be free of contact, a coarser one needs
 /// the coarser shape to be free of collision.
 ///
-/// Rays, sweeps and contact tests meet the collision shape, which is the finest level in pair switching, and so do pairs
-/// that a btPairCachingGhostObject keeps for itself: those of a character, which it dispatches between steps.
+/// Rays, sweeps and contact tests meet the collision shape, which is the finest level in pair switching, and so do
+/// pairs that a btPairCachingGhostObject keeps for itself: those of a character, which it dispatches between steps.
 ///
 /// Without hybrid bodies its results are bit-identical to btDiscreteDynamicsWorld.
 class btHybridDynamicsWorld : public btDiscreteDynamicsWorld
