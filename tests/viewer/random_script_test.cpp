@@ -192,7 +192,7 @@ void expectSame(const ViewerReport& a, const ViewerReport& b) {
 }
 
 TEST_F(RandomWindow, DoesTheSameForTheSameScript) {
-  for (const std::uint64_t seed : seeds(8)) {
+  for (const std::uint64_t seed : seeds(4)) {
     SCOPED_TRACE("script " + std::to_string(seed));
     const RandomScript script(seed, Use::kEverything);
     const char* scene = kScenes[seed % kScenes.size()];
@@ -208,7 +208,7 @@ TEST_F(RandomWindow, DoesTheSameForTheSameScript) {
 
 TEST_F(RandomWindow, WritesWhatHandsDidForRunsWithoutOne) {
   std::size_t actions = 0;
-  for (const std::uint64_t seed : seeds(8)) {
+  for (const std::uint64_t seed : seeds(4)) {
     SCOPED_TRACE("script " + std::to_string(seed));
     const RandomScript script(seed, Use::kHands);
     RunOptions alone = worldOf(kScenes[seed % kScenes.size()], WorldKind::kHybrid);
