@@ -62,6 +62,9 @@ class RandomScript {
       loop_ += static_cast<std::uint64_t>(upTo(0, 3));
       text_ << loop_ << ' ' << action() << '\n';
     }
+    // So that hands have done something at the end, wherever the pointer went.
+    if (use == Use::kHands)
+      text_ << loop_ << " do everything\n" << loop_ << " do retract\n" << loop_ << " do coarser\n";
     // There is no frame to write of a scene that has just been started, and hands show in the step after
     // them.
     if (use != Use::kReplay) text_ << loop_ + 1 << " do now\n" << loop_ + 1 << " do step\n";
