@@ -66,7 +66,7 @@ void AnyProgram::forget(const btRigidBody& body) {
   }
 }
 
-// The verification has a broadphase of its own, which does not know of the filter.
+// Pairs that there are stay when the filter changes, here and in the verification's world, which has others.
 void AnyProgram::filterPairs() {
   static FewPairs few;
   if (!isUnverified_) return;
@@ -153,9 +153,7 @@ void AnyProgram::draw() {
   world.setDebugDrawer(&drawer);
   const long before = drawer.lines;
   world.debugDrawWorld();
-  if (!bodies.empty() && random().chance(0.8F)) {
-    world.setDebugDrawer(nullptr);
-  }
+  if (random().chance(0.8F)) world.setDebugDrawer(nullptr);
   heard = 31 * heard + static_cast<std::uint64_t>(drawer.lines - before);
 }
 
@@ -167,8 +165,8 @@ void AnyProgram::save() {
 
 void AnyProgram::sweep() {
   const btBoxShape box(btVector3(0.2F, 0.3F, 0.4F));
-  btTransform from(random().rotation(), random().inCube(6));
-  btTransform to(random().rotation(), random().inCube(6));
+  const btTransform from(random().rotation(), random().inCube(6));
+  const btTransform to(random().rotation(), random().inCube(6));
   btCollisionWorld::ClosestConvexResultCallback found(from.getOrigin(), to.getOrigin());
   world.convexSweepTest(&box, from, to, found);
   heard = 31 * heard + (found.hasHit() ? 1 : 0);
