@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <numeric>
 #include <vector>
 
@@ -32,6 +33,18 @@ std::vector<T> trials(std::vector<T> all) {
 inline std::vector<std::uint64_t> seeds(std::uint64_t first, int n) {
   std::vector<std::uint64_t> all(static_cast<std::size_t>(trials(n)));
   std::iota(all.begin(), all.end(), first);
+  return all;
+}
+
+/// So many seeds as usual, from 1 on; where the environment has these variables, as many as the first says,
+/// and from what the second says on.
+inline std::vector<std::uint64_t> seedsOr(const char* countVariable, const char* firstVariable, int usual) {
+  const char* count = std::getenv(countVariable);
+  const char* first = std::getenv(firstVariable);
+  const std::uint64_t from = first == nullptr ? 1 : std::strtoull(first, nullptr, 10);
+  if (count == nullptr) return seeds(from, usual);
+  std::vector<std::uint64_t> all(std::strtoull(count, nullptr, 10));
+  std::iota(all.begin(), all.end(), from);
   return all;
 }
 

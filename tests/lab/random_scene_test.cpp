@@ -6,7 +6,6 @@
 #include <scatter/recording/recording.h>
 
 #include <array>
-#include <cstdlib>
 #include <memory>
 #include <random>
 #include <sstream>
@@ -180,20 +179,19 @@ class RandomScene {
   }
 
   void addEvent() {
-    const int kind = number(0, 4);
-    if (bodies_.empty() || (kind == 2 && breakable_.empty())) return;
     static constexpr std::array kKinds{"throw", "knock", "break", "remove", "field"};
-    text_ << "[[event]]\ndo = \"" << kKinds[static_cast<std::size_t>(kind)]
-          << "\"\nframe = " << number(0, 110) << '\n';
-    if (kind == 4) {
+    const std::string kind = oneOf(kKinds);
+    if (bodies_.empty() || (kind == "break" && breakable_.empty())) return;
+    text_ << "[[event]]\ndo = \"" << kind << "\"\nframe = " << number(0, 110) << '\n';
+    if (kind == "field") {
       text_ << "field = \"" << (chance(0.5) ? "pull" : "wind")
             << "\"\non = " << (chance(0.5) ? "true" : "false") << '\n';
       return;
     }
-    text_ << "target = \"" << (kind == 2 ? oneOf(breakable_) : oneOf(bodies_)) << "\"\n";
-    if (kind == 0) text_ << "toward = \"" << oneOf(bodies_) << "\"\nspeed = " << between(0, 40) << '\n';
-    if (kind == 1) text_ << "direction = " << direction() << "\nspeed = " << between(0, 20) << '\n';
-    if (kind == 2) text_ << "burst = " << between(0, 10) << "\nshrink = " << between(0.5, 1) << '\n';
+    text_ << "target = \"" << oneOf(kind == "break" ? breakable_ : bodies_) << "\"\n";
+    if (kind == "throw") text_ << "toward = \"" << oneOf(bodies_) << "\"\nspeed = " << between(0, 40) << '\n';
+    if (kind == "knock") text_ << "direction = " << direction() << "\nspeed = " << between(0, 20) << '\n';
+    if (kind == "break") text_ << "burst = " << between(0, 10) << "\nshrink = " << between(0.5, 1) << '\n';
   }
 
   std::mt19937_64 random_;
@@ -250,12 +248,7 @@ class RandomScenes : public testing::Test {
 
 /// SCATTER_RANDOM_SCENES and SCATTER_RANDOM_SCENE: how many, and the first.
 TEST_F(RandomScenes, AreTheSameOnTwoThreadsAndCanBeExported) {
-  const char* count = std::getenv("SCATTER_RANDOM_SCENES");
-  const char* first = std::getenv("SCATTER_RANDOM_SCENE");
-  const std::uint64_t from = first != nullptr ? std::strtoull(first, nullptr, 10) : 1;
-  const auto usual = static_cast<std::uint64_t>(test::trials(6));
-  const std::uint64_t end = from + (count != nullptr ? std::strtoull(count, nullptr, 10) : usual);
-  for (std::uint64_t seed = from; seed < end; ++seed) {
+  for (const std::uint64_t seed : test::seedsOr("SCATTER_RANDOM_SCENES", "SCATTER_RANDOM_SCENE", 6)) {
     const std::string text = RandomScene(seed).text();
     SCOPED_TRACE("scene " + std::to_string(seed));
     auto parsed = parseSceneFile(text, "random.toml");

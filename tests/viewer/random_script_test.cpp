@@ -1,5 +1,4 @@
 #include <gtest/gtest.h>
-#include <scatter/bullet/bullet_physics.h>
 #include <scatter/io/file.h>
 #include <scatter/lab/run.h>
 #include <scatter/recording/export.h>
@@ -9,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <random>
@@ -19,6 +17,7 @@
 #include <vector>
 
 #include "trials.h"
+#include "viewer/bullet_world.h"
 #include "viewer/renderers.h"
 #include "viewer/replay.h"
 #include "viewer/viewer.h"
@@ -27,6 +26,8 @@ namespace scatter::viewer {
 namespace {
 
 namespace fs = std::filesystem;
+
+using test::bulletWorld;
 
 constexpr int kWidth = 640;
 constexpr int kHeight = 400;
@@ -41,7 +42,7 @@ constexpr std::array kCommands{"pause",       "step",    "back",  "first",   "no
                                "everything",  "coarser", "finer", "retract", "record"};
 constexpr std::array kSights{"action",         "fly",         "screenshot", "film", "shadows-all",
                              "shadows-ground", "shadows-off", "show-cost",  "help"};
-constexpr std::array kPanels{"panels", "lab-panel", "numbers-panel", "time-panel", "panels", "film"};
+constexpr std::array kPanels{"panels", "lab-panel", "numbers-panel", "time-panel", "film"};
 
 constexpr std::array kReplayed{"play",        "play",       "backwards", "step",   "back",   "forth-far",
                                "back-far",    "first",      "last",      "slower", "faster", "action",
@@ -114,17 +115,6 @@ class RandomScript {
   std::ostringstream text_;
 };
 
-RunOptions worldOf(const std::string& scene, WorldKind kind) {
-  RunOptions options;
-  options.scene = scene;
-  options.engine = [](const PhysicsDef& def) -> Result<std::unique_ptr<Physics>> {
-    return makeBulletPhysics(def);
-  };
-  options.physics.world = kind;
-  options.label = kind == WorldKind::kHybrid ? "hybrid" : "standard";
-  return options;
-}
-
 /// A window without a picture. SCATTER_RANDOM_SCRIPTS and SCATTER_RANDOM_SCRIPT are how many, and the first.
 class RandomWindow : public testing::Test {
  protected:
@@ -135,13 +125,7 @@ class RandomWindow : public testing::Test {
   ~RandomWindow() override { fs::remove_all(folder_); }
 
   [[nodiscard]] static std::vector<std::uint64_t> seeds(int usual) {
-    const char* count = std::getenv("SCATTER_RANDOM_SCRIPTS");
-    const char* first = std::getenv("SCATTER_RANDOM_SCRIPT");
-    const std::uint64_t from = first != nullptr ? std::strtoull(first, nullptr, 10) : 1;
-    if (count == nullptr) return test::seeds(from, usual);
-    std::vector<std::uint64_t> all(std::strtoull(count, nullptr, 10));
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = from + i;
-    return all;
+    return test::seedsOr("SCATTER_RANDOM_SCRIPTS", "SCATTER_RANDOM_SCRIPT", usual);
   }
 
   [[nodiscard]] ViewerReport play(const ViewerDef& def) const {
@@ -199,8 +183,8 @@ TEST_F(RandomWindow, DoesTheSameForTheSameScript) {
     SCOPED_TRACE("script " + std::to_string(seed));
     const RandomScript script(seed, Use::kEverything);
     const char* scene = kScenes[seed % kScenes.size()];
-    std::vector<RunOptions> worlds{worldOf(scene, WorldKind::kHybrid)};
-    if (seed % 3 == 0) worlds.insert(worlds.begin(), worldOf(scene, WorldKind::kStandard));
+    std::vector<RunOptions> worlds{bulletWorld(scene, WorldKind::kHybrid)};
+    if (seed % 3 == 0) worlds.insert(worlds.begin(), bulletWorld(scene, WorldKind::kStandard));
     const ViewerDef def = defOf(std::move(worlds), script);
     const ViewerReport report = play(def);
     expectWholeFiles();
@@ -214,7 +198,7 @@ TEST_F(RandomWindow, WritesWhatHandsDidForRunsWithoutOne) {
   for (const std::uint64_t seed : seeds(4)) {
     SCOPED_TRACE("script " + std::to_string(seed));
     const RandomScript script(seed, Use::kHands);
-    RunOptions alone = worldOf(kScenes[seed % kScenes.size()], WorldKind::kHybrid);
+    RunOptions alone = bulletWorld(kScenes[seed % kScenes.size()], WorldKind::kHybrid);
     const ViewerReport report = play(defOf({alone}, script));
     const auto hands = readFile(folder_ / "hands.txt");
     alone.frames = static_cast<int>(report.frames.front());
@@ -231,7 +215,7 @@ TEST_F(RandomWindow, WritesWhatHandsDidForRunsWithoutOne) {
 
 TEST_F(RandomWindow, ReplaysTheSameForTheSameScript) {
   ViewerDef recorded;
-  recorded.worlds = {worldOf("collapse", WorldKind::kHybrid)};
+  recorded.worlds = {bulletWorld("collapse", WorldKind::kHybrid)};
   recorded.script = ViewScript::parse("1 do record\n", "script").value();
   recorded.loops = 200;
   recorded.out = folder_;

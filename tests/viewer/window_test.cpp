@@ -1,7 +1,5 @@
 #include <gmock/gmock.h>
-#include <scatter/bullet/bullet_physics.h>
 #include <scatter/io/file.h>
-#include <scatter/lab/run.h>
 #include <scatter/recording/recording.h>
 #include <unistd.h>
 
@@ -14,6 +12,7 @@
 #include <vector>
 
 #include "trials.h"
+#include "viewer/bullet_world.h"
 #include "viewer/debug_views.h"
 #include "viewer/png_file.h"
 #include "viewer/renderers.h"
@@ -28,6 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+using test::bulletWorld;
 using test::kSanitized;
 using test::readPng;
 using testing::HasSubstr;
@@ -42,17 +42,6 @@ int differentPixels(const Image& a, const Image& b) {
     count += most > 8 ? 1 : 0;
   }
   return count;
-}
-
-RunOptions world(const std::string& scene, WorldKind kind = WorldKind::kHybrid) {
-  RunOptions options;
-  options.scene = scene;
-  options.engine = [](const PhysicsDef& def) -> Result<std::unique_ptr<Physics>> {
-    return makeBulletPhysics(def);
-  };
-  options.physics.world = kind;
-  options.label = kind == WorldKind::kHybrid ? "hybrid" : "standard";
-  return options;
 }
 
 /// A window on an X server of its own, of 640 by 400 pixels, driven by scripts.
@@ -80,7 +69,7 @@ class WindowTest : public testing::TestWithParam<std::string> {
   [[nodiscard]] ViewerReport played(const std::string& scene, std::uint64_t loops,
                                     const std::string& script) const {
     ViewerDef def;
-    def.worlds = {world(scene)};
+    def.worlds = {bulletWorld(scene)};
     def.loops = loops;
     def.panels = false;
     const auto report = play(def, script);
@@ -110,7 +99,7 @@ TEST_P(WindowTest, EverySceneOpens) {
     if (test::kSanitized && i % 4 != 0) continue;
     const auto& scene = scenes[i];
     ViewerDef def;
-    def.worlds = {world(scene->name)};
+    def.worlds = {bulletWorld(scene->name)};
     def.loops = 3;
     const auto report = runViewer(**renderer, def);
     ASSERT_TRUE(report.has_value()) << scene->name << ": " << report.error().message;
@@ -124,7 +113,7 @@ TEST_P(WindowTest, EverySceneOpens) {
 TEST_P(WindowTest, AClickInACurveStopsAndShowsThatFrame) {
   if (!shows()) GTEST_SKIP() << "nothing is drawn";
   ViewerDef def;
-  def.worlds = {world("duel")};
+  def.worlds = {bulletWorld("duel")};
   def.loops = 60;
   const std::string open = "1 key F3\n30 move 512 70\n";
   const auto clicked = play(
@@ -136,7 +125,7 @@ TEST_P(WindowTest, AClickInACurveStopsAndShowsThatFrame) {
 }
 
 TEST_P(WindowTest, CostsThePhysicsNothing) {
-  RunOptions alone = world("duel");
+  RunOptions alone = bulletWorld("duel");
   alone.frames = 249;
   const auto run = runScene(alone);
   ASSERT_TRUE(run.has_value());
@@ -207,7 +196,7 @@ TEST_P(WindowTest, TheTitleIsThatOfThePresentScene) {
   if (!shows()) GTEST_SKIP() << "needs a window";
   auto renderer = makeRenderer(GetParam(), {.size = {640, 400}});
   ViewerDef def;
-  def.worlds = {world("duel")};
+  def.worlds = {bulletWorld("duel")};
   def.loops = 8;
   def.script = ViewScript::parse("4 open convergence\n", "test").value();
   ASSERT_TRUE(runViewer(**renderer, def));
@@ -311,7 +300,7 @@ TEST_P(WindowTest, WhatHandsDidIsDoneAgainByAScript) {
   EXPECT_THAT(hands, HasSubstr("drag-to"));
   EXPECT_EQ(played("duel", 100, hands).stateHashes, dragged.stateHashes);
   // Also without a window, and again where the scene is started again.
-  RunOptions alone = world("duel");
+  RunOptions alone = bulletWorld("duel");
   alone.frames = 99;
   alone.hands = HandScript::parse(hands, "hands.txt").value();
   const auto run = runScene(alone);
@@ -340,7 +329,7 @@ TEST_P(WindowTest, GatheringPullsEverything) {
 
 TEST_P(WindowTest, LevelsAreAskedForAndTakenBack) {
   ViewerDef def;
-  def.worlds = {world("quiet_hybrids")};
+  def.worlds = {bulletWorld("quiet_hybrids")};
   def.worlds.front().physics.switching.credit = false;  // what rests cannot go coarser, and the request waits
   def.loops = 40;
   const auto expectCounts = [&](const std::string& script, const auto& requested, const auto& retracted) {
@@ -357,7 +346,7 @@ TEST_P(WindowTest, LevelsAreAskedForAndTakenBack) {
 
 TEST_P(WindowTest, TwoWorldsHaveOneClock) {
   ViewerDef def;
-  def.worlds = {world("duel", WorldKind::kStandard), world("duel")};
+  def.worlds = {bulletWorld("duel", WorldKind::kStandard), bulletWorld("duel")};
   def.loops = 50;
   const auto report = play(def, "30 key Space\n" + shot(49, "both.png"));
   ASSERT_TRUE(report.has_value()) << report.error().message;
@@ -460,7 +449,7 @@ TEST_P(WindowTest, StoresTheRunFromItsFirstFrameOnAndReplaysItBothWays) {
 
 TEST_P(WindowTest, RefusesWhatDoesNotExist) {
   ViewerDef def;
-  def.worlds = {world("duel")};
+  def.worlds = {bulletWorld("duel")};
   def.loops = 10;
   const auto mistake = [&](const std::string& script) {
     const auto report = play(def, script);

@@ -6,6 +6,8 @@
 #include <bit>
 #include <cmath>
 
+#include "RandomPrograms.h"
+
 namespace scatter::test {
 namespace {
 
@@ -37,8 +39,6 @@ AnyProgram::~AnyProgram() {
   world.setListener(nullptr);
   world.verifyContacts(0);
   world.setConstraintSolver(&solver);
-  world.setInternalTickCallback(nullptr, nullptr, false);
-  world.setInternalTickCallback(nullptr, nullptr, true);
   endElsewhere();
   character_.reset();
   endDriving();
@@ -54,10 +54,8 @@ void AnyProgram::doAnything() {
   for (int i = random().index(4); i > 0; --i) doOne();
 }
 
-// Bodies are drawn together, so that they meet.
 void AnyProgram::stepSomehow() {
-  for (const auto& body : bodies)
-    body->applyCentralForce(-8 * body->getWorldTransform().getOrigin() / (body->getInvMass() + 0.1F));
+  drawTogether(bodies);
   const int kind = random().index(8);
   if (kind == 0) {
     world.stepSimulation(1.0F / 30, 3, 1.0F / 60);

@@ -165,9 +165,7 @@ class AnyProgram : public PairTestWorld {
   std::unique_ptr<TestCharacter> character_;
   std::unique_ptr<btDefaultVehicleRaycaster> raycaster_;
   std::unique_ptr<btRaycastVehicle> vehicle_;
-  int ticks_ = 0;  ///< Whether work is done within steps: before (1) or after Bullet's own (2).
   bool hasSensor_ = false;
-  bool hasMeshes_ = false;
   bool hasCcd_;
   bool isAlone_;
   bool isUnverified_;

@@ -91,13 +91,7 @@ void AnyProgram::moveByState() {
 }
 
 void AnyProgram::walk() {
-  if (!character_) {
-    character_ = std::make_unique<TestCharacter>(world, random().inCube(2));
-  } else if (random().chance(0.6F)) {
-    character_->walk(random().inCube(0.1F));
-  } else {
-    character_.reset();
-  }
+  letWalk(character_, world, random());
 }
 
 // All vehicles of a process share Bullet's body for what stands still.
@@ -131,10 +125,10 @@ void AnyProgram::endDriving() {
 
 // Games take bodies out, and ask for levels, when Bullet tells them of a step.
 void AnyProgram::workInSteps() {
-  ticks_ = random().index(3);
+  const int when = random().index(3);
   world.setInternalTickCallback(nullptr, this, false);
   world.setInternalTickCallback(nullptr, this, true);
-  if (ticks_ == 0) return;
+  if (when == 0) return;
   const auto tick = [](btDynamicsWorld* of, btScalar) {
     auto& program = *static_cast<AnyProgram*>(of->getWorldUserInfo());
     using Deed = void (AnyProgram::*)();
@@ -145,7 +139,7 @@ void AnyProgram::workInSteps() {
     if (program.random().chance(0.3F))
       (program.*kDeeds[static_cast<std::size_t>(program.random().index(9))])();
   };
-  world.setInternalTickCallback(tick, this, ticks_ == 1);
+  world.setInternalTickCallback(tick, this, when == 1);
 }
 
 void AnyProgram::draw() {
@@ -189,8 +183,7 @@ void AnyProgram::changeDispatch() {
 // Meshes that move have an algorithm of Bullet's own, which the verification's world does not have.
 void AnyProgram::addMesh() {
   if (!isUnverified_ || bodies.size() >= kMostBodies) return;
-  if (!hasMeshes_) btGImpactCollisionAlgorithm::registerAlgorithm(&dispatcher);
-  hasMeshes_ = true;
+  btGImpactCollisionAlgorithm::registerAlgorithm(&dispatcher);
   auto mesh = std::make_unique<btTriangleMesh>();
   const btVector3 corners[4]{{0, 0.5F, 0}, {0.5F, -0.3F, 0}, {-0.4F, -0.3F, 0.4F}, {-0.4F, -0.3F, -0.4F}};
   for (int i = 0; i < 4; ++i) mesh->addTriangle(corners[i], corners[(i + 1) % 4], corners[(i + 2) % 4]);

@@ -157,9 +157,7 @@ void AnyProgram::clean(const btRigidBody& body) {
   bounds.getOverlappingPairCache()->cleanProxyFromPairs(
       const_cast<btBroadphaseProxy*>(body.getBroadphaseHandle()),
       isHere ? &dispatcher : &elsewhere_->dispatcher);
-  if (character_ && isHere)
-    character_->ownPairs().cleanProxyFromPairs(const_cast<btBroadphaseProxy*>(body.getBroadphaseHandle()),
-                                               &dispatcher);
+  if (character_ && isHere) character_->cleanPairs(body);
 }
 
 void AnyProgram::cleanPairs() {

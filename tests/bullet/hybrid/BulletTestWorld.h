@@ -9,6 +9,16 @@
 
 namespace scatter::test {
 
+/// Of all pairs of a cache.
+inline int countManifolds(btOverlappingPairCache& cache) {
+  btBroadphasePairArray& overlaps = cache.getOverlappingPairArray();
+  btManifoldArray owned;
+  for (int i = 0; i < overlaps.size(); ++i) {
+    if (overlaps[i].m_algorithm != nullptr) overlaps[i].m_algorithm->getAllContactManifolds(owned);
+  }
+  return owned.size();
+}
+
 /// A Bullet world of either type with everything that it needs, and the bodies and shapes added to it.
 template <class WorldType, class Solver = btSequentialImpulseConstraintSolver>
 class BulletTestWorld {
@@ -99,12 +109,7 @@ class BulletTestWorld {
 
   /// Manifolds that no pair of the broadphase has.
   [[nodiscard]] int countOrphans() {
-    btBroadphasePairArray& overlaps = broadphase.getOverlappingPairCache()->getOverlappingPairArray();
-    btManifoldArray owned;
-    for (int i = 0; i < overlaps.size(); ++i) {
-      if (overlaps[i].m_algorithm != nullptr) overlaps[i].m_algorithm->getAllContactManifolds(owned);
-    }
-    return dispatcher.getNumManifolds() - owned.size();
+    return dispatcher.getNumManifolds() - countManifolds(*broadphase.getOverlappingPairCache());
   }
 
   btDefaultCollisionConfiguration configuration{smallPools()};

@@ -3,6 +3,10 @@
 #include <BulletCollision/CollisionDispatch/btGhostObject.h>
 #include <BulletDynamics/Character/btKinematicCharacterController.h>
 #include <btBulletDynamicsCommon.h>
+#include <memory>
+
+#include "BulletTestWorld.h"
+#include "RandomShapes.h"
 
 namespace scatter::test {
 
@@ -31,13 +35,12 @@ class TestCharacter {
 
   [[nodiscard]] btHashedOverlappingPairCache& ownPairs() { return *ghost_.getOverlappingPairCache(); }
 
-  [[nodiscard]] int countOwnManifolds() {
-    btManifoldArray all;
-    for (int i = 0; i < ownPairs().getNumOverlappingPairs(); ++i) {
-      btCollisionAlgorithm* own = ownPairs().getOverlappingPairArray()[i].m_algorithm;
-      if (own != nullptr) own->getAllContactManifolds(all);
-    }
-    return all.size();
+  [[nodiscard]] int countOwnManifolds() { return countManifolds(ownPairs()); }
+
+  /// A body has another shape.
+  void cleanPairs(const btRigidBody& body) {
+    ownPairs().cleanProxyFromPairs(const_cast<btBroadphaseProxy*>(body.getBroadphaseHandle()),
+                                   world_.getDispatcher());
   }
 
  private:
@@ -47,5 +50,17 @@ class TestCharacter {
   btPairCachingGhostObject ghost_;
   btKinematicCharacterController walker_{&ghost_, &capsule_, 0.2F};
 };
+
+/// What a program does at random with its character, or to have one.
+inline void letWalk(std::unique_ptr<TestCharacter>& character, btDiscreteDynamicsWorld& world,
+                    Random& random) {
+  if (!character) {
+    character = std::make_unique<TestCharacter>(world, random.inCube(2));
+  } else if (random.chance(0.6F)) {
+    character->walk(random.inCube(0.1F));
+  } else {
+    character.reset();
+  }
+}
 
 }  // namespace scatter::test

@@ -97,8 +97,7 @@ class AnyInstalled : public MultiBodyWorld {
   }
 
   void stepOn() {
-    for (const auto& body : bodies)
-      body->applyCentralForce(-8 * body->getWorldTransform().getOrigin() / (body->getInvMass() + 0.1F));
+    drawTogether(bodies);
     step();
   }
 
@@ -155,9 +154,7 @@ class AnyInstalled : public MultiBodyWorld {
   void clean(const btRigidBody& body) {
     broadphase.getOverlappingPairCache()->cleanProxyFromPairs(
         const_cast<btBroadphaseProxy*>(body.getBroadphaseHandle()), &dispatcher);
-    if (character_)
-      character_->ownPairs().cleanProxyFromPairs(const_cast<btBroadphaseProxy*>(body.getBroadphaseHandle()),
-                                                 &dispatcher);
+    if (character_) character_->cleanPairs(body);
   }
 
   void changeShape() {
@@ -216,15 +213,7 @@ class AnyInstalled : public MultiBodyWorld {
     }
   }
 
-  void walk() {
-    if (!character_) {
-      character_ = std::make_unique<TestCharacter>(world, random().inCube(2));
-    } else if (random().chance(0.6F)) {
-      character_->walk(random().inCube(0.1F));
-    } else {
-      character_.reset();
-    }
-  }
+  void walk() { letWalk(character_, world, random()); }
 
   void chain() {
     if (chains_.size() > 2 || (!chains_.empty() && random().chance(0.3F))) {
