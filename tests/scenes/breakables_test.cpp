@@ -13,7 +13,7 @@ namespace {
 constexpr float kYard = 7.0F;
 constexpr float kHeight = 10.0F;
 /// Until all have fallen; under sanitizers until many have broken, as the gibs take most of the time.
-constexpr int kBreakingFrames = kSanitized ? 110 : 240;
+constexpr int kBreakingFrames = kSanitized ? 80 : 240;
 
 struct Census {
   std::size_t whole = 0;
