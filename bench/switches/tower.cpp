@@ -8,7 +8,8 @@
 
 #include "PairTestWorld.h"
 
-// Towers that never sleep, with a budget that stays, or comes and goes: how long and how still do they stand?
+// Towers that never sleep, with a budget that stays, or comes and goes: how long and how still do they stand,
+// and what does it save?
 
 namespace scatter::bench {
 namespace {
@@ -57,8 +58,9 @@ struct Tower : test::PairTestWorld {
 };
 
 struct Stood {
-  int steps = 0;      ///< Until a cube lay, or the trial ended.
-  int fastSteps = 0;  ///< With a cube faster than 2 cm/s.
+  int steps = 0;       ///< Until a cube lay, or the trial ended.
+  int fastSteps = 0;   ///< With a cube faster than 2 cm/s.
+  double units = 0.0;  ///< Of all steps.
 };
 
 void changeBudget(Tower& tower, const TowerBudget& budget, int step) {
@@ -90,14 +92,15 @@ Stood run(const TowerTrial& trial) {
     }
     if (furthest > kLies) break;
     stood.fastSteps += fastest > kFast ? 1 : 0;
+    stood.units += tower.pairInfo().units;
   }
   return stood;
 }
 
 void printHead() {
-  std::printf("%-13s %-22s %10s %14s %9s %15s\n", "world", "budget", "still", "steps until it", "> 2 cm/s",
-              "least, most");
-  std::printf("%-13s %-22s %10s %14s %9s\n", "", "", "stand", "lies, median", "mean");
+  std::printf("%-13s %-24s %8s %14s %9s %15s %7s\n", "world", "budget", "still", "steps until it", "> 2 cm/s",
+              "least, most", "units");
+  std::printf("%-13s %-24s %8s %14s %9s %15s %7s\n", "", "", "stand", "lies, median", "mean", "", "a step");
 }
 
 std::string describe(const TowerBudget& budget) {
@@ -108,18 +111,28 @@ std::string describe(const TowerBudget& budget) {
 void runTowersOf(const TowerWorld& world, const TowerBudget& budget, int steps) {
   std::vector<int> until;
   std::vector<double> fast;
+  double units = 0.0;
+  int all = 0;
   for (const float mass : kMasses) {
     const Stood stood = run({.world = world, .budget = budget, .mass = mass, .steps = steps});
     until.push_back(stood.steps);
     fast.push_back(100.0 * stood.fastSteps / stood.steps);
+    units += stood.units;
+    all += stood.steps;
   }
   std::ranges::sort(until);
   std::ranges::sort(fast);
   double mean = 0.0;
   for (const double share : fast) mean += share / static_cast<double>(fast.size());
-  std::printf("%-13s %-22s %4d of %2d %14d %7.1f %% %6.1f, %4.1f %%\n", world.name, describe(budget).c_str(),
+  std::printf("%-13s %-24s %2d of %2d %14d %7.1f %% %6.1f, %4.1f %%", world.name, describe(budget).c_str(),
               static_cast<int>(std::ranges::count(until, steps)), static_cast<int>(until.size()),
               until[until.size() / 2], mean, fast.front(), fast.back());
+  // Plain collision is not counted.
+  if (world.isPlain) {
+    std::printf("%8s\n", "-");
+  } else {
+    std::printf("%8.0f\n", units / all);
+  }
   std::fflush(stdout);
 }
 
